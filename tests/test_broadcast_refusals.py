@@ -227,9 +227,9 @@ def test_a_client_sends_nothing_to_all_stations_that_cannot_be_broadcast() -> No
     transport = Silence()
     client = tc100_client.Client(transport, pause=0.0)
     with pytest.raises(errors.InvalidValueError, match="station is 0: read_registers cannot be broadcast"):
-        client.send(tc100.ReadRegistersRequest(0x1000, 1), station=0)
+        client.send(tc100.ReadRegistersRequest(0x1000, 1), unit_address=0)
     assert transport.sent == []
-    client.send(tc100.WriteRegisterRequest(0x201E, 3), station=0)
+    client.send(tc100.WriteRegisterRequest(0x201E, 3), unit_address=0)
     assert [frame[:2].hex() for frame in transport.sent] == ["0006"]
 
 

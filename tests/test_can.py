@@ -154,7 +154,7 @@ def test_what_a_node_of_canopen_aborts_is_an_exception_response(bus: Bus) -> Non
     request = MODULE.ReadStatuswordRequest()
     bus.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
     reply = MODULE.sdo.decode_response(bus.receive(MODULE.sdo), request)
-    assert (reply.station, reply.code, reply.exception) == (
+    assert (reply.unit_address, reply.code, reply.exception) == (
         NODE,
         0x40,
         MODULE.Abort(index=0x6041, subindex=0, reason=MODULE.AbortCode.UNKNOWN_OBJECT),
@@ -211,7 +211,7 @@ def test_process_data_are_those_of_canopen_both_ways(bus: Bus) -> None:
     received["controlword"].raw, received["target"].raw = 0x1F, -1000
     received.transmit()
     request = MODULE.pdo.decode_request(bus.receive(MODULE.pdo), MODULE.PositionDataRequest)
-    assert (request.function, request.station) == (4, NODE)
+    assert (request.function, request.unit_address) == (4, NODE)
     assert (request.message.controlword.raw, request.message.target) == (0x1F, -1000)
     sent.enabled = True
     sent.subscribe()
@@ -226,7 +226,7 @@ def test_a_generated_client_asks_a_node_of_canopen(bus: Bus) -> None:
     node = bus.network.create_node(NODE, objects())
     node.sdo[0x6064].raw = -123456
     client = importlib.import_module(f"{package().__name__}.axis.client")
-    drive = client.Client(runtime("transports").CanTransport(bus.driver, can.Message), station=NODE)
+    drive = client.Client(runtime("transports").CanTransport(bus.driver, can.Message), unit_address=NODE)
     bus.network.send_message(0x701, b"\x05")
     assert drive.ask(MODULE.ReadPositionRequest()).message.position == -123456
     drive.ask(MODULE.WriteTargetRequest(target=77))

@@ -55,7 +55,7 @@ def test_a_part_before_the_body_marks_an_exception_response() -> None:
     assert decoded.message is not None
     assert decoded.message.name == "read_state"
     reply = MODULE.panel.decode_response(BUSY, MODULE.ReadStateRequest())
-    assert (reply.station, reply.code, reply.status) == (5, 0x10, 2)
+    assert (reply.unit_address, reply.code, reply.status) == (5, 0x10, 2)
     assert MODULE.panel.encode_error(5, 0x10, MODULE.Nothing(), status=2) == BUSY
 
 

@@ -154,7 +154,7 @@ def asked(module: Any, line: Line, request: Any) -> Any:
         frames = framer.feed(data)
     assert len(frames) == 1, "no response"
     response = link.decode_response(frames[0], request)
-    assert response.station == STATION
+    assert response.unit_address == STATION
     assert getattr(response, "exception", None) is None
     return response.message
 

@@ -217,9 +217,9 @@ class Server:
             message = self._response(request.message)
         except IndexError:
             refusal = STATION.ExceptionRecord(exception_code=2)
-            answer = self.link.encode_error(request.station, request.message.CODE, refusal, **head)
+            answer = self.link.encode_error(request.unit_address, request.message.CODE, refusal, **head)
         else:
-            answer = self.link.encode_response(request.station, message, **head)
+            answer = self.link.encode_response(request.unit_address, message, **head)
         assert isinstance(answer, bytes)
         return answer
 
@@ -361,7 +361,7 @@ def test_the_examples_of_the_specification_of_modbus_are_encoded_and_decoded(
         frame = struct.pack(">HHHB", 0x1501, 0, len(body) + 1, 0x11) + body
         assert getattr(link, f"encode_{direction}")(0x11, message, transaction=0x1501) == frame
         decoded = getattr(link, f"decode_{direction}")(frame)
-        assert (decoded.station, decoded.transaction, decoded.message) == (0x11, 0x1501, message)
+        assert (decoded.unit_address, decoded.transaction, decoded.message) == (0x11, 0x1501, message)
 
 
 def test_a_simulated_station_serves_its_bits_to_a_client_of_pymodbus() -> None:

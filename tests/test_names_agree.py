@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import json
+import keyword
 import re
 import subprocess
 import sys
@@ -16,7 +18,9 @@ from external_tools import require_tool
 from fieldspec.backends.c.backend import files as c_files
 from fieldspec.backends.js.backend import files as js_files
 from fieldspec.backends.python.backend import files as python_files
+from fieldspec.backends.python.naming import Scope
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import Name
 from layouts import SPECS, TEST_SPECS, has_digits, layouts, newest
 from python_package import module_of
 
@@ -67,6 +71,41 @@ def test_outputs_name_a_fact_alike(name: str) -> None:
         for output in OUTPUTS:
             own = word.removesuffix("fromraw").removesuffix("toraw") if output == "js" else word
             assert own in defined(name, output), f"{output} does not name {fact}"
+
+
+def parameters(layout: DeviceLayout, output: str, link: str) -> list[str]:
+    """The parts of a request that its encoder takes in an output, in snake case and in their order on the wire."""
+    texts = [text for text in OUTPUTS[output][0]([layout]).values() if isinstance(text, str)]
+    if output == "python":
+        names = list(
+            inspect.signature(
+                getattr(module_of(layout), Scope(frozenset(keyword.kwlist)).take(link)).encode_request
+            ).parameters
+        )
+        return [name.removesuffix("_") for name in names if name != "message"]
+    pattern = {
+        "c": rf"_{link}_request_close\(([^)]*)\)\n?\s*\{{",
+        "js": rf"declare const {Name.of(link).camel()}(?:Link)?: Link<(\{{[^}}]*\}}|Record)",
+    }[output]
+    text = next(match for text in texts for match in re.findall(pattern, text))
+    if output == "js":
+        return [re.sub("([A-Z])", r"_\1", name).lower() for name in re.findall(r"readonly (\w+)", text)]
+    names = [item.split()[-1].strip("*") for item in text.split(",")]
+    return [
+        name.removesuffix("_") for name in names if name not in ("code", "body_length", "out", "capacity", "length")
+    ]
+
+
+LINKS = [(name, link) for name, layout in LAYOUTS.items() for link in layout.links]
+
+
+@pytest.mark.parametrize(("name", "link"), LINKS)
+def test_encoders_of_requests_take_parts_of_the_same_names(name: str, link: str) -> None:
+    layout = LAYOUTS[name]
+    taken = {output: sorted(parameters(layout, output, link)) for output in OUTPUTS}
+    parts = [part for part in layout.links[link].request.header if part.is_argument and not part.reserved]
+    names = sorted(part.role if part.role == "unit_address" else part.name for part in parts)
+    assert taken == dict.fromkeys(OUTPUTS, names)
 
 
 PROGRAM = """

@@ -27,9 +27,9 @@ def _in_form(layout: Any, example: Any, link: str) -> bytes:
     decoded = getattr(link_of(module, example.link), f"decode_{example.direction}")(example.frame)
     spoken = link_of(module, link)
     if example.exception_response:
-        frame = spoken.encode_error(decoded.station, decoded.code, decoded.exception)
+        frame = spoken.encode_error(decoded.unit_address, decoded.code, decoded.exception)
     else:
-        frame = getattr(spoken, f"encode_{example.direction}")(decoded.station, decoded.message)
+        frame = getattr(spoken, f"encode_{example.direction}")(decoded.unit_address, decoded.message)
     assert isinstance(frame, bytes)
     return frame
 

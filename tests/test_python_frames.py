@@ -107,7 +107,7 @@ def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> di
     parts = {}
     for part in layout.links[link].frame(direction).header:
         if part.role == "unit_address":
-            parts[part.name] = decoded.station
+            parts[part.name] = decoded.unit_address
         elif is_argument(part):
             name = part.name if hasattr(decoded, part.name) else f"{part.name}_"
             parts[part.name] = raw(getattr(decoded, name))

@@ -89,7 +89,7 @@ def test_a_part_that_is_always_the_same_is_no_argument_and_is_looked_at(name: st
     link = reference.links["channel"]
     frame = bytearray(link.encode("request", "read_parameter", READ))
     request = module.channel.decode_request(bytes(frame))
-    assert request.__match_args__ == ("station", "message", "reference")
+    assert request.__match_args__ == ("unit_address", "message", "reference")
     frame[2] ^= 1
     check = layout.links["channel"].request.checksum
     if check is not None:
@@ -103,10 +103,10 @@ def test_a_refusal_has_all_parts_of_the_head() -> None:
     frame = bytes.fromhex("07 81 00 44 00 01")
     reply = GLIDER.channel.decode_response(frame, GLIDER.ReadParameterRequest)
     assert isinstance(reply, package().ErrorReply)
-    assert (reply.reference, reply.code, reply.station) == (7, 1, 0)
+    assert (reply.reference, reply.code, reply.unit_address) == (7, 1, 0)
     assert reply.exception.error_number is GLIDER.ErrorNumber.NOT_WRITABLE
     assert GLIDER.channel.encode_error(1, reply.exception, reference=7) == frame
-    assert repr(reply).startswith("ChannelErrorReply(station=0, code=1, ")
+    assert repr(reply).startswith("ChannelErrorReply(unit_address=0, code=1, ")
     for wrong in (0, 256, "7"):
         with pytest.raises(CodecError) as caught:
             GLIDER.channel.encode_error(1, reply.exception, reference=wrong)

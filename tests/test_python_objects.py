@@ -281,7 +281,7 @@ def test_a_response_is_of_the_class_that_belongs_to_its_request() -> None:
 def test_a_refusal_is_a_result_and_no_exception() -> None:
     frame = WIDGET.rtu.encode_error(1, 0x03, WIDGET.ExceptionRecord(WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS))
     match WIDGET.rtu.decode_response(frame, WIDGET.ReadRegistersRequest):
-        case PACKAGE.ErrorReply(station=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
+        case PACKAGE.ErrorReply(unit_address=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
             assert reason is WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS
         case other:
             pytest.fail(f"it is {other}")
@@ -357,12 +357,12 @@ def checked(text: str) -> bytes:
 
 def test_numbers_beyond_those_that_may_be_sent_are_read_as_they_came() -> None:
     request = TC100.rtu.decode_request(checked("C8 03 10 00 12 34"))
-    assert (request.station, request.message) == (200, TC100.ReadRegistersRequest(0x1000, 0x1234))
+    assert (request.unit_address, request.message) == (200, TC100.ReadRegistersRequest(0x1000, 0x1234))
     response = TC100.rtu.decode_response(checked("C8 06 10 00 12 34"))
-    assert (response.station, response.message) == (200, TC100.WriteRegisterResponse(0x1000, 0x1234))
+    assert (response.unit_address, response.message) == (200, TC100.WriteRegisterResponse(0x1000, 0x1234))
 
 
-def test_a_link_knows_its_stations() -> None:
-    assert WIDGET.packet.stations == ((0, 7), (32, 39))
-    assert (WIDGET.rtu.stations, WIDGET.rtu.broadcast) == (((1, 16),), 0)
+def test_a_link_knows_its_unit_addresses() -> None:
+    assert WIDGET.packet.unit_addresses == ((0, 7), (32, 39))
+    assert (WIDGET.rtu.unit_addresses, WIDGET.rtu.broadcast) == (((1, 16),), 0)
     assert WIDGET.packet.broadcast is None

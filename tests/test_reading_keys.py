@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import random_specs
 from fieldspec.reading.building.device import built
+from fieldspec.reading.findings import SYNONYMS
 from fieldspec.reading.nodes import Mapping, Node, Sequence
 from fieldspec.reading.project import read
 from fieldspec.schema import Schema, resolved, schema
@@ -99,3 +101,17 @@ def test_every_key_is_read() -> None:
         and key not in SETTLED_BEFORE
     }
     assert passed_over == set()
+
+
+def test_words_of_other_tools_lead_to_keys_of_the_language() -> None:
+    keys = {key for part in [schema(), *schema()["$defs"].values()] for key in _keys(part)}
+    assert {own for meant in SYNONYMS.values() for own in meant} <= keys
+
+
+def _keys(part: Schema) -> Iterator[str]:
+    """All keys of a part of the schema and of the parts in it."""
+    for key, inner in part.get("properties", {}).items():
+        yield key
+        yield from _keys(inner)
+    if isinstance(part.get("items"), dict):
+        yield from _keys(part["items"])

@@ -44,9 +44,9 @@ class Servo(threading.Thread):
                 request = self.bus.decode_request(frame)
                 self.requests.append(request)
                 response = self.response(request.message)
-                if request.station != 254:
+                if request.unit_address != 254:
                     error = self.module.Error(0)
-                    os.write(self.descriptor, self.bus.encode_response(request.station, response, error=error))
+                    os.write(self.descriptor, self.bus.encode_response(request.unit_address, response, error=error))
 
     def response(self, message: Any) -> Any:
         module = self.module
@@ -99,7 +99,7 @@ def test_a_synchronous_write_is_the_packet_of_the_library(line: tuple[float, Ser
     assert group.txPacket() == sdk.COMM_SUCCESS
     sdk.PacketHandler(protocol).ping(port, 3)
     message = servo.requests[0].message
-    assert servo.requests[0].station == 254
+    assert servo.requests[0].unit_address == 254
     assert (message.address, message.size) == (30, 4)
     assert list(message.data) == [1, 0xFF, 0xFF, 1, 0xFD, 2, 0xFF, 0xFF, 2, 0xFD]
 

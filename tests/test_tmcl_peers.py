@@ -35,7 +35,7 @@ def answer(frame: bytes, values: dict[tuple[int, int], int]) -> bytes:
         case _:
             status = MOVER.Status.WRONG_TYPE
     answered = getattr(MOVER, type(asked).__name__.replace("Request", "Response"))(value=number)
-    response = SERIAL.encode_response(request.station, answered, host=2, status=status)
+    response = SERIAL.encode_response(request.unit_address, answered, host=2, status=status)
     assert isinstance(response, bytes)
     return response
 

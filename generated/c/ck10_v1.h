@@ -9638,7 +9638,7 @@ typedef struct ck10_rtu_request_frame {
      * Printed as 位址.
      * Source: 1.2 L112
      */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
@@ -9656,7 +9656,7 @@ static inline ck10_codec_status ck10_rtu_request_open(const uint8_t *frame, size
     if (ck10_crc16_modbus(in, length - 2u) != ck10_load_u16_le(in + length - 2u)) {
         return CK10_ERR_WRONG_CHECK;
     }
-    out->station = ck10_load_u8(in + 0);
+    out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
     if (out->code != 3u && out->code != 6u && out->code != 16u && out->code != 17u) {
         return CK10_ERR_UNKNOWN_CODE;
@@ -9667,17 +9667,17 @@ static inline ck10_codec_status ck10_rtu_request_open(const uint8_t *frame, size
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline ck10_codec_status ck10_rtu_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out,
-        size_t capacity, size_t *length)
+static inline ck10_codec_status ck10_rtu_request_close(uint8_t unit_address, uint32_t code, size_t body_length,
+        uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 4u;
     if (capacity < 4u || body_length > capacity - 4u) {
         return CK10_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    ck10_store_u8(out + 0, (uint8_t)station);
+    ck10_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return CK10_ERR_UNKNOWN_CODE;
     }
@@ -9693,7 +9693,7 @@ typedef struct ck10_rtu_response_frame {
      * Printed as 位址.
      * Source: 1.2 L112
      */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     /** The frame is an exception response; its body is the record of the exception. */
@@ -9713,7 +9713,7 @@ static inline ck10_codec_status ck10_rtu_response_open(const uint8_t *frame, siz
     if (ck10_crc16_modbus(in, length - 2u) != ck10_load_u16_le(in + length - 2u)) {
         return CK10_ERR_WRONG_CHECK;
     }
-    out->station = ck10_load_u8(in + 0);
+    out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
     out->error = (out->code & 128u) != 0;
     if (out->error) {
@@ -9728,17 +9728,17 @@ static inline ck10_codec_status ck10_rtu_response_open(const uint8_t *frame, siz
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline ck10_codec_status ck10_rtu_response_close(uint8_t station, uint32_t code, size_t body_length,
+static inline ck10_codec_status ck10_rtu_response_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 4u;
     if (capacity < 4u || body_length > capacity - 4u) {
         return CK10_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    ck10_store_u8(out + 0, (uint8_t)station);
+    ck10_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return CK10_ERR_UNKNOWN_CODE;
     }
@@ -9749,7 +9749,7 @@ static inline ck10_codec_status ck10_rtu_response_close(uint8_t station, uint32_
 }
 
 /** Writes the whole frame of the request read_registers_request. */
-static inline ck10_codec_status ck10_rtu_encode_read_registers_request(uint8_t station,
+static inline ck10_codec_status ck10_rtu_encode_read_registers_request(uint8_t unit_address,
         const ck10_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9761,14 +9761,14 @@ static inline ck10_codec_status ck10_rtu_encode_read_registers_request(uint8_t s
     if (status != CK10_OK) {
         return status;
     }
-    if (station == 0) {
+    if (unit_address == 0) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    return ck10_rtu_request_close(station, 3u, body_length, out, capacity, length);
+    return ck10_rtu_request_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_registers_response. */
-static inline ck10_codec_status ck10_rtu_encode_read_registers_response(uint8_t station,
+static inline ck10_codec_status ck10_rtu_encode_read_registers_response(uint8_t unit_address,
         const ck10_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9780,11 +9780,11 @@ static inline ck10_codec_status ck10_rtu_encode_read_registers_response(uint8_t 
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_response_close(station, 3u, body_length, out, capacity, length);
+    return ck10_rtu_response_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_register_request. */
-static inline ck10_codec_status ck10_rtu_encode_write_register_request(uint8_t station,
+static inline ck10_codec_status ck10_rtu_encode_write_register_request(uint8_t unit_address,
         const ck10_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9796,11 +9796,11 @@ static inline ck10_codec_status ck10_rtu_encode_write_register_request(uint8_t s
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_request_close(station, 6u, body_length, out, capacity, length);
+    return ck10_rtu_request_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_register_response. */
-static inline ck10_codec_status ck10_rtu_encode_write_register_response(uint8_t station,
+static inline ck10_codec_status ck10_rtu_encode_write_register_response(uint8_t unit_address,
         const ck10_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9812,11 +9812,11 @@ static inline ck10_codec_status ck10_rtu_encode_write_register_response(uint8_t 
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_response_close(station, 6u, body_length, out, capacity, length);
+    return ck10_rtu_response_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_registers_request. */
-static inline ck10_codec_status ck10_rtu_encode_write_registers_request(uint8_t station,
+static inline ck10_codec_status ck10_rtu_encode_write_registers_request(uint8_t unit_address,
         const ck10_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9828,11 +9828,11 @@ static inline ck10_codec_status ck10_rtu_encode_write_registers_request(uint8_t 
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_request_close(station, 16u, body_length, out, capacity, length);
+    return ck10_rtu_request_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_registers_response. */
-static inline ck10_codec_status ck10_rtu_encode_write_registers_response(uint8_t station,
+static inline ck10_codec_status ck10_rtu_encode_write_registers_response(uint8_t unit_address,
         const ck10_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9844,21 +9844,21 @@ static inline ck10_codec_status ck10_rtu_encode_write_registers_response(uint8_t
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_response_close(station, 16u, body_length, out, capacity, length);
+    return ck10_rtu_response_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request report_server_id_request. */
-static inline ck10_codec_status ck10_rtu_encode_report_server_id_request(uint8_t station, uint8_t *out, size_t capacity,
-        size_t *length)
+static inline ck10_codec_status ck10_rtu_encode_report_server_id_request(uint8_t unit_address, uint8_t *out,
+        size_t capacity, size_t *length)
 {
-    if (station == 0) {
+    if (unit_address == 0) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    return ck10_rtu_request_close(station, 17u, 0, out, capacity, length);
+    return ck10_rtu_request_close(unit_address, 17u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response report_server_id_response. */
-static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_t station, uint8_t *out,
+static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9870,11 +9870,11 @@ static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_response_close(station, 17u, body_length, out, capacity, length);
+    return ck10_rtu_response_close(unit_address, 17u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t code, const ck10_exception *in,
+static inline ck10_codec_status ck10_rtu_encode_error(uint8_t unit_address, uint32_t code, const ck10_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -9886,7 +9886,7 @@ static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t 
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_rtu_response_close(station, code | 128u, body_length, out, capacity, length);
+    return ck10_rtu_response_close(unit_address, code | 128u, body_length, out, capacity, length);
 }
 
 /**
@@ -9934,7 +9934,7 @@ typedef struct ck10_ascii_request_frame {
      * Printed as 位址.
      * Source: 1.2 L95
      */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
@@ -9961,7 +9961,7 @@ static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, si
     if (ck10_lrc(in, length - 1u) != ck10_load_u8(in + length - 1u)) {
         return CK10_ERR_WRONG_CHECK;
     }
-    out->station = ck10_load_u8(in + 0);
+    out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
     if (out->code != 3u && out->code != 6u && out->code != 16u && out->code != 17u) {
         return CK10_ERR_UNKNOWN_CODE;
@@ -9972,7 +9972,7 @@ static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, si
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32_t code, size_t body_length,
+static inline ck10_codec_status ck10_ascii_request_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 3u;
@@ -9980,10 +9980,10 @@ static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32
     if (capacity < 9u || body_length > (capacity - 9u) / 2u) {
         return CK10_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    ck10_store_u8(out + 0, (uint8_t)station);
+    ck10_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return CK10_ERR_UNKNOWN_CODE;
     }
@@ -10007,7 +10007,7 @@ typedef struct ck10_ascii_response_frame {
      * Printed as 位址.
      * Source: 1.2 L95
      */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     /** The frame is an exception response; its body is the record of the exception. */
@@ -10036,7 +10036,7 @@ static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, s
     if (ck10_lrc(in, length - 1u) != ck10_load_u8(in + length - 1u)) {
         return CK10_ERR_WRONG_CHECK;
     }
-    out->station = ck10_load_u8(in + 0);
+    out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
     out->error = (out->code & 128u) != 0;
     if (out->error) {
@@ -10051,7 +10051,7 @@ static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, s
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline ck10_codec_status ck10_ascii_response_close(uint8_t station, uint32_t code, size_t body_length,
+static inline ck10_codec_status ck10_ascii_response_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 3u;
@@ -10059,10 +10059,10 @@ static inline ck10_codec_status ck10_ascii_response_close(uint8_t station, uint3
     if (capacity < 9u || body_length > (capacity - 9u) / 2u) {
         return CK10_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    ck10_store_u8(out + 0, (uint8_t)station);
+    ck10_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return CK10_ERR_UNKNOWN_CODE;
     }
@@ -10081,7 +10081,7 @@ static inline ck10_codec_status ck10_ascii_response_close(uint8_t station, uint3
 }
 
 /** Writes the whole frame of the request read_registers_request. */
-static inline ck10_codec_status ck10_ascii_encode_read_registers_request(uint8_t station,
+static inline ck10_codec_status ck10_ascii_encode_read_registers_request(uint8_t unit_address,
         const ck10_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10093,14 +10093,14 @@ static inline ck10_codec_status ck10_ascii_encode_read_registers_request(uint8_t
     if (status != CK10_OK) {
         return status;
     }
-    if (station == 0) {
+    if (unit_address == 0) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    return ck10_ascii_request_close(station, 3u, body_length, out, capacity, length);
+    return ck10_ascii_request_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_registers_response. */
-static inline ck10_codec_status ck10_ascii_encode_read_registers_response(uint8_t station,
+static inline ck10_codec_status ck10_ascii_encode_read_registers_response(uint8_t unit_address,
         const ck10_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10112,11 +10112,11 @@ static inline ck10_codec_status ck10_ascii_encode_read_registers_response(uint8_
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_response_close(station, 3u, body_length, out, capacity, length);
+    return ck10_ascii_response_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_register_request. */
-static inline ck10_codec_status ck10_ascii_encode_write_register_request(uint8_t station,
+static inline ck10_codec_status ck10_ascii_encode_write_register_request(uint8_t unit_address,
         const ck10_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10128,11 +10128,11 @@ static inline ck10_codec_status ck10_ascii_encode_write_register_request(uint8_t
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_request_close(station, 6u, body_length, out, capacity, length);
+    return ck10_ascii_request_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_register_response. */
-static inline ck10_codec_status ck10_ascii_encode_write_register_response(uint8_t station,
+static inline ck10_codec_status ck10_ascii_encode_write_register_response(uint8_t unit_address,
         const ck10_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10144,11 +10144,11 @@ static inline ck10_codec_status ck10_ascii_encode_write_register_response(uint8_
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_response_close(station, 6u, body_length, out, capacity, length);
+    return ck10_ascii_response_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_registers_request. */
-static inline ck10_codec_status ck10_ascii_encode_write_registers_request(uint8_t station,
+static inline ck10_codec_status ck10_ascii_encode_write_registers_request(uint8_t unit_address,
         const ck10_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10160,11 +10160,11 @@ static inline ck10_codec_status ck10_ascii_encode_write_registers_request(uint8_
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_request_close(station, 16u, body_length, out, capacity, length);
+    return ck10_ascii_request_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_registers_response. */
-static inline ck10_codec_status ck10_ascii_encode_write_registers_response(uint8_t station,
+static inline ck10_codec_status ck10_ascii_encode_write_registers_response(uint8_t unit_address,
         const ck10_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10176,21 +10176,21 @@ static inline ck10_codec_status ck10_ascii_encode_write_registers_response(uint8
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_response_close(station, 16u, body_length, out, capacity, length);
+    return ck10_ascii_response_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request report_server_id_request. */
-static inline ck10_codec_status ck10_ascii_encode_report_server_id_request(uint8_t station, uint8_t *out,
+static inline ck10_codec_status ck10_ascii_encode_report_server_id_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    if (station == 0) {
+    if (unit_address == 0) {
         return CK10_ERR_OUT_OF_RANGE;
     }
-    return ck10_ascii_request_close(station, 17u, 0, out, capacity, length);
+    return ck10_ascii_request_close(unit_address, 17u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response report_server_id_response. */
-static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint8_t station, uint8_t *out,
+static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10202,11 +10202,11 @@ static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_response_close(station, 17u, body_length, out, capacity, length);
+    return ck10_ascii_response_close(unit_address, 17u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_t code, const ck10_exception *in,
+static inline ck10_codec_status ck10_ascii_encode_error(uint8_t unit_address, uint32_t code, const ck10_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -10218,7 +10218,7 @@ static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_
     if (status != CK10_OK) {
         return status;
     }
-    return ck10_ascii_response_close(station, code | 128u, body_length, out, capacity, length);
+    return ck10_ascii_response_close(unit_address, code | 128u, body_length, out, capacity, length);
 }
 
 /* ---- Texts of codes, in UTF-8 ---- */

@@ -6510,7 +6510,7 @@ static void test_272(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example identity-request opens");
-    expect(opened.station == 1u, "example identity-request: station");
+    expect(opened.unit_address == 1u, "example identity-request: station");
     expect(opened.code == 17u, "example identity-request: code");
     expect(ck10_report_server_id_request_decode(opened.body, opened.body_length) == CK10_OK, "example identity-request decodes");
     expect(ck10_rtu_encode_report_server_id_request(1u, again, sizeof again, &length) == CK10_OK, "example identity-request encodes");
@@ -6527,7 +6527,7 @@ static void test_273(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example identity-response opens");
-    expect(opened.station == 1u, "example identity-response: station");
+    expect(opened.unit_address == 1u, "example identity-response: station");
     expect(opened.code == 17u, "example identity-response: code");
     expect(opened.error == false, "example identity-response: error");
     expect(ck10_report_server_id_response_decode(opened.body, opened.body_length) == CK10_OK, "example identity-response decodes");
@@ -6548,7 +6548,7 @@ static void test_274(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example refused-write-request opens");
-    expect(opened.station == 1u, "example refused-write-request: station");
+    expect(opened.unit_address == 1u, "example refused-write-request: station");
     expect(opened.code == 6u, "example refused-write-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example refused-write-request decodes");
     expect(out.address == 1280u, "example refused-write-request: address");
@@ -6572,7 +6572,7 @@ static void test_275(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example refused-write-response opens");
-    expect(opened.station == 1u, "example refused-write-response: station");
+    expect(opened.unit_address == 1u, "example refused-write-response: station");
     expect(opened.code == 6u, "example refused-write-response: code");
     expect(opened.error == true, "example refused-write-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example refused-write-response decodes");
@@ -6595,7 +6595,7 @@ static void test_276(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-status-request opens");
-    expect(opened.station == 1u, "example rtu-status-request: station");
+    expect(opened.unit_address == 1u, "example rtu-status-request: station");
     expect(opened.code == 3u, "example rtu-status-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-status-request decodes");
     expect(out.address == 1000u, "example rtu-status-request: address");
@@ -6619,7 +6619,7 @@ static void test_277(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-status-response opens");
-    expect(opened.station == 1u, "example rtu-status-response: station");
+    expect(opened.unit_address == 1u, "example rtu-status-response: station");
     expect(opened.code == 3u, "example rtu-status-response: code");
     expect(opened.error == false, "example rtu-status-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-status-response decodes");
@@ -6681,7 +6681,7 @@ static void test_278(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-status-request opens");
-    expect(opened.station == 1u, "example ascii-status-request: station");
+    expect(opened.unit_address == 1u, "example ascii-status-request: station");
     expect(opened.code == 3u, "example ascii-status-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-status-request decodes");
     expect(out.address == 1000u, "example ascii-status-request: address");
@@ -6706,7 +6706,7 @@ static void test_279(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-status-response opens");
-    expect(opened.station == 1u, "example ascii-status-response: station");
+    expect(opened.unit_address == 1u, "example ascii-status-response: station");
     expect(opened.code == 3u, "example ascii-status-response: code");
     expect(opened.error == false, "example ascii-status-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-status-response decodes");
@@ -6767,7 +6767,7 @@ static void test_280(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-moving-request opens");
-    expect(opened.station == 2u, "example rtu-moving-request: station");
+    expect(opened.unit_address == 2u, "example rtu-moving-request: station");
     expect(opened.code == 3u, "example rtu-moving-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-moving-request decodes");
     expect(out.address == 1000u, "example rtu-moving-request: address");
@@ -6791,7 +6791,7 @@ static void test_281(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-moving-response opens");
-    expect(opened.station == 2u, "example rtu-moving-response: station");
+    expect(opened.unit_address == 2u, "example rtu-moving-response: station");
     expect(opened.code == 3u, "example rtu-moving-response: code");
     expect(opened.error == false, "example rtu-moving-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-moving-response decodes");
@@ -6834,7 +6834,7 @@ static void test_282(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-all-flags-request opens");
-    expect(opened.station == 16u, "example rtu-all-flags-request: station");
+    expect(opened.unit_address == 16u, "example rtu-all-flags-request: station");
     expect(opened.code == 3u, "example rtu-all-flags-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-all-flags-request decodes");
     expect(out.address == 1000u, "example rtu-all-flags-request: address");
@@ -6858,7 +6858,7 @@ static void test_283(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-all-flags-response opens");
-    expect(opened.station == 16u, "example rtu-all-flags-response: station");
+    expect(opened.unit_address == 16u, "example rtu-all-flags-response: station");
     expect(opened.code == 3u, "example rtu-all-flags-response: code");
     expect(opened.error == false, "example rtu-all-flags-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-all-flags-response decodes");
@@ -6886,7 +6886,7 @@ static void test_284(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-all-flags-request opens");
-    expect(opened.station == 16u, "example ascii-all-flags-request: station");
+    expect(opened.unit_address == 16u, "example ascii-all-flags-request: station");
     expect(opened.code == 3u, "example ascii-all-flags-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-all-flags-request decodes");
     expect(out.address == 1000u, "example ascii-all-flags-request: address");
@@ -6911,7 +6911,7 @@ static void test_285(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-all-flags-response opens");
-    expect(opened.station == 16u, "example ascii-all-flags-response: station");
+    expect(opened.unit_address == 16u, "example ascii-all-flags-response: station");
     expect(opened.code == 3u, "example ascii-all-flags-response: code");
     expect(opened.error == false, "example ascii-all-flags-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-all-flags-response decodes");
@@ -6938,7 +6938,7 @@ static void test_286(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-all-signals-request opens");
-    expect(opened.station == 1u, "example rtu-all-signals-request: station");
+    expect(opened.unit_address == 1u, "example rtu-all-signals-request: station");
     expect(opened.code == 3u, "example rtu-all-signals-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-all-signals-request decodes");
     expect(out.address == 1010u, "example rtu-all-signals-request: address");
@@ -6962,7 +6962,7 @@ static void test_287(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-all-signals-response opens");
-    expect(opened.station == 1u, "example rtu-all-signals-response: station");
+    expect(opened.unit_address == 1u, "example rtu-all-signals-response: station");
     expect(opened.code == 3u, "example rtu-all-signals-response: code");
     expect(opened.error == false, "example rtu-all-signals-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-all-signals-response decodes");
@@ -6994,7 +6994,7 @@ static void test_288(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-all-signals-request opens");
-    expect(opened.station == 1u, "example ascii-all-signals-request: station");
+    expect(opened.unit_address == 1u, "example ascii-all-signals-request: station");
     expect(opened.code == 3u, "example ascii-all-signals-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-all-signals-request decodes");
     expect(out.address == 1010u, "example ascii-all-signals-request: address");
@@ -7019,7 +7019,7 @@ static void test_289(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-all-signals-response opens");
-    expect(opened.station == 1u, "example ascii-all-signals-response: station");
+    expect(opened.unit_address == 1u, "example ascii-all-signals-response: station");
     expect(opened.code == 3u, "example ascii-all-signals-response: code");
     expect(opened.error == false, "example ascii-all-signals-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-all-signals-response decodes");
@@ -7050,7 +7050,7 @@ static void test_290(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-user-signals-request opens");
-    expect(opened.station == 1u, "example rtu-user-signals-request: station");
+    expect(opened.unit_address == 1u, "example rtu-user-signals-request: station");
     expect(opened.code == 3u, "example rtu-user-signals-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-user-signals-request decodes");
     expect(out.address == 1030u, "example rtu-user-signals-request: address");
@@ -7074,7 +7074,7 @@ static void test_291(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-user-signals-response opens");
-    expect(opened.station == 1u, "example rtu-user-signals-response: station");
+    expect(opened.unit_address == 1u, "example rtu-user-signals-response: station");
     expect(opened.code == 3u, "example rtu-user-signals-response: code");
     expect(opened.error == false, "example rtu-user-signals-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-user-signals-response decodes");
@@ -7137,7 +7137,7 @@ static void test_292(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-alarm-history-request opens");
-    expect(opened.station == 3u, "example rtu-alarm-history-request: station");
+    expect(opened.unit_address == 3u, "example rtu-alarm-history-request: station");
     expect(opened.code == 3u, "example rtu-alarm-history-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-alarm-history-request decodes");
     expect(out.address == 1060u, "example rtu-alarm-history-request: address");
@@ -7161,7 +7161,7 @@ static void test_293(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-alarm-history-response opens");
-    expect(opened.station == 3u, "example rtu-alarm-history-response: station");
+    expect(opened.unit_address == 3u, "example rtu-alarm-history-response: station");
     expect(opened.code == 3u, "example rtu-alarm-history-response: code");
     expect(opened.error == false, "example rtu-alarm-history-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-alarm-history-response decodes");
@@ -7245,7 +7245,7 @@ static void test_294(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-alarm-history-request opens");
-    expect(opened.station == 3u, "example ascii-alarm-history-request: station");
+    expect(opened.unit_address == 3u, "example ascii-alarm-history-request: station");
     expect(opened.code == 3u, "example ascii-alarm-history-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-alarm-history-request decodes");
     expect(out.address == 1060u, "example ascii-alarm-history-request: address");
@@ -7270,7 +7270,7 @@ static void test_295(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-alarm-history-response opens");
-    expect(opened.station == 3u, "example ascii-alarm-history-response: station");
+    expect(opened.unit_address == 3u, "example ascii-alarm-history-response: station");
     expect(opened.code == 3u, "example ascii-alarm-history-response: code");
     expect(opened.error == false, "example ascii-alarm-history-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-alarm-history-response decodes");
@@ -7353,7 +7353,7 @@ static void test_296(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-turns-request opens");
-    expect(opened.station == 1u, "example rtu-turns-request: station");
+    expect(opened.unit_address == 1u, "example rtu-turns-request: station");
     expect(opened.code == 3u, "example rtu-turns-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-turns-request decodes");
     expect(out.address == 2106u, "example rtu-turns-request: address");
@@ -7377,7 +7377,7 @@ static void test_297(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-turns-response opens");
-    expect(opened.station == 1u, "example rtu-turns-response: station");
+    expect(opened.unit_address == 1u, "example rtu-turns-response: station");
     expect(opened.code == 3u, "example rtu-turns-response: code");
     expect(opened.error == false, "example rtu-turns-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-turns-response decodes");
@@ -7417,7 +7417,7 @@ static void test_298(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-turns-request opens");
-    expect(opened.station == 1u, "example ascii-turns-request: station");
+    expect(opened.unit_address == 1u, "example ascii-turns-request: station");
     expect(opened.code == 3u, "example ascii-turns-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-turns-request decodes");
     expect(out.address == 2106u, "example ascii-turns-request: address");
@@ -7442,7 +7442,7 @@ static void test_299(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-turns-response opens");
-    expect(opened.station == 1u, "example ascii-turns-response: station");
+    expect(opened.unit_address == 1u, "example ascii-turns-response: station");
     expect(opened.code == 3u, "example ascii-turns-response: code");
     expect(opened.error == false, "example ascii-turns-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-turns-response decodes");
@@ -7481,7 +7481,7 @@ static void test_300(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-controller-request opens");
-    expect(opened.station == 1u, "example rtu-controller-request: station");
+    expect(opened.unit_address == 1u, "example rtu-controller-request: station");
     expect(opened.code == 3u, "example rtu-controller-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-controller-request decodes");
     expect(out.address == 2100u, "example rtu-controller-request: address");
@@ -7505,7 +7505,7 @@ static void test_301(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-controller-response opens");
-    expect(opened.station == 1u, "example rtu-controller-response: station");
+    expect(opened.unit_address == 1u, "example rtu-controller-response: station");
     expect(opened.code == 3u, "example rtu-controller-response: code");
     expect(opened.error == false, "example rtu-controller-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-controller-response decodes");
@@ -7540,7 +7540,7 @@ static void test_302(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-parameters-request opens");
-    expect(opened.station == 1u, "example rtu-parameters-request: station");
+    expect(opened.unit_address == 1u, "example rtu-parameters-request: station");
     expect(opened.code == 3u, "example rtu-parameters-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-parameters-request decodes");
     expect(out.address == 5000u, "example rtu-parameters-request: address");
@@ -7564,7 +7564,7 @@ static void test_303(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-parameters-response opens");
-    expect(opened.station == 1u, "example rtu-parameters-response: station");
+    expect(opened.unit_address == 1u, "example rtu-parameters-response: station");
     expect(opened.code == 3u, "example rtu-parameters-response: code");
     expect(opened.error == false, "example rtu-parameters-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-parameters-response decodes");
@@ -7748,7 +7748,7 @@ static void test_304(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-flash-parameters-request opens");
-    expect(opened.station == 1u, "example ascii-flash-parameters-request: station");
+    expect(opened.unit_address == 1u, "example ascii-flash-parameters-request: station");
     expect(opened.code == 3u, "example ascii-flash-parameters-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-flash-parameters-request decodes");
     expect(out.address == 5200u, "example ascii-flash-parameters-request: address");
@@ -7773,7 +7773,7 @@ static void test_305(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-flash-parameters-response opens");
-    expect(opened.station == 1u, "example ascii-flash-parameters-response: station");
+    expect(opened.unit_address == 1u, "example ascii-flash-parameters-response: station");
     expect(opened.code == 3u, "example ascii-flash-parameters-response: code");
     expect(opened.error == false, "example ascii-flash-parameters-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-flash-parameters-response decodes");
@@ -7956,7 +7956,7 @@ static void test_306(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-soft-limits-request opens");
-    expect(opened.station == 1u, "example rtu-soft-limits-request: station");
+    expect(opened.unit_address == 1u, "example rtu-soft-limits-request: station");
     expect(opened.code == 3u, "example rtu-soft-limits-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-soft-limits-request decodes");
     expect(out.address == 5018u, "example rtu-soft-limits-request: address");
@@ -7980,7 +7980,7 @@ static void test_307(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-soft-limits-response opens");
-    expect(opened.station == 1u, "example rtu-soft-limits-response: station");
+    expect(opened.unit_address == 1u, "example rtu-soft-limits-response: station");
     expect(opened.code == 3u, "example rtu-soft-limits-response: code");
     expect(opened.error == false, "example rtu-soft-limits-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-soft-limits-response decodes");
@@ -8012,7 +8012,7 @@ static void test_308(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-soft-limits-request opens");
-    expect(opened.station == 1u, "example ascii-soft-limits-request: station");
+    expect(opened.unit_address == 1u, "example ascii-soft-limits-request: station");
     expect(opened.code == 3u, "example ascii-soft-limits-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-soft-limits-request decodes");
     expect(out.address == 5018u, "example ascii-soft-limits-request: address");
@@ -8037,7 +8037,7 @@ static void test_309(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-soft-limits-response opens");
-    expect(opened.station == 1u, "example ascii-soft-limits-response: station");
+    expect(opened.unit_address == 1u, "example ascii-soft-limits-response: station");
     expect(opened.code == 3u, "example ascii-soft-limits-response: code");
     expect(opened.error == false, "example ascii-soft-limits-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-soft-limits-response decodes");
@@ -8068,7 +8068,7 @@ static void test_310(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-flash-assignments-request opens");
-    expect(opened.station == 1u, "example rtu-flash-assignments-request: station");
+    expect(opened.unit_address == 1u, "example rtu-flash-assignments-request: station");
     expect(opened.code == 3u, "example rtu-flash-assignments-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-flash-assignments-request decodes");
     expect(out.address == 5282u, "example rtu-flash-assignments-request: address");
@@ -8092,7 +8092,7 @@ static void test_311(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-flash-assignments-response opens");
-    expect(opened.station == 1u, "example rtu-flash-assignments-response: station");
+    expect(opened.unit_address == 1u, "example rtu-flash-assignments-response: station");
     expect(opened.code == 3u, "example rtu-flash-assignments-response: code");
     expect(opened.error == false, "example rtu-flash-assignments-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-flash-assignments-response decodes");
@@ -8163,7 +8163,7 @@ static void test_312(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-point-1-request opens");
-    expect(opened.station == 1u, "example rtu-point-1-request: station");
+    expect(opened.unit_address == 1u, "example rtu-point-1-request: station");
     expect(opened.code == 3u, "example rtu-point-1-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-point-1-request decodes");
     expect(out.address == 10032u, "example rtu-point-1-request: address");
@@ -8187,7 +8187,7 @@ static void test_313(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-point-1-response opens");
-    expect(opened.station == 1u, "example rtu-point-1-response: station");
+    expect(opened.unit_address == 1u, "example rtu-point-1-response: station");
     expect(opened.code == 3u, "example rtu-point-1-response: code");
     expect(opened.error == false, "example rtu-point-1-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-point-1-response decodes");
@@ -8275,7 +8275,7 @@ static void test_314(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-point-1-request opens");
-    expect(opened.station == 1u, "example ascii-point-1-request: station");
+    expect(opened.unit_address == 1u, "example ascii-point-1-request: station");
     expect(opened.code == 3u, "example ascii-point-1-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-point-1-request decodes");
     expect(out.address == 10032u, "example ascii-point-1-request: address");
@@ -8300,7 +8300,7 @@ static void test_315(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-point-1-response opens");
-    expect(opened.station == 1u, "example ascii-point-1-response: station");
+    expect(opened.unit_address == 1u, "example ascii-point-1-response: station");
     expect(opened.code == 3u, "example ascii-point-1-response: code");
     expect(opened.error == false, "example ascii-point-1-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-point-1-response decodes");
@@ -8388,7 +8388,7 @@ static void test_316(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-point-127-request opens");
-    expect(opened.station == 1u, "example ascii-point-127-request: station");
+    expect(opened.unit_address == 1u, "example ascii-point-127-request: station");
     expect(opened.code == 3u, "example ascii-point-127-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-point-127-request decodes");
     expect(out.address == 14064u, "example ascii-point-127-request: address");
@@ -8413,7 +8413,7 @@ static void test_317(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-point-127-response opens");
-    expect(opened.station == 1u, "example ascii-point-127-response: station");
+    expect(opened.unit_address == 1u, "example ascii-point-127-response: station");
     expect(opened.code == 3u, "example ascii-point-127-response: code");
     expect(opened.error == false, "example ascii-point-127-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-point-127-response decodes");
@@ -8501,7 +8501,7 @@ static void test_318(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-flash-point-0-request opens");
-    expect(opened.station == 1u, "example ascii-flash-point-0-request: station");
+    expect(opened.unit_address == 1u, "example ascii-flash-point-0-request: station");
     expect(opened.code == 3u, "example ascii-flash-point-0-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-flash-point-0-request decodes");
     expect(out.address == 20000u, "example ascii-flash-point-0-request: address");
@@ -8526,7 +8526,7 @@ static void test_319(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-flash-point-0-response opens");
-    expect(opened.station == 1u, "example ascii-flash-point-0-response: station");
+    expect(opened.unit_address == 1u, "example ascii-flash-point-0-response: station");
     expect(opened.code == 3u, "example ascii-flash-point-0-response: code");
     expect(opened.error == false, "example ascii-flash-point-0-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-flash-point-0-response decodes");
@@ -8613,7 +8613,7 @@ static void test_320(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-flash-point-127-request opens");
-    expect(opened.station == 1u, "example rtu-flash-point-127-request: station");
+    expect(opened.unit_address == 1u, "example rtu-flash-point-127-request: station");
     expect(opened.code == 3u, "example rtu-flash-point-127-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-flash-point-127-request decodes");
     expect(out.address == 24064u, "example rtu-flash-point-127-request: address");
@@ -8637,7 +8637,7 @@ static void test_321(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-flash-point-127-response opens");
-    expect(opened.station == 1u, "example rtu-flash-point-127-response: station");
+    expect(opened.unit_address == 1u, "example rtu-flash-point-127-response: station");
     expect(opened.code == 3u, "example rtu-flash-point-127-response: code");
     expect(opened.error == false, "example rtu-flash-point-127-response: error");
     expect(ck10_read_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-flash-point-127-response decodes");
@@ -8722,7 +8722,7 @@ static void test_322(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-identity-request opens");
-    expect(opened.station == 16u, "example ascii-identity-request: station");
+    expect(opened.unit_address == 16u, "example ascii-identity-request: station");
     expect(opened.code == 17u, "example ascii-identity-request: code");
     expect(ck10_report_server_id_request_decode(opened.body, opened.body_length) == CK10_OK, "example ascii-identity-request decodes");
     expect(ck10_ascii_encode_report_server_id_request(16u, again, sizeof again, &length) == CK10_OK, "example ascii-identity-request encodes");
@@ -8740,7 +8740,7 @@ static void test_323(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-identity-response opens");
-    expect(opened.station == 16u, "example ascii-identity-response: station");
+    expect(opened.unit_address == 16u, "example ascii-identity-response: station");
     expect(opened.code == 17u, "example ascii-identity-response: code");
     expect(opened.error == false, "example ascii-identity-response: error");
     expect(ck10_report_server_id_response_decode(opened.body, opened.body_length) == CK10_OK, "example ascii-identity-response decodes");
@@ -8771,7 +8771,7 @@ static void test_325(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-unknown-function-response opens");
-    expect(opened.station == 1u, "example rtu-unknown-function-response: station");
+    expect(opened.unit_address == 1u, "example rtu-unknown-function-response: station");
     expect(opened.code == 4u, "example rtu-unknown-function-response: code");
     expect(opened.error == true, "example rtu-unknown-function-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-unknown-function-response decodes");
@@ -8806,7 +8806,7 @@ static void test_327(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-unknown-function-response opens");
-    expect(opened.station == 1u, "example ascii-unknown-function-response: station");
+    expect(opened.unit_address == 1u, "example ascii-unknown-function-response: station");
     expect(opened.code == 4u, "example ascii-unknown-function-response: code");
     expect(opened.error == true, "example ascii-unknown-function-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-unknown-function-response decodes");
@@ -8829,7 +8829,7 @@ static void test_328(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-write-read-only-request opens");
-    expect(opened.station == 1u, "example rtu-write-read-only-request: station");
+    expect(opened.unit_address == 1u, "example rtu-write-read-only-request: station");
     expect(opened.code == 16u, "example rtu-write-read-only-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-write-read-only-request decodes");
     expect(out.address == 1002u, "example rtu-write-read-only-request: address");
@@ -8857,7 +8857,7 @@ static void test_329(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-write-read-only-response opens");
-    expect(opened.station == 1u, "example rtu-write-read-only-response: station");
+    expect(opened.unit_address == 1u, "example rtu-write-read-only-response: station");
     expect(opened.code == 16u, "example rtu-write-read-only-response: code");
     expect(opened.error == true, "example rtu-write-read-only-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-write-read-only-response decodes");
@@ -8880,7 +8880,7 @@ static void test_330(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-value-refused-request opens");
-    expect(opened.station == 1u, "example rtu-value-refused-request: station");
+    expect(opened.unit_address == 1u, "example rtu-value-refused-request: station");
     expect(opened.code == 16u, "example rtu-value-refused-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-value-refused-request decodes");
     expect(out.address == 5034u, "example rtu-value-refused-request: address");
@@ -8908,7 +8908,7 @@ static void test_331(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-value-refused-response opens");
-    expect(opened.station == 1u, "example rtu-value-refused-response: station");
+    expect(opened.unit_address == 1u, "example rtu-value-refused-response: station");
     expect(opened.code == 16u, "example rtu-value-refused-response: code");
     expect(opened.error == true, "example rtu-value-refused-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-value-refused-response decodes");
@@ -8931,7 +8931,7 @@ static void test_332(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-device-failure-request opens");
-    expect(opened.station == 1u, "example rtu-device-failure-request: station");
+    expect(opened.unit_address == 1u, "example rtu-device-failure-request: station");
     expect(opened.code == 6u, "example rtu-device-failure-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-device-failure-request decodes");
     expect(out.address == 2008u, "example rtu-device-failure-request: address");
@@ -8955,7 +8955,7 @@ static void test_333(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-device-failure-response opens");
-    expect(opened.station == 1u, "example rtu-device-failure-response: station");
+    expect(opened.unit_address == 1u, "example rtu-device-failure-response: station");
     expect(opened.code == 6u, "example rtu-device-failure-response: code");
     expect(opened.error == true, "example rtu-device-failure-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-device-failure-response decodes");
@@ -8978,7 +8978,7 @@ static void test_334(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-read-nothing-request opens");
-    expect(opened.station == 1u, "example rtu-read-nothing-request: station");
+    expect(opened.unit_address == 1u, "example rtu-read-nothing-request: station");
     expect(opened.code == 3u, "example rtu-read-nothing-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-read-nothing-request decodes");
     expect(out.address == 24576u, "example rtu-read-nothing-request: address");
@@ -9002,7 +9002,7 @@ static void test_335(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-read-nothing-response opens");
-    expect(opened.station == 1u, "example rtu-read-nothing-response: station");
+    expect(opened.unit_address == 1u, "example rtu-read-nothing-response: station");
     expect(opened.code == 3u, "example rtu-read-nothing-response: code");
     expect(opened.error == true, "example rtu-read-nothing-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-read-nothing-response decodes");
@@ -9026,7 +9026,7 @@ static void test_336(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-write-read-only-request opens");
-    expect(opened.station == 1u, "example ascii-write-read-only-request: station");
+    expect(opened.unit_address == 1u, "example ascii-write-read-only-request: station");
     expect(opened.code == 16u, "example ascii-write-read-only-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-write-read-only-request decodes");
     expect(out.address == 1002u, "example ascii-write-read-only-request: address");
@@ -9055,7 +9055,7 @@ static void test_337(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-write-read-only-response opens");
-    expect(opened.station == 1u, "example ascii-write-read-only-response: station");
+    expect(opened.unit_address == 1u, "example ascii-write-read-only-response: station");
     expect(opened.code == 16u, "example ascii-write-read-only-response: code");
     expect(opened.error == true, "example ascii-write-read-only-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-write-read-only-response decodes");
@@ -9079,7 +9079,7 @@ static void test_338(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-value-refused-request opens");
-    expect(opened.station == 1u, "example ascii-value-refused-request: station");
+    expect(opened.unit_address == 1u, "example ascii-value-refused-request: station");
     expect(opened.code == 16u, "example ascii-value-refused-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-value-refused-request decodes");
     expect(out.address == 5034u, "example ascii-value-refused-request: address");
@@ -9108,7 +9108,7 @@ static void test_339(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-value-refused-response opens");
-    expect(opened.station == 1u, "example ascii-value-refused-response: station");
+    expect(opened.unit_address == 1u, "example ascii-value-refused-response: station");
     expect(opened.code == 16u, "example ascii-value-refused-response: code");
     expect(opened.error == true, "example ascii-value-refused-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-value-refused-response decodes");
@@ -9132,7 +9132,7 @@ static void test_340(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-device-failure-request opens");
-    expect(opened.station == 1u, "example ascii-device-failure-request: station");
+    expect(opened.unit_address == 1u, "example ascii-device-failure-request: station");
     expect(opened.code == 6u, "example ascii-device-failure-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-device-failure-request decodes");
     expect(out.address == 2008u, "example ascii-device-failure-request: address");
@@ -9157,7 +9157,7 @@ static void test_341(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-device-failure-response opens");
-    expect(opened.station == 1u, "example ascii-device-failure-response: station");
+    expect(opened.unit_address == 1u, "example ascii-device-failure-response: station");
     expect(opened.code == 6u, "example ascii-device-failure-response: code");
     expect(opened.error == true, "example ascii-device-failure-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-device-failure-response decodes");
@@ -9181,7 +9181,7 @@ static void test_342(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-read-nothing-request opens");
-    expect(opened.station == 1u, "example ascii-read-nothing-request: station");
+    expect(opened.unit_address == 1u, "example ascii-read-nothing-request: station");
     expect(opened.code == 3u, "example ascii-read-nothing-request: code");
     expect(ck10_read_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-read-nothing-request decodes");
     expect(out.address == 24576u, "example ascii-read-nothing-request: address");
@@ -9206,7 +9206,7 @@ static void test_343(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-read-nothing-response opens");
-    expect(opened.station == 1u, "example ascii-read-nothing-response: station");
+    expect(opened.unit_address == 1u, "example ascii-read-nothing-response: station");
     expect(opened.code == 3u, "example ascii-read-nothing-response: code");
     expect(opened.error == true, "example ascii-read-nothing-response: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-read-nothing-response decodes");
@@ -9229,7 +9229,7 @@ static void test_344(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-identity-refused opens");
-    expect(opened.station == 1u, "example rtu-identity-refused: station");
+    expect(opened.unit_address == 1u, "example rtu-identity-refused: station");
     expect(opened.code == 17u, "example rtu-identity-refused: code");
     expect(opened.error == true, "example rtu-identity-refused: error");
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-identity-refused decodes");
@@ -9252,7 +9252,7 @@ static void test_345(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-point-1-write-request opens");
-    expect(opened.station == 1u, "example rtu-point-1-write-request: station");
+    expect(opened.unit_address == 1u, "example rtu-point-1-write-request: station");
     expect(opened.code == 16u, "example rtu-point-1-write-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-point-1-write-request decodes");
     expect(out.address == 10032u, "example rtu-point-1-write-request: address");
@@ -9340,7 +9340,7 @@ static void test_346(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-point-1-write-response opens");
-    expect(opened.station == 1u, "example rtu-point-1-write-response: station");
+    expect(opened.unit_address == 1u, "example rtu-point-1-write-response: station");
     expect(opened.code == 16u, "example rtu-point-1-write-response: code");
     expect(opened.error == false, "example rtu-point-1-write-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-point-1-write-response decodes");
@@ -9366,7 +9366,7 @@ static void test_347(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-point-1-write-request opens");
-    expect(opened.station == 1u, "example ascii-point-1-write-request: station");
+    expect(opened.unit_address == 1u, "example ascii-point-1-write-request: station");
     expect(opened.code == 16u, "example ascii-point-1-write-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-point-1-write-request decodes");
     expect(out.address == 10032u, "example ascii-point-1-write-request: address");
@@ -9455,7 +9455,7 @@ static void test_348(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-point-1-write-response opens");
-    expect(opened.station == 1u, "example ascii-point-1-write-response: station");
+    expect(opened.unit_address == 1u, "example ascii-point-1-write-response: station");
     expect(opened.code == 16u, "example ascii-point-1-write-response: code");
     expect(opened.error == false, "example ascii-point-1-write-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-point-1-write-response decodes");
@@ -9480,7 +9480,7 @@ static void test_349(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-point-127-write-request opens");
-    expect(opened.station == 16u, "example rtu-point-127-write-request: station");
+    expect(opened.unit_address == 16u, "example rtu-point-127-write-request: station");
     expect(opened.code == 16u, "example rtu-point-127-write-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-point-127-write-request decodes");
     expect(out.address == 14064u, "example rtu-point-127-write-request: address");
@@ -9568,7 +9568,7 @@ static void test_350(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-point-127-write-response opens");
-    expect(opened.station == 16u, "example rtu-point-127-write-response: station");
+    expect(opened.unit_address == 16u, "example rtu-point-127-write-response: station");
     expect(opened.code == 16u, "example rtu-point-127-write-response: code");
     expect(opened.error == false, "example rtu-point-127-write-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-point-127-write-response decodes");
@@ -9593,7 +9593,7 @@ static void test_351(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-target-request opens");
-    expect(opened.station == 1u, "example rtu-target-request: station");
+    expect(opened.unit_address == 1u, "example rtu-target-request: station");
     expect(opened.code == 16u, "example rtu-target-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-target-request decodes");
     expect(out.address == 2006u, "example rtu-target-request: address");
@@ -9621,7 +9621,7 @@ static void test_352(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-target-response opens");
-    expect(opened.station == 1u, "example rtu-target-response: station");
+    expect(opened.unit_address == 1u, "example rtu-target-response: station");
     expect(opened.code == 16u, "example rtu-target-response: code");
     expect(opened.error == false, "example rtu-target-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-target-response decodes");
@@ -9647,7 +9647,7 @@ static void test_353(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-target-request opens");
-    expect(opened.station == 1u, "example ascii-target-request: station");
+    expect(opened.unit_address == 1u, "example ascii-target-request: station");
     expect(opened.code == 16u, "example ascii-target-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-target-request decodes");
     expect(out.address == 2006u, "example ascii-target-request: address");
@@ -9676,7 +9676,7 @@ static void test_354(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-target-response opens");
-    expect(opened.station == 1u, "example ascii-target-response: station");
+    expect(opened.unit_address == 1u, "example ascii-target-response: station");
     expect(opened.code == 16u, "example ascii-target-response: code");
     expect(opened.error == false, "example ascii-target-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-target-response decodes");
@@ -9701,7 +9701,7 @@ static void test_355(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-move-request opens");
-    expect(opened.station == 1u, "example rtu-move-request: station");
+    expect(opened.unit_address == 1u, "example rtu-move-request: station");
     expect(opened.code == 16u, "example rtu-move-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-move-request decodes");
     expect(out.address == 2000u, "example rtu-move-request: address");
@@ -9743,7 +9743,7 @@ static void test_356(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-move-response opens");
-    expect(opened.station == 1u, "example rtu-move-response: station");
+    expect(opened.unit_address == 1u, "example rtu-move-response: station");
     expect(opened.code == 16u, "example rtu-move-response: code");
     expect(opened.error == false, "example rtu-move-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-move-response decodes");
@@ -9769,7 +9769,7 @@ static void test_357(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-push-request opens");
-    expect(opened.station == 1u, "example ascii-push-request: station");
+    expect(opened.unit_address == 1u, "example ascii-push-request: station");
     expect(opened.code == 16u, "example ascii-push-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-push-request decodes");
     expect(out.address == 2016u, "example ascii-push-request: address");
@@ -9824,7 +9824,7 @@ static void test_358(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-push-response opens");
-    expect(opened.station == 1u, "example ascii-push-response: station");
+    expect(opened.unit_address == 1u, "example ascii-push-response: station");
     expect(opened.code == 16u, "example ascii-push-response: code");
     expect(opened.error == false, "example ascii-push-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-push-response decodes");
@@ -9849,7 +9849,7 @@ static void test_359(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-compare-request opens");
-    expect(opened.station == 1u, "example rtu-compare-request: station");
+    expect(opened.unit_address == 1u, "example rtu-compare-request: station");
     expect(opened.code == 16u, "example rtu-compare-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-compare-request decodes");
     expect(out.address == 2040u, "example rtu-compare-request: address");
@@ -9885,7 +9885,7 @@ static void test_360(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-compare-response opens");
-    expect(opened.station == 1u, "example rtu-compare-response: station");
+    expect(opened.unit_address == 1u, "example rtu-compare-response: station");
     expect(opened.code == 16u, "example rtu-compare-response: code");
     expect(opened.error == false, "example rtu-compare-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-compare-response decodes");
@@ -9910,7 +9910,7 @@ static void test_361(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-homing-offset-request opens");
-    expect(opened.station == 1u, "example rtu-homing-offset-request: station");
+    expect(opened.unit_address == 1u, "example rtu-homing-offset-request: station");
     expect(opened.code == 16u, "example rtu-homing-offset-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-homing-offset-request decodes");
     expect(out.address == 5038u, "example rtu-homing-offset-request: address");
@@ -9938,7 +9938,7 @@ static void test_362(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-homing-offset-response opens");
-    expect(opened.station == 1u, "example rtu-homing-offset-response: station");
+    expect(opened.unit_address == 1u, "example rtu-homing-offset-response: station");
     expect(opened.code == 16u, "example rtu-homing-offset-response: code");
     expect(opened.error == false, "example rtu-homing-offset-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-homing-offset-response decodes");
@@ -9964,7 +9964,7 @@ static void test_363(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-homing-offset-request opens");
-    expect(opened.station == 1u, "example ascii-homing-offset-request: station");
+    expect(opened.unit_address == 1u, "example ascii-homing-offset-request: station");
     expect(opened.code == 16u, "example ascii-homing-offset-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-homing-offset-request decodes");
     expect(out.address == 5038u, "example ascii-homing-offset-request: address");
@@ -9993,7 +9993,7 @@ static void test_364(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-homing-offset-response opens");
-    expect(opened.station == 1u, "example ascii-homing-offset-response: station");
+    expect(opened.unit_address == 1u, "example ascii-homing-offset-response: station");
     expect(opened.code == 16u, "example ascii-homing-offset-response: code");
     expect(opened.error == false, "example ascii-homing-offset-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-homing-offset-response decodes");
@@ -10018,7 +10018,7 @@ static void test_365(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-tracking-limit-request opens");
-    expect(opened.station == 1u, "example rtu-tracking-limit-request: station");
+    expect(opened.unit_address == 1u, "example rtu-tracking-limit-request: station");
     expect(opened.code == 16u, "example rtu-tracking-limit-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-tracking-limit-request decodes");
     expect(out.address == 5048u, "example rtu-tracking-limit-request: address");
@@ -10046,7 +10046,7 @@ static void test_366(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-tracking-limit-response opens");
-    expect(opened.station == 1u, "example rtu-tracking-limit-response: station");
+    expect(opened.unit_address == 1u, "example rtu-tracking-limit-response: station");
     expect(opened.code == 16u, "example rtu-tracking-limit-response: code");
     expect(opened.error == false, "example rtu-tracking-limit-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-tracking-limit-response decodes");
@@ -10072,7 +10072,7 @@ static void test_367(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-input-1-function-request opens");
-    expect(opened.station == 1u, "example ascii-input-1-function-request: station");
+    expect(opened.unit_address == 1u, "example ascii-input-1-function-request: station");
     expect(opened.code == 16u, "example ascii-input-1-function-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-input-1-function-request decodes");
     expect(out.address == 5082u, "example ascii-input-1-function-request: address");
@@ -10101,7 +10101,7 @@ static void test_368(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-input-1-function-response opens");
-    expect(opened.station == 1u, "example ascii-input-1-function-response: station");
+    expect(opened.unit_address == 1u, "example ascii-input-1-function-response: station");
     expect(opened.code == 16u, "example ascii-input-1-function-response: code");
     expect(opened.error == false, "example ascii-input-1-function-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-input-1-function-response decodes");
@@ -10126,7 +10126,7 @@ static void test_369(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-input-2-function-request opens");
-    expect(opened.station == 1u, "example rtu-input-2-function-request: station");
+    expect(opened.unit_address == 1u, "example rtu-input-2-function-request: station");
     expect(opened.code == 16u, "example rtu-input-2-function-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-input-2-function-request decodes");
     expect(out.address == 5084u, "example rtu-input-2-function-request: address");
@@ -10154,7 +10154,7 @@ static void test_370(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-input-2-function-response opens");
-    expect(opened.station == 1u, "example rtu-input-2-function-response: station");
+    expect(opened.unit_address == 1u, "example rtu-input-2-function-response: station");
     expect(opened.code == 16u, "example rtu-input-2-function-response: code");
     expect(opened.error == false, "example rtu-input-2-function-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-input-2-function-response decodes");
@@ -10179,7 +10179,7 @@ static void test_371(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-output-1-function-request opens");
-    expect(opened.station == 1u, "example rtu-output-1-function-request: station");
+    expect(opened.unit_address == 1u, "example rtu-output-1-function-request: station");
     expect(opened.code == 16u, "example rtu-output-1-function-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-output-1-function-request decodes");
     expect(out.address == 5106u, "example rtu-output-1-function-request: address");
@@ -10207,7 +10207,7 @@ static void test_372(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-output-1-function-response opens");
-    expect(opened.station == 1u, "example rtu-output-1-function-response: station");
+    expect(opened.unit_address == 1u, "example rtu-output-1-function-response: station");
     expect(opened.code == 16u, "example rtu-output-1-function-response: code");
     expect(opened.error == false, "example rtu-output-1-function-response: error");
     expect(ck10_write_registers_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-output-1-function-response decodes");
@@ -10232,7 +10232,7 @@ static void test_373(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-all-input-1-function-request opens");
-    expect(opened.station == 0u, "example rtu-all-input-1-function-request: station");
+    expect(opened.unit_address == 0u, "example rtu-all-input-1-function-request: station");
     expect(opened.code == 16u, "example rtu-all-input-1-function-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-all-input-1-function-request decodes");
     expect(out.address == 5082u, "example rtu-all-input-1-function-request: address");
@@ -10261,7 +10261,7 @@ static void test_374(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-all-input-1-function-request opens");
-    expect(opened.station == 0u, "example ascii-all-input-1-function-request: station");
+    expect(opened.unit_address == 0u, "example ascii-all-input-1-function-request: station");
     expect(opened.code == 16u, "example ascii-all-input-1-function-request: code");
     expect(ck10_write_registers_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-all-input-1-function-request decodes");
     expect(out.address == 5082u, "example ascii-all-input-1-function-request: address");
@@ -10289,7 +10289,7 @@ static void test_375(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-start-move-request opens");
-    expect(opened.station == 1u, "example rtu-start-move-request: station");
+    expect(opened.unit_address == 1u, "example rtu-start-move-request: station");
     expect(opened.code == 6u, "example rtu-start-move-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-start-move-request decodes");
     expect(out.address == 2008u, "example rtu-start-move-request: address");
@@ -10313,7 +10313,7 @@ static void test_376(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-start-move-response opens");
-    expect(opened.station == 1u, "example rtu-start-move-response: station");
+    expect(opened.unit_address == 1u, "example rtu-start-move-response: station");
     expect(opened.code == 6u, "example rtu-start-move-response: code");
     expect(opened.error == false, "example rtu-start-move-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-start-move-response decodes");
@@ -10339,7 +10339,7 @@ static void test_377(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-start-move-request opens");
-    expect(opened.station == 1u, "example ascii-start-move-request: station");
+    expect(opened.unit_address == 1u, "example ascii-start-move-request: station");
     expect(opened.code == 6u, "example ascii-start-move-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-start-move-request decodes");
     expect(out.address == 2008u, "example ascii-start-move-request: address");
@@ -10364,7 +10364,7 @@ static void test_378(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-start-move-response opens");
-    expect(opened.station == 1u, "example ascii-start-move-response: station");
+    expect(opened.unit_address == 1u, "example ascii-start-move-response: station");
     expect(opened.code == 6u, "example ascii-start-move-response: code");
     expect(opened.error == false, "example ascii-start-move-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-start-move-response decodes");
@@ -10390,7 +10390,7 @@ static void test_379(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-start-point-table-request opens");
-    expect(opened.station == 1u, "example ascii-start-point-table-request: station");
+    expect(opened.unit_address == 1u, "example ascii-start-point-table-request: station");
     expect(opened.code == 6u, "example ascii-start-point-table-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-start-point-table-request decodes");
     expect(out.address == 2039u, "example ascii-start-point-table-request: address");
@@ -10415,7 +10415,7 @@ static void test_380(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-start-point-table-response opens");
-    expect(opened.station == 1u, "example ascii-start-point-table-response: station");
+    expect(opened.unit_address == 1u, "example ascii-start-point-table-response: station");
     expect(opened.code == 6u, "example ascii-start-point-table-response: code");
     expect(opened.error == false, "example ascii-start-point-table-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-start-point-table-response decodes");
@@ -10440,7 +10440,7 @@ static void test_381(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-servo-on-request opens");
-    expect(opened.station == 1u, "example rtu-servo-on-request: station");
+    expect(opened.unit_address == 1u, "example rtu-servo-on-request: station");
     expect(opened.code == 6u, "example rtu-servo-on-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-servo-on-request decodes");
     expect(out.address == 2033u, "example rtu-servo-on-request: address");
@@ -10464,7 +10464,7 @@ static void test_382(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-servo-on-response opens");
-    expect(opened.station == 1u, "example rtu-servo-on-response: station");
+    expect(opened.unit_address == 1u, "example rtu-servo-on-response: station");
     expect(opened.code == 6u, "example rtu-servo-on-response: code");
     expect(opened.error == false, "example rtu-servo-on-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-servo-on-response decodes");
@@ -10489,7 +10489,7 @@ static void test_383(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-user-outputs-request opens");
-    expect(opened.station == 1u, "example rtu-user-outputs-request: station");
+    expect(opened.unit_address == 1u, "example rtu-user-outputs-request: station");
     expect(opened.code == 6u, "example rtu-user-outputs-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-user-outputs-request decodes");
     expect(out.address == 1040u, "example rtu-user-outputs-request: address");
@@ -10513,7 +10513,7 @@ static void test_384(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-user-outputs-response opens");
-    expect(opened.station == 1u, "example rtu-user-outputs-response: station");
+    expect(opened.unit_address == 1u, "example rtu-user-outputs-response: station");
     expect(opened.code == 6u, "example rtu-user-outputs-response: code");
     expect(opened.error == false, "example rtu-user-outputs-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-user-outputs-response decodes");
@@ -10538,7 +10538,7 @@ static void test_385(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-save-parameters-request opens");
-    expect(opened.station == 1u, "example rtu-save-parameters-request: station");
+    expect(opened.unit_address == 1u, "example rtu-save-parameters-request: station");
     expect(opened.code == 6u, "example rtu-save-parameters-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-save-parameters-request decodes");
     expect(out.address == 2036u, "example rtu-save-parameters-request: address");
@@ -10562,7 +10562,7 @@ static void test_386(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-save-parameters-response opens");
-    expect(opened.station == 1u, "example rtu-save-parameters-response: station");
+    expect(opened.unit_address == 1u, "example rtu-save-parameters-response: station");
     expect(opened.code == 6u, "example rtu-save-parameters-response: code");
     expect(opened.error == false, "example rtu-save-parameters-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-save-parameters-response decodes");
@@ -10588,7 +10588,7 @@ static void test_387(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-save-point-table-request opens");
-    expect(opened.station == 1u, "example ascii-save-point-table-request: station");
+    expect(opened.unit_address == 1u, "example ascii-save-point-table-request: station");
     expect(opened.code == 6u, "example ascii-save-point-table-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-save-point-table-request decodes");
     expect(out.address == 2037u, "example ascii-save-point-table-request: address");
@@ -10613,7 +10613,7 @@ static void test_388(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-save-point-table-response opens");
-    expect(opened.station == 1u, "example ascii-save-point-table-response: station");
+    expect(opened.unit_address == 1u, "example ascii-save-point-table-response: station");
     expect(opened.code == 6u, "example ascii-save-point-table-response: code");
     expect(opened.error == false, "example ascii-save-point-table-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-save-point-table-response decodes");
@@ -10638,7 +10638,7 @@ static void test_389(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-clear-alarm-history-request opens");
-    expect(opened.station == 1u, "example rtu-clear-alarm-history-request: station");
+    expect(opened.unit_address == 1u, "example rtu-clear-alarm-history-request: station");
     expect(opened.code == 6u, "example rtu-clear-alarm-history-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-clear-alarm-history-request decodes");
     expect(out.address == 1059u, "example rtu-clear-alarm-history-request: address");
@@ -10662,7 +10662,7 @@ static void test_390(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-clear-alarm-history-response opens");
-    expect(opened.station == 1u, "example rtu-clear-alarm-history-response: station");
+    expect(opened.unit_address == 1u, "example rtu-clear-alarm-history-response: station");
     expect(opened.code == 6u, "example rtu-clear-alarm-history-response: code");
     expect(opened.error == false, "example rtu-clear-alarm-history-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-clear-alarm-history-response decodes");
@@ -10688,7 +10688,7 @@ static void test_391(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-clear-alarm-history-request opens");
-    expect(opened.station == 1u, "example ascii-clear-alarm-history-request: station");
+    expect(opened.unit_address == 1u, "example ascii-clear-alarm-history-request: station");
     expect(opened.code == 6u, "example ascii-clear-alarm-history-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-clear-alarm-history-request decodes");
     expect(out.address == 1059u, "example ascii-clear-alarm-history-request: address");
@@ -10713,7 +10713,7 @@ static void test_392(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-clear-alarm-history-response opens");
-    expect(opened.station == 1u, "example ascii-clear-alarm-history-response: station");
+    expect(opened.unit_address == 1u, "example ascii-clear-alarm-history-response: station");
     expect(opened.code == 6u, "example ascii-clear-alarm-history-response: code");
     expect(opened.error == false, "example ascii-clear-alarm-history-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-clear-alarm-history-response decodes");
@@ -10738,7 +10738,7 @@ static void test_393(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-output-at-start-request opens");
-    expect(opened.station == 1u, "example rtu-output-at-start-request: station");
+    expect(opened.unit_address == 1u, "example rtu-output-at-start-request: station");
     expect(opened.code == 6u, "example rtu-output-at-start-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-output-at-start-request decodes");
     expect(out.address == 10017u, "example rtu-output-at-start-request: address");
@@ -10762,7 +10762,7 @@ static void test_394(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-output-at-start-response opens");
-    expect(opened.station == 1u, "example rtu-output-at-start-response: station");
+    expect(opened.unit_address == 1u, "example rtu-output-at-start-response: station");
     expect(opened.code == 6u, "example rtu-output-at-start-response: code");
     expect(opened.error == false, "example rtu-output-at-start-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-output-at-start-response decodes");
@@ -10787,7 +10787,7 @@ static void test_395(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-output-at-end-request opens");
-    expect(opened.station == 1u, "example rtu-output-at-end-request: station");
+    expect(opened.unit_address == 1u, "example rtu-output-at-end-request: station");
     expect(opened.code == 6u, "example rtu-output-at-end-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-output-at-end-request decodes");
     expect(out.address == 10017u, "example rtu-output-at-end-request: address");
@@ -10811,7 +10811,7 @@ static void test_396(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-output-at-end-response opens");
-    expect(opened.station == 1u, "example rtu-output-at-end-response: station");
+    expect(opened.unit_address == 1u, "example rtu-output-at-end-response: station");
     expect(opened.code == 6u, "example rtu-output-at-end-response: code");
     expect(opened.error == false, "example rtu-output-at-end-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-output-at-end-response decodes");
@@ -10837,7 +10837,7 @@ static void test_397(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-output-at-trigger-request opens");
-    expect(opened.station == 1u, "example ascii-output-at-trigger-request: station");
+    expect(opened.unit_address == 1u, "example ascii-output-at-trigger-request: station");
     expect(opened.code == 6u, "example ascii-output-at-trigger-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-output-at-trigger-request decodes");
     expect(out.address == 10017u, "example ascii-output-at-trigger-request: address");
@@ -10862,7 +10862,7 @@ static void test_398(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-output-at-trigger-response opens");
-    expect(opened.station == 1u, "example ascii-output-at-trigger-response: station");
+    expect(opened.unit_address == 1u, "example ascii-output-at-trigger-response: station");
     expect(opened.code == 6u, "example ascii-output-at-trigger-response: code");
     expect(opened.error == false, "example ascii-output-at-trigger-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-output-at-trigger-response decodes");
@@ -10887,7 +10887,7 @@ static void test_399(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-jump-ignored-request opens");
-    expect(opened.station == 1u, "example rtu-jump-ignored-request: station");
+    expect(opened.unit_address == 1u, "example rtu-jump-ignored-request: station");
     expect(opened.code == 6u, "example rtu-jump-ignored-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-jump-ignored-request decodes");
     expect(out.address == 10011u, "example rtu-jump-ignored-request: address");
@@ -10911,7 +10911,7 @@ static void test_400(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_response_open(received, sizeof received, &opened) == CK10_OK, "example rtu-jump-ignored-response opens");
-    expect(opened.station == 1u, "example rtu-jump-ignored-response: station");
+    expect(opened.unit_address == 1u, "example rtu-jump-ignored-response: station");
     expect(opened.code == 6u, "example rtu-jump-ignored-response: code");
     expect(opened.error == false, "example rtu-jump-ignored-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-jump-ignored-response decodes");
@@ -10937,7 +10937,7 @@ static void test_401(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-jump-waiting-request opens");
-    expect(opened.station == 1u, "example ascii-jump-waiting-request: station");
+    expect(opened.unit_address == 1u, "example ascii-jump-waiting-request: station");
     expect(opened.code == 6u, "example ascii-jump-waiting-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-jump-waiting-request decodes");
     expect(out.address == 10011u, "example ascii-jump-waiting-request: address");
@@ -10962,7 +10962,7 @@ static void test_402(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-jump-waiting-response opens");
-    expect(opened.station == 1u, "example ascii-jump-waiting-response: station");
+    expect(opened.unit_address == 1u, "example ascii-jump-waiting-response: station");
     expect(opened.code == 6u, "example ascii-jump-waiting-response: code");
     expect(opened.error == false, "example ascii-jump-waiting-response: error");
     expect(ck10_write_register_response_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-jump-waiting-response decodes");
@@ -10987,7 +10987,7 @@ static void test_403(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_rtu_request_open(received, sizeof received, &opened) == CK10_OK, "example rtu-stop-all-request opens");
-    expect(opened.station == 0u, "example rtu-stop-all-request: station");
+    expect(opened.unit_address == 0u, "example rtu-stop-all-request: station");
     expect(opened.code == 6u, "example rtu-stop-all-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-stop-all-request decodes");
     expect(out.address == 2032u, "example rtu-stop-all-request: address");
@@ -11012,7 +11012,7 @@ static void test_404(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(ck10_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == CK10_OK, "example ascii-stop-all-request opens");
-    expect(opened.station == 0u, "example ascii-stop-all-request: station");
+    expect(opened.unit_address == 0u, "example ascii-stop-all-request: station");
     expect(opened.code == 6u, "example ascii-stop-all-request: code");
     expect(ck10_write_register_request_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-stop-all-request decodes");
     expect(out.address == 2032u, "example ascii-stop-all-request: address");

@@ -5457,7 +5457,7 @@ typedef struct esc11_serial_request_frame {
      * Printed as 地址.
      * Source: 8.1 L264-265
      */
-    uint8_t address;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
@@ -5479,7 +5479,7 @@ static inline esc11_codec_status esc11_serial_request_open(const uint8_t *frame,
     if (esc11_sum8(in, length - 1u) != esc11_load_u8(in + length - 1u)) {
         return ESC11_ERR_WRONG_CHECK;
     }
-    out->address = esc11_load_u8(in + 1);
+    out->unit_address = esc11_load_u8(in + 1);
     out->code = esc11_load_u8(in + 2);
     if (out->code != 16u && out->code != 17u && out->code != 18u && out->code != 19u && out->code != 20u &&
             out->code != 21u && out->code != 22u && out->code != 23u && out->code != 26u && out->code != 32u &&
@@ -5497,7 +5497,7 @@ static inline esc11_codec_status esc11_serial_request_open(const uint8_t *frame,
 }
 
 /** Completes a frame whose body is at out + 3. `length` receives the size of the frame. */
-static inline esc11_codec_status esc11_serial_request_close(uint8_t address, uint32_t code, size_t body_length,
+static inline esc11_codec_status esc11_serial_request_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 4u;
@@ -5508,10 +5508,10 @@ static inline esc11_codec_status esc11_serial_request_close(uint8_t address, uin
         return ESC11_ERR_WRONG_LENGTH;
     }
     esc11_store_u8(out + 0, (uint8_t)total);
-    if (!((address <= 15))) {
+    if (!((unit_address <= 15))) {
         return ESC11_ERR_OUT_OF_RANGE;
     }
-    esc11_store_u8(out + 1, (uint8_t)address);
+    esc11_store_u8(out + 1, (uint8_t)unit_address);
     if (code > 255u) {
         return ESC11_ERR_UNKNOWN_CODE;
     }
@@ -5528,7 +5528,7 @@ typedef struct esc11_serial_response_frame {
      * Printed as 地址.
      * Source: 8.2 L279-280
      */
-    uint8_t address;
+    uint8_t unit_address;
     /**
      * How the last command went and the state of the controller.
      * Printed as 通信状态.
@@ -5554,7 +5554,7 @@ static inline esc11_codec_status esc11_serial_response_open(const uint8_t *frame
     if (esc11_sum8(in, length - 1u) != esc11_load_u8(in + length - 1u)) {
         return ESC11_ERR_WRONG_CHECK;
     }
-    out->address = esc11_load_u8(in + 1);
+    out->unit_address = esc11_load_u8(in + 1);
     out->status = esc11_load_u8(in + 2);
     out->body = in + 3u;
     out->body_length = length - 4u;
@@ -5562,7 +5562,7 @@ static inline esc11_codec_status esc11_serial_response_open(const uint8_t *frame
 }
 
 /** Completes a frame whose body is at out + 3. `length` receives the size of the frame. */
-static inline esc11_codec_status esc11_serial_response_close(uint8_t address, uint8_t status_, size_t body_length,
+static inline esc11_codec_status esc11_serial_response_close(uint8_t unit_address, uint8_t status_, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 4u;
@@ -5573,10 +5573,10 @@ static inline esc11_codec_status esc11_serial_response_close(uint8_t address, ui
         return ESC11_ERR_WRONG_LENGTH;
     }
     esc11_store_u8(out + 0, (uint8_t)total);
-    if (!((address <= 15))) {
+    if (!((unit_address <= 15))) {
         return ESC11_ERR_OUT_OF_RANGE;
     }
-    esc11_store_u8(out + 1, (uint8_t)address);
+    esc11_store_u8(out + 1, (uint8_t)unit_address);
     esc11_store_u8(out + 2, (uint8_t)status_);
     esc11_store_u8(out + total - 1u, esc11_sum8(out, total - 1u));
     *length = total;
@@ -5584,7 +5584,7 @@ static inline esc11_codec_status esc11_serial_response_close(uint8_t address, ui
 }
 
 /** Writes the whole frame of the request read_points_request. */
-static inline esc11_codec_status esc11_serial_encode_read_points_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_read_points_request(uint8_t unit_address,
         const esc11_read_points_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5596,11 +5596,11 @@ static inline esc11_codec_status esc11_serial_encode_read_points_request(uint8_t
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 80u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 80u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_points_response. */
-static inline esc11_codec_status esc11_serial_encode_read_points_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_points_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_points_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5612,18 +5612,18 @@ static inline esc11_codec_status esc11_serial_encode_read_points_response(uint8_
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_parameters_request. */
-static inline esc11_codec_status esc11_serial_encode_read_parameters_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_parameters_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 81u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 81u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_parameters_response. */
-static inline esc11_codec_status esc11_serial_encode_read_parameters_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_parameters_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_parameters_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5635,18 +5635,18 @@ static inline esc11_codec_status esc11_serial_encode_read_parameters_response(ui
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_io_status_request. */
-static inline esc11_codec_status esc11_serial_encode_read_io_status_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_io_status_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 82u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 82u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_io_status_response. */
-static inline esc11_codec_status esc11_serial_encode_read_io_status_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_io_status_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_io_status_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5658,18 +5658,18 @@ static inline esc11_codec_status esc11_serial_encode_read_io_status_response(uin
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_alarm_history_request. */
-static inline esc11_codec_status esc11_serial_encode_read_alarm_history_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_alarm_history_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 83u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 83u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_alarm_history_response. */
-static inline esc11_codec_status esc11_serial_encode_read_alarm_history_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_alarm_history_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_alarm_history_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5681,11 +5681,11 @@ static inline esc11_codec_status esc11_serial_encode_read_alarm_history_response
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_points_request. */
-static inline esc11_codec_status esc11_serial_encode_write_points_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_write_points_request(uint8_t unit_address,
         const esc11_write_points_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5697,18 +5697,18 @@ static inline esc11_codec_status esc11_serial_encode_write_points_request(uint8_
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 96u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 96u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_points_response. */
-static inline esc11_codec_status esc11_serial_encode_write_points_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_write_points_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_parameters_request. */
-static inline esc11_codec_status esc11_serial_encode_write_parameters_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_write_parameters_request(uint8_t unit_address,
         const esc11_write_parameters_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5720,18 +5720,18 @@ static inline esc11_codec_status esc11_serial_encode_write_parameters_request(ui
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 97u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 97u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_parameters_response. */
-static inline esc11_codec_status esc11_serial_encode_write_parameters_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_write_parameters_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_parameter_request. */
-static inline esc11_codec_status esc11_serial_encode_write_parameter_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_write_parameter_request(uint8_t unit_address,
         const esc11_write_parameter_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5743,18 +5743,18 @@ static inline esc11_codec_status esc11_serial_encode_write_parameter_request(uin
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 98u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 98u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_parameter_response. */
-static inline esc11_codec_status esc11_serial_encode_write_parameter_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_write_parameter_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_temporary_point_request. */
-static inline esc11_codec_status esc11_serial_encode_write_temporary_point_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_write_temporary_point_request(uint8_t unit_address,
         const esc11_write_temporary_point_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5766,18 +5766,18 @@ static inline esc11_codec_status esc11_serial_encode_write_temporary_point_reque
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 99u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 99u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_temporary_point_response. */
-static inline esc11_codec_status esc11_serial_encode_write_temporary_point_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_write_temporary_point_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request clear_points_request. */
-static inline esc11_codec_status esc11_serial_encode_clear_points_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_clear_points_request(uint8_t unit_address,
         const esc11_clear_points_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5789,32 +5789,32 @@ static inline esc11_codec_status esc11_serial_encode_clear_points_request(uint8_
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 112u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 112u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response clear_points_response. */
-static inline esc11_codec_status esc11_serial_encode_clear_points_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_clear_points_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request initialize_points_request. */
-static inline esc11_codec_status esc11_serial_encode_initialize_points_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_initialize_points_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 113u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 113u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response initialize_points_response. */
-static inline esc11_codec_status esc11_serial_encode_initialize_points_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_initialize_points_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request initialize_parameters_request. */
-static inline esc11_codec_status esc11_serial_encode_initialize_parameters_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_initialize_parameters_request(uint8_t unit_address,
         const esc11_initialize_parameters_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5826,74 +5826,74 @@ static inline esc11_codec_status esc11_serial_encode_initialize_parameters_reque
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 114u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 114u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response initialize_parameters_response. */
-static inline esc11_codec_status esc11_serial_encode_initialize_parameters_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_initialize_parameters_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request clear_alarm_history_request. */
-static inline esc11_codec_status esc11_serial_encode_clear_alarm_history_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_clear_alarm_history_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 115u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 115u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response clear_alarm_history_response. */
-static inline esc11_codec_status esc11_serial_encode_clear_alarm_history_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_clear_alarm_history_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request clear_accumulated_time_request. */
-static inline esc11_codec_status esc11_serial_encode_clear_accumulated_time_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_clear_accumulated_time_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 116u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 116u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response clear_accumulated_time_response. */
-static inline esc11_codec_status esc11_serial_encode_clear_accumulated_time_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_clear_accumulated_time_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request stop_request. */
-static inline esc11_codec_status esc11_serial_encode_stop_request(uint8_t address, uint8_t *out, size_t capacity,
+static inline esc11_codec_status esc11_serial_encode_stop_request(uint8_t unit_address, uint8_t *out, size_t capacity,
         size_t *length)
 {
-    return esc11_serial_request_close(address, 16u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 16u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response stop_response. */
-static inline esc11_codec_status esc11_serial_encode_stop_response(uint8_t address, uint8_t status_, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_stop_response(uint8_t unit_address, uint8_t status_, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request start_homing_request. */
-static inline esc11_codec_status esc11_serial_encode_start_homing_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_start_homing_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 17u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 17u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response start_homing_response. */
-static inline esc11_codec_status esc11_serial_encode_start_homing_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_start_homing_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_positive_distance_request. */
-static inline esc11_codec_status esc11_serial_encode_move_positive_distance_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_positive_distance_request(uint8_t unit_address,
         const esc11_move_positive_distance_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5905,18 +5905,18 @@ static inline esc11_codec_status esc11_serial_encode_move_positive_distance_requ
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 18u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 18u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_positive_distance_response. */
-static inline esc11_codec_status esc11_serial_encode_move_positive_distance_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_move_positive_distance_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_negative_distance_request. */
-static inline esc11_codec_status esc11_serial_encode_move_negative_distance_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_negative_distance_request(uint8_t unit_address,
         const esc11_move_negative_distance_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5928,18 +5928,18 @@ static inline esc11_codec_status esc11_serial_encode_move_negative_distance_requ
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 19u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 19u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_negative_distance_response. */
-static inline esc11_codec_status esc11_serial_encode_move_negative_distance_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_move_negative_distance_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_open_request. */
-static inline esc11_codec_status esc11_serial_encode_move_open_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_open_request(uint8_t unit_address,
         const esc11_move_open_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5951,18 +5951,18 @@ static inline esc11_codec_status esc11_serial_encode_move_open_request(uint8_t a
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 20u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 20u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_open_response. */
-static inline esc11_codec_status esc11_serial_encode_move_open_response(uint8_t address, uint8_t status_, uint8_t *out,
-        size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_move_open_response(uint8_t unit_address, uint8_t status_,
+        uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_close_request. */
-static inline esc11_codec_status esc11_serial_encode_move_close_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_close_request(uint8_t unit_address,
         const esc11_move_close_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5974,18 +5974,18 @@ static inline esc11_codec_status esc11_serial_encode_move_close_request(uint8_t 
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 21u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 21u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_close_response. */
-static inline esc11_codec_status esc11_serial_encode_move_close_response(uint8_t address, uint8_t status_, uint8_t *out,
-        size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_move_close_response(uint8_t unit_address, uint8_t status_,
+        uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_relative_request. */
-static inline esc11_codec_status esc11_serial_encode_move_relative_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_relative_request(uint8_t unit_address,
         const esc11_move_relative_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5997,18 +5997,18 @@ static inline esc11_codec_status esc11_serial_encode_move_relative_request(uint8
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 22u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 22u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_relative_response. */
-static inline esc11_codec_status esc11_serial_encode_move_relative_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_move_relative_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_absolute_request. */
-static inline esc11_codec_status esc11_serial_encode_move_absolute_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_absolute_request(uint8_t unit_address,
         const esc11_move_absolute_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6020,18 +6020,18 @@ static inline esc11_codec_status esc11_serial_encode_move_absolute_request(uint8
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 23u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 23u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_absolute_response. */
-static inline esc11_codec_status esc11_serial_encode_move_absolute_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_move_absolute_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request move_to_point_request. */
-static inline esc11_codec_status esc11_serial_encode_move_to_point_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_move_to_point_request(uint8_t unit_address,
         const esc11_move_to_point_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6043,18 +6043,18 @@ static inline esc11_codec_status esc11_serial_encode_move_to_point_request(uint8
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 26u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 26u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response move_to_point_response. */
-static inline esc11_codec_status esc11_serial_encode_move_to_point_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_move_to_point_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request grip_open_request. */
-static inline esc11_codec_status esc11_serial_encode_grip_open_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_grip_open_request(uint8_t unit_address,
         const esc11_grip_open_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6066,18 +6066,18 @@ static inline esc11_codec_status esc11_serial_encode_grip_open_request(uint8_t a
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 32u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 32u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response grip_open_response. */
-static inline esc11_codec_status esc11_serial_encode_grip_open_response(uint8_t address, uint8_t status_, uint8_t *out,
-        size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_grip_open_response(uint8_t unit_address, uint8_t status_,
+        uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request grip_close_request. */
-static inline esc11_codec_status esc11_serial_encode_grip_close_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_grip_close_request(uint8_t unit_address,
         const esc11_grip_close_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6089,18 +6089,18 @@ static inline esc11_codec_status esc11_serial_encode_grip_close_request(uint8_t 
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 33u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 33u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response grip_close_response. */
-static inline esc11_codec_status esc11_serial_encode_grip_close_response(uint8_t address, uint8_t status_, uint8_t *out,
-        size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_grip_close_response(uint8_t unit_address, uint8_t status_,
+        uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request grip_relative_request. */
-static inline esc11_codec_status esc11_serial_encode_grip_relative_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_grip_relative_request(uint8_t unit_address,
         const esc11_grip_relative_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6112,18 +6112,18 @@ static inline esc11_codec_status esc11_serial_encode_grip_relative_request(uint8
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 34u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 34u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response grip_relative_response. */
-static inline esc11_codec_status esc11_serial_encode_grip_relative_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_grip_relative_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request grip_absolute_request. */
-static inline esc11_codec_status esc11_serial_encode_grip_absolute_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_grip_absolute_request(uint8_t unit_address,
         const esc11_grip_absolute_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6135,18 +6135,18 @@ static inline esc11_codec_status esc11_serial_encode_grip_absolute_request(uint8
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 35u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 35u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response grip_absolute_response. */
-static inline esc11_codec_status esc11_serial_encode_grip_absolute_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_grip_absolute_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request grip_open_with_zone_request. */
-static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_request(uint8_t unit_address,
         const esc11_grip_open_with_zone_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6158,18 +6158,18 @@ static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_request
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 36u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 36u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response grip_open_with_zone_response. */
-static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request grip_close_with_zone_request. */
-static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_request(uint8_t unit_address,
         const esc11_grip_close_with_zone_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6181,32 +6181,32 @@ static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_reques
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 37u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 37u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response grip_close_with_zone_response. */
-static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request no_operation_request. */
-static inline esc11_codec_status esc11_serial_encode_no_operation_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_no_operation_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 48u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 48u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response no_operation_response. */
-static inline esc11_codec_status esc11_serial_encode_no_operation_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_no_operation_response(uint8_t unit_address, uint8_t status_,
         uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request set_motor_excitation_request. */
-static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_request(uint8_t unit_address,
         const esc11_set_motor_excitation_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6218,25 +6218,25 @@ static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_reques
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 49u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 49u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response set_motor_excitation_response. */
-static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_response(uint8_t address, uint8_t status_,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_response(uint8_t unit_address,
+        uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_response_close(address, status_, 0, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_version_request. */
-static inline esc11_codec_status esc11_serial_encode_read_version_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_version_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 64u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 64u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_version_response. */
-static inline esc11_codec_status esc11_serial_encode_read_version_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_version_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_version_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6248,19 +6248,19 @@ static inline esc11_codec_status esc11_serial_encode_read_version_response(uint8
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_current_position_request. */
-static inline esc11_codec_status esc11_serial_encode_read_current_position_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_current_position_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 65u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 65u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_current_position_response. */
-static inline esc11_codec_status esc11_serial_encode_read_current_position_response(uint8_t address, uint8_t status_,
-        const esc11_read_current_position_response *in, uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_read_current_position_response(uint8_t unit_address,
+        uint8_t status_, const esc11_read_current_position_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     esc11_codec_status status;
@@ -6271,18 +6271,18 @@ static inline esc11_codec_status esc11_serial_encode_read_current_position_respo
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_current_point_number_request. */
-static inline esc11_codec_status esc11_serial_encode_read_current_point_number_request(uint8_t address, uint8_t *out,
-        size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_read_current_point_number_request(uint8_t unit_address,
+        uint8_t *out, size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 66u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 66u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_current_point_number_response. */
-static inline esc11_codec_status esc11_serial_encode_read_current_point_number_response(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_read_current_point_number_response(uint8_t unit_address,
         uint8_t status_, const esc11_read_current_point_number_response *in, uint8_t *out, size_t capacity,
         size_t *length)
 {
@@ -6295,11 +6295,11 @@ static inline esc11_codec_status esc11_serial_encode_read_current_point_number_r
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_parameter_request. */
-static inline esc11_codec_status esc11_serial_encode_read_parameter_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_read_parameter_request(uint8_t unit_address,
         const esc11_read_parameter_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6311,11 +6311,11 @@ static inline esc11_codec_status esc11_serial_encode_read_parameter_request(uint
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 67u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 67u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_parameter_response. */
-static inline esc11_codec_status esc11_serial_encode_read_parameter_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_parameter_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_parameter_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6327,11 +6327,11 @@ static inline esc11_codec_status esc11_serial_encode_read_parameter_response(uin
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_point_request. */
-static inline esc11_codec_status esc11_serial_encode_read_point_request(uint8_t address,
+static inline esc11_codec_status esc11_serial_encode_read_point_request(uint8_t unit_address,
         const esc11_read_point_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6343,11 +6343,11 @@ static inline esc11_codec_status esc11_serial_encode_read_point_request(uint8_t 
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_request_close(address, 68u, body_length, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 68u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_point_response. */
-static inline esc11_codec_status esc11_serial_encode_read_point_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_point_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_point_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6359,18 +6359,18 @@ static inline esc11_codec_status esc11_serial_encode_read_point_response(uint8_t
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_homing_state_request. */
-static inline esc11_codec_status esc11_serial_encode_read_homing_state_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_homing_state_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 69u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 69u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_homing_state_response. */
-static inline esc11_codec_status esc11_serial_encode_read_homing_state_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_homing_state_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_homing_state_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6382,19 +6382,19 @@ static inline esc11_codec_status esc11_serial_encode_read_homing_state_response(
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_motor_excitation_request. */
-static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 70u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 70u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_motor_excitation_response. */
-static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_response(uint8_t address, uint8_t status_,
-        const esc11_read_motor_excitation_response *in, uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_response(uint8_t unit_address,
+        uint8_t status_, const esc11_read_motor_excitation_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     esc11_codec_status status;
@@ -6405,18 +6405,18 @@ static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_respo
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_alarm_code_request. */
-static inline esc11_codec_status esc11_serial_encode_read_alarm_code_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_alarm_code_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 71u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 71u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_alarm_code_response. */
-static inline esc11_codec_status esc11_serial_encode_read_alarm_code_response(uint8_t address, uint8_t status_,
+static inline esc11_codec_status esc11_serial_encode_read_alarm_code_response(uint8_t unit_address, uint8_t status_,
         const esc11_read_alarm_code_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -6428,19 +6428,19 @@ static inline esc11_codec_status esc11_serial_encode_read_alarm_code_response(ui
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request read_accumulated_time_request. */
-static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_request(uint8_t address, uint8_t *out,
+static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_request(uint8_t unit_address, uint8_t *out,
         size_t capacity, size_t *length)
 {
-    return esc11_serial_request_close(address, 72u, 0, out, capacity, length);
+    return esc11_serial_request_close(unit_address, 72u, 0, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_accumulated_time_response. */
-static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_response(uint8_t address, uint8_t status_,
-        const esc11_read_accumulated_time_response *in, uint8_t *out, size_t capacity, size_t *length)
+static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_response(uint8_t unit_address,
+        uint8_t status_, const esc11_read_accumulated_time_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     esc11_codec_status status;
@@ -6451,7 +6451,7 @@ static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_respo
     if (status != ESC11_OK) {
         return status;
     }
-    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+    return esc11_serial_response_close(unit_address, status_, body_length, out, capacity, length);
 }
 
 /* ---- Texts of codes, in UTF-8 ---- */

@@ -2469,7 +2469,7 @@ static void test_95(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-points-request opens");
-    expect(opened.address == 0u, "example read-points-request: address");
+    expect(opened.unit_address == 0u, "example read-points-request: address");
     expect(opened.code == 80u, "example read-points-request: code");
     expect(esc11_read_points_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-points-request decodes");
     expect(out.first_point == 3u, "example read-points-request: first_point");
@@ -2491,7 +2491,7 @@ static void test_96(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-points-response opens");
-    expect(opened.address == 0u, "example read-points-response: address");
+    expect(opened.unit_address == 0u, "example read-points-response: address");
     expect(opened.status == 2u, "example read-points-response: status");
     expect(esc11_read_points_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-points-response decodes");
     expect(out.points_count == 1u, "example read-points-response: points count");
@@ -2524,7 +2524,7 @@ static void test_97(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-parameters-request opens");
-    expect(opened.address == 0u, "example read-parameters-request: address");
+    expect(opened.unit_address == 0u, "example read-parameters-request: address");
     expect(opened.code == 81u, "example read-parameters-request: code");
     expect(esc11_read_parameters_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-parameters-request decodes");
     expect(esc11_serial_encode_read_parameters_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-parameters-request encodes");
@@ -2544,7 +2544,7 @@ static void test_98(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-parameters-response opens");
-    expect(opened.address == 0u, "example read-parameters-response: address");
+    expect(opened.unit_address == 0u, "example read-parameters-response: address");
     expect(opened.status == 2u, "example read-parameters-response: status");
     expect(esc11_read_parameters_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-parameters-response decodes");
     expect(out.parameters[0] == 110u, "example read-parameters-response: parameters");
@@ -2625,7 +2625,7 @@ static void test_99(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-io-status-request opens");
-    expect(opened.address == 0u, "example read-io-status-request: address");
+    expect(opened.unit_address == 0u, "example read-io-status-request: address");
     expect(opened.code == 82u, "example read-io-status-request: code");
     expect(esc11_read_io_status_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-io-status-request decodes");
     expect(esc11_serial_encode_read_io_status_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-io-status-request encodes");
@@ -2645,7 +2645,7 @@ static void test_100(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-io-status-response opens");
-    expect(opened.address == 0u, "example read-io-status-response: address");
+    expect(opened.unit_address == 0u, "example read-io-status-response: address");
     expect(opened.status == 2u, "example read-io-status-response: status");
     expect(esc11_read_io_status_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-io-status-response decodes");
     expect(out.inputs == 0u, "example read-io-status-response: inputs");
@@ -2668,7 +2668,7 @@ static void test_101(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-alarm-history-request opens");
-    expect(opened.address == 0u, "example read-alarm-history-request: address");
+    expect(opened.unit_address == 0u, "example read-alarm-history-request: address");
     expect(opened.code == 83u, "example read-alarm-history-request: code");
     expect(esc11_read_alarm_history_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-alarm-history-request decodes");
     expect(esc11_serial_encode_read_alarm_history_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-alarm-history-request encodes");
@@ -2688,7 +2688,7 @@ static void test_102(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-alarm-history-response opens");
-    expect(opened.address == 0u, "example read-alarm-history-response: address");
+    expect(opened.unit_address == 0u, "example read-alarm-history-response: address");
     expect(opened.status == 2u, "example read-alarm-history-response: status");
     expect(esc11_read_alarm_history_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-alarm-history-response decodes");
     expect(out.entries_count == 1u, "example read-alarm-history-response: entries count");
@@ -2716,7 +2716,7 @@ static void test_103(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example write-points-request opens");
-    expect(opened.address == 0u, "example write-points-request: address");
+    expect(opened.unit_address == 0u, "example write-points-request: address");
     expect(opened.code == 96u, "example write-points-request: code");
     expect(esc11_write_points_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example write-points-request decodes");
     expect(out.points_count == 1u, "example write-points-request: points count");
@@ -2749,7 +2749,7 @@ static void test_104(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example write-points-response opens");
-    expect(opened.address == 0u, "example write-points-response: address");
+    expect(opened.unit_address == 0u, "example write-points-response: address");
     expect(opened.status == 2u, "example write-points-response: status");
     expect(esc11_write_points_response_decode(opened.body, opened.body_length) == ESC11_OK, "example write-points-response decodes");
     expect(esc11_serial_encode_write_points_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example write-points-response encodes");
@@ -2769,7 +2769,7 @@ static void test_105(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example write-parameters-request opens");
-    expect(opened.address == 0u, "example write-parameters-request: address");
+    expect(opened.unit_address == 0u, "example write-parameters-request: address");
     expect(opened.code == 97u, "example write-parameters-request: code");
     expect(esc11_write_parameters_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example write-parameters-request decodes");
     expect(out.parameters[0] == 110u, "example write-parameters-request: parameters");
@@ -2850,7 +2850,7 @@ static void test_106(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example write-parameters-response opens");
-    expect(opened.address == 0u, "example write-parameters-response: address");
+    expect(opened.unit_address == 0u, "example write-parameters-response: address");
     expect(opened.status == 2u, "example write-parameters-response: status");
     expect(esc11_write_parameters_response_decode(opened.body, opened.body_length) == ESC11_OK, "example write-parameters-response decodes");
     expect(esc11_serial_encode_write_parameters_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example write-parameters-response encodes");
@@ -2870,7 +2870,7 @@ static void test_107(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example write-parameter-request opens");
-    expect(opened.address == 0u, "example write-parameter-request: address");
+    expect(opened.unit_address == 0u, "example write-parameter-request: address");
     expect(opened.code == 98u, "example write-parameter-request: code");
     expect(esc11_write_parameter_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example write-parameter-request decodes");
     expect(out.parameter_number == 1u, "example write-parameter-request: parameter_number");
@@ -2891,7 +2891,7 @@ static void test_108(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example write-parameter-response opens");
-    expect(opened.address == 0u, "example write-parameter-response: address");
+    expect(opened.unit_address == 0u, "example write-parameter-response: address");
     expect(opened.status == 2u, "example write-parameter-response: status");
     expect(esc11_write_parameter_response_decode(opened.body, opened.body_length) == ESC11_OK, "example write-parameter-response decodes");
     expect(esc11_serial_encode_write_parameter_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example write-parameter-response encodes");
@@ -2911,7 +2911,7 @@ static void test_109(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example write-temporary-point-request opens");
-    expect(opened.address == 0u, "example write-temporary-point-request: address");
+    expect(opened.unit_address == 0u, "example write-temporary-point-request: address");
     expect(opened.code == 99u, "example write-temporary-point-request: code");
     expect(esc11_write_temporary_point_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example write-temporary-point-request decodes");
     expect(out.point.mode == 65u, "example write-temporary-point-request: mode");
@@ -2940,7 +2940,7 @@ static void test_110(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example write-temporary-point-response opens");
-    expect(opened.address == 0u, "example write-temporary-point-response: address");
+    expect(opened.unit_address == 0u, "example write-temporary-point-response: address");
     expect(opened.status == 0u, "example write-temporary-point-response: status");
     expect(esc11_write_temporary_point_response_decode(opened.body, opened.body_length) == ESC11_OK, "example write-temporary-point-response decodes");
     expect(esc11_serial_encode_write_temporary_point_response(0u, 0u, again, sizeof again, &length) == ESC11_OK, "example write-temporary-point-response encodes");
@@ -2960,7 +2960,7 @@ static void test_111(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example clear-points-request opens");
-    expect(opened.address == 0u, "example clear-points-request: address");
+    expect(opened.unit_address == 0u, "example clear-points-request: address");
     expect(opened.code == 112u, "example clear-points-request: code");
     expect(esc11_clear_points_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example clear-points-request decodes");
     expect(out.first_point == 5u, "example clear-points-request: first_point");
@@ -2981,7 +2981,7 @@ static void test_112(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example clear-points-response opens");
-    expect(opened.address == 0u, "example clear-points-response: address");
+    expect(opened.unit_address == 0u, "example clear-points-response: address");
     expect(opened.status == 2u, "example clear-points-response: status");
     expect(esc11_clear_points_response_decode(opened.body, opened.body_length) == ESC11_OK, "example clear-points-response decodes");
     expect(esc11_serial_encode_clear_points_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example clear-points-response encodes");
@@ -2998,7 +2998,7 @@ static void test_113(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example initialize-points-request opens");
-    expect(opened.address == 0u, "example initialize-points-request: address");
+    expect(opened.unit_address == 0u, "example initialize-points-request: address");
     expect(opened.code == 113u, "example initialize-points-request: code");
     expect(esc11_initialize_points_request_decode(opened.body, opened.body_length) == ESC11_OK, "example initialize-points-request decodes");
     expect(esc11_serial_encode_initialize_points_request(0u, again, sizeof again, &length) == ESC11_OK, "example initialize-points-request encodes");
@@ -3015,7 +3015,7 @@ static void test_114(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example initialize-points-response opens");
-    expect(opened.address == 0u, "example initialize-points-response: address");
+    expect(opened.unit_address == 0u, "example initialize-points-response: address");
     expect(opened.status == 2u, "example initialize-points-response: status");
     expect(esc11_initialize_points_response_decode(opened.body, opened.body_length) == ESC11_OK, "example initialize-points-response decodes");
     expect(esc11_serial_encode_initialize_points_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example initialize-points-response encodes");
@@ -3035,7 +3035,7 @@ static void test_115(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example initialize-parameters-request opens");
-    expect(opened.address == 0u, "example initialize-parameters-request: address");
+    expect(opened.unit_address == 0u, "example initialize-parameters-request: address");
     expect(opened.code == 114u, "example initialize-parameters-request: code");
     expect(esc11_initialize_parameters_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example initialize-parameters-request decodes");
     expect(out.actuator_type == 110u, "example initialize-parameters-request: actuator_type");
@@ -3054,7 +3054,7 @@ static void test_116(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example initialize-parameters-response opens");
-    expect(opened.address == 0u, "example initialize-parameters-response: address");
+    expect(opened.unit_address == 0u, "example initialize-parameters-response: address");
     expect(opened.status == 2u, "example initialize-parameters-response: status");
     expect(esc11_initialize_parameters_response_decode(opened.body, opened.body_length) == ESC11_OK, "example initialize-parameters-response decodes");
     expect(esc11_serial_encode_initialize_parameters_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example initialize-parameters-response encodes");
@@ -3071,7 +3071,7 @@ static void test_117(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example clear-alarm-history-request opens");
-    expect(opened.address == 0u, "example clear-alarm-history-request: address");
+    expect(opened.unit_address == 0u, "example clear-alarm-history-request: address");
     expect(opened.code == 115u, "example clear-alarm-history-request: code");
     expect(esc11_clear_alarm_history_request_decode(opened.body, opened.body_length) == ESC11_OK, "example clear-alarm-history-request decodes");
     expect(esc11_serial_encode_clear_alarm_history_request(0u, again, sizeof again, &length) == ESC11_OK, "example clear-alarm-history-request encodes");
@@ -3088,7 +3088,7 @@ static void test_118(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example clear-alarm-history-response opens");
-    expect(opened.address == 0u, "example clear-alarm-history-response: address");
+    expect(opened.unit_address == 0u, "example clear-alarm-history-response: address");
     expect(opened.status == 2u, "example clear-alarm-history-response: status");
     expect(esc11_clear_alarm_history_response_decode(opened.body, opened.body_length) == ESC11_OK, "example clear-alarm-history-response decodes");
     expect(esc11_serial_encode_clear_alarm_history_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example clear-alarm-history-response encodes");
@@ -3105,7 +3105,7 @@ static void test_119(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example clear-accumulated-time-request opens");
-    expect(opened.address == 0u, "example clear-accumulated-time-request: address");
+    expect(opened.unit_address == 0u, "example clear-accumulated-time-request: address");
     expect(opened.code == 116u, "example clear-accumulated-time-request: code");
     expect(esc11_clear_accumulated_time_request_decode(opened.body, opened.body_length) == ESC11_OK, "example clear-accumulated-time-request decodes");
     expect(esc11_serial_encode_clear_accumulated_time_request(0u, again, sizeof again, &length) == ESC11_OK, "example clear-accumulated-time-request encodes");
@@ -3122,7 +3122,7 @@ static void test_120(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example clear-accumulated-time-response opens");
-    expect(opened.address == 0u, "example clear-accumulated-time-response: address");
+    expect(opened.unit_address == 0u, "example clear-accumulated-time-response: address");
     expect(opened.status == 2u, "example clear-accumulated-time-response: status");
     expect(esc11_clear_accumulated_time_response_decode(opened.body, opened.body_length) == ESC11_OK, "example clear-accumulated-time-response decodes");
     expect(esc11_serial_encode_clear_accumulated_time_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example clear-accumulated-time-response encodes");
@@ -3139,7 +3139,7 @@ static void test_121(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example stop-request opens");
-    expect(opened.address == 0u, "example stop-request: address");
+    expect(opened.unit_address == 0u, "example stop-request: address");
     expect(opened.code == 16u, "example stop-request: code");
     expect(esc11_stop_request_decode(opened.body, opened.body_length) == ESC11_OK, "example stop-request decodes");
     expect(esc11_serial_encode_stop_request(0u, again, sizeof again, &length) == ESC11_OK, "example stop-request encodes");
@@ -3156,7 +3156,7 @@ static void test_122(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example stop-response opens");
-    expect(opened.address == 0u, "example stop-response: address");
+    expect(opened.unit_address == 0u, "example stop-response: address");
     expect(opened.status == 3u, "example stop-response: status");
     expect(esc11_stop_response_decode(opened.body, opened.body_length) == ESC11_OK, "example stop-response decodes");
     expect(esc11_serial_encode_stop_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example stop-response encodes");
@@ -3173,7 +3173,7 @@ static void test_123(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example start-homing-request opens");
-    expect(opened.address == 0u, "example start-homing-request: address");
+    expect(opened.unit_address == 0u, "example start-homing-request: address");
     expect(opened.code == 17u, "example start-homing-request: code");
     expect(esc11_start_homing_request_decode(opened.body, opened.body_length) == ESC11_OK, "example start-homing-request decodes");
     expect(esc11_serial_encode_start_homing_request(0u, again, sizeof again, &length) == ESC11_OK, "example start-homing-request encodes");
@@ -3190,7 +3190,7 @@ static void test_124(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example start-homing-response opens");
-    expect(opened.address == 0u, "example start-homing-response: address");
+    expect(opened.unit_address == 0u, "example start-homing-response: address");
     expect(opened.status == 3u, "example start-homing-response: status");
     expect(esc11_start_homing_response_decode(opened.body, opened.body_length) == ESC11_OK, "example start-homing-response decodes");
     expect(esc11_serial_encode_start_homing_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example start-homing-response encodes");
@@ -3210,7 +3210,7 @@ static void test_125(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-positive-distance-request opens");
-    expect(opened.address == 0u, "example move-positive-distance-request: address");
+    expect(opened.unit_address == 0u, "example move-positive-distance-request: address");
     expect(opened.code == 18u, "example move-positive-distance-request: code");
     expect(esc11_move_positive_distance_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-positive-distance-request decodes");
     expect(out.distance == 100u, "example move-positive-distance-request: distance");
@@ -3233,7 +3233,7 @@ static void test_126(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-positive-distance-response opens");
-    expect(opened.address == 0u, "example move-positive-distance-response: address");
+    expect(opened.unit_address == 0u, "example move-positive-distance-response: address");
     expect(opened.status == 3u, "example move-positive-distance-response: status");
     expect(esc11_move_positive_distance_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-positive-distance-response decodes");
     expect(esc11_serial_encode_move_positive_distance_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-positive-distance-response encodes");
@@ -3253,7 +3253,7 @@ static void test_127(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-negative-distance-request opens");
-    expect(opened.address == 0u, "example move-negative-distance-request: address");
+    expect(opened.unit_address == 0u, "example move-negative-distance-request: address");
     expect(opened.code == 19u, "example move-negative-distance-request: code");
     expect(esc11_move_negative_distance_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-negative-distance-request decodes");
     expect(out.distance == 100u, "example move-negative-distance-request: distance");
@@ -3276,7 +3276,7 @@ static void test_128(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-negative-distance-response opens");
-    expect(opened.address == 0u, "example move-negative-distance-response: address");
+    expect(opened.unit_address == 0u, "example move-negative-distance-response: address");
     expect(opened.status == 3u, "example move-negative-distance-response: status");
     expect(esc11_move_negative_distance_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-negative-distance-response decodes");
     expect(esc11_serial_encode_move_negative_distance_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-negative-distance-response encodes");
@@ -3296,7 +3296,7 @@ static void test_129(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-open-request opens");
-    expect(opened.address == 0u, "example move-open-request: address");
+    expect(opened.unit_address == 0u, "example move-open-request: address");
     expect(opened.code == 20u, "example move-open-request: code");
     expect(esc11_move_open_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-open-request decodes");
     expect(out.speed == 50u, "example move-open-request: speed");
@@ -3315,7 +3315,7 @@ static void test_130(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-open-response opens");
-    expect(opened.address == 0u, "example move-open-response: address");
+    expect(opened.unit_address == 0u, "example move-open-response: address");
     expect(opened.status == 3u, "example move-open-response: status");
     expect(esc11_move_open_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-open-response decodes");
     expect(esc11_serial_encode_move_open_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-open-response encodes");
@@ -3335,7 +3335,7 @@ static void test_131(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-close-request opens");
-    expect(opened.address == 0u, "example move-close-request: address");
+    expect(opened.unit_address == 0u, "example move-close-request: address");
     expect(opened.code == 21u, "example move-close-request: code");
     expect(esc11_move_close_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-close-request decodes");
     expect(out.speed == 50u, "example move-close-request: speed");
@@ -3354,7 +3354,7 @@ static void test_132(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-close-response opens");
-    expect(opened.address == 0u, "example move-close-response: address");
+    expect(opened.unit_address == 0u, "example move-close-response: address");
     expect(opened.status == 3u, "example move-close-response: status");
     expect(esc11_move_close_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-close-response decodes");
     expect(esc11_serial_encode_move_close_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-close-response encodes");
@@ -3374,7 +3374,7 @@ static void test_133(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-relative-request opens");
-    expect(opened.address == 0u, "example move-relative-request: address");
+    expect(opened.unit_address == 0u, "example move-relative-request: address");
     expect(opened.code == 22u, "example move-relative-request: code");
     expect(esc11_move_relative_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-relative-request decodes");
     expect(out.distance == 2000, "example move-relative-request: distance");
@@ -3395,7 +3395,7 @@ static void test_134(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-relative-response opens");
-    expect(opened.address == 0u, "example move-relative-response: address");
+    expect(opened.unit_address == 0u, "example move-relative-response: address");
     expect(opened.status == 3u, "example move-relative-response: status");
     expect(esc11_move_relative_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-relative-response decodes");
     expect(esc11_serial_encode_move_relative_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-relative-response encodes");
@@ -3415,7 +3415,7 @@ static void test_135(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-absolute-request opens");
-    expect(opened.address == 0u, "example move-absolute-request: address");
+    expect(opened.unit_address == 0u, "example move-absolute-request: address");
     expect(opened.code == 23u, "example move-absolute-request: code");
     expect(esc11_move_absolute_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-absolute-request decodes");
     expect(out.position == 2000, "example move-absolute-request: position");
@@ -3436,7 +3436,7 @@ static void test_136(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-absolute-response opens");
-    expect(opened.address == 0u, "example move-absolute-response: address");
+    expect(opened.unit_address == 0u, "example move-absolute-response: address");
     expect(opened.status == 3u, "example move-absolute-response: status");
     expect(esc11_move_absolute_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-absolute-response decodes");
     expect(esc11_serial_encode_move_absolute_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-absolute-response encodes");
@@ -3456,7 +3456,7 @@ static void test_137(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example move-to-point-request opens");
-    expect(opened.address == 0u, "example move-to-point-request: address");
+    expect(opened.unit_address == 0u, "example move-to-point-request: address");
     expect(opened.code == 26u, "example move-to-point-request: code");
     expect(esc11_move_to_point_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example move-to-point-request decodes");
     expect(out.point_number == 1u, "example move-to-point-request: point_number");
@@ -3477,7 +3477,7 @@ static void test_138(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example move-to-point-response opens");
-    expect(opened.address == 0u, "example move-to-point-response: address");
+    expect(opened.unit_address == 0u, "example move-to-point-response: address");
     expect(opened.status == 3u, "example move-to-point-response: status");
     expect(esc11_move_to_point_response_decode(opened.body, opened.body_length) == ESC11_OK, "example move-to-point-response decodes");
     expect(esc11_serial_encode_move_to_point_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example move-to-point-response encodes");
@@ -3497,7 +3497,7 @@ static void test_139(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example grip-open-request opens");
-    expect(opened.address == 0u, "example grip-open-request: address");
+    expect(opened.unit_address == 0u, "example grip-open-request: address");
     expect(opened.code == 32u, "example grip-open-request: code");
     expect(esc11_grip_open_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example grip-open-request decodes");
     expect(out.speed == 50u, "example grip-open-request: speed");
@@ -3518,7 +3518,7 @@ static void test_140(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example grip-open-response opens");
-    expect(opened.address == 0u, "example grip-open-response: address");
+    expect(opened.unit_address == 0u, "example grip-open-response: address");
     expect(opened.status == 3u, "example grip-open-response: status");
     expect(esc11_grip_open_response_decode(opened.body, opened.body_length) == ESC11_OK, "example grip-open-response decodes");
     expect(esc11_serial_encode_grip_open_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example grip-open-response encodes");
@@ -3538,7 +3538,7 @@ static void test_141(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example grip-close-request opens");
-    expect(opened.address == 0u, "example grip-close-request: address");
+    expect(opened.unit_address == 0u, "example grip-close-request: address");
     expect(opened.code == 33u, "example grip-close-request: code");
     expect(esc11_grip_close_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example grip-close-request decodes");
     expect(out.speed == 50u, "example grip-close-request: speed");
@@ -3559,7 +3559,7 @@ static void test_142(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example grip-close-response opens");
-    expect(opened.address == 0u, "example grip-close-response: address");
+    expect(opened.unit_address == 0u, "example grip-close-response: address");
     expect(opened.status == 3u, "example grip-close-response: status");
     expect(esc11_grip_close_response_decode(opened.body, opened.body_length) == ESC11_OK, "example grip-close-response decodes");
     expect(esc11_serial_encode_grip_close_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example grip-close-response encodes");
@@ -3579,7 +3579,7 @@ static void test_143(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example grip-relative-request opens");
-    expect(opened.address == 0u, "example grip-relative-request: address");
+    expect(opened.unit_address == 0u, "example grip-relative-request: address");
     expect(opened.code == 34u, "example grip-relative-request: code");
     expect(esc11_grip_relative_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example grip-relative-request decodes");
     expect(out.distance == 2000, "example grip-relative-request: distance");
@@ -3602,7 +3602,7 @@ static void test_144(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example grip-relative-response opens");
-    expect(opened.address == 0u, "example grip-relative-response: address");
+    expect(opened.unit_address == 0u, "example grip-relative-response: address");
     expect(opened.status == 3u, "example grip-relative-response: status");
     expect(esc11_grip_relative_response_decode(opened.body, opened.body_length) == ESC11_OK, "example grip-relative-response decodes");
     expect(esc11_serial_encode_grip_relative_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example grip-relative-response encodes");
@@ -3622,7 +3622,7 @@ static void test_145(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example grip-absolute-request opens");
-    expect(opened.address == 0u, "example grip-absolute-request: address");
+    expect(opened.unit_address == 0u, "example grip-absolute-request: address");
     expect(opened.code == 35u, "example grip-absolute-request: code");
     expect(esc11_grip_absolute_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example grip-absolute-request decodes");
     expect(out.position == 2000, "example grip-absolute-request: position");
@@ -3645,7 +3645,7 @@ static void test_146(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example grip-absolute-response opens");
-    expect(opened.address == 0u, "example grip-absolute-response: address");
+    expect(opened.unit_address == 0u, "example grip-absolute-response: address");
     expect(opened.status == 3u, "example grip-absolute-response: status");
     expect(esc11_grip_absolute_response_decode(opened.body, opened.body_length) == ESC11_OK, "example grip-absolute-response decodes");
     expect(esc11_serial_encode_grip_absolute_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example grip-absolute-response encodes");
@@ -3665,7 +3665,7 @@ static void test_147(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example grip-open-with-zone-request opens");
-    expect(opened.address == 0u, "example grip-open-with-zone-request: address");
+    expect(opened.unit_address == 0u, "example grip-open-with-zone-request: address");
     expect(opened.code == 36u, "example grip-open-with-zone-request: code");
     expect(esc11_grip_open_with_zone_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example grip-open-with-zone-request decodes");
     expect(out.zone_limit_1 == 500, "example grip-open-with-zone-request: zone_limit_1");
@@ -3690,7 +3690,7 @@ static void test_148(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example grip-open-with-zone-response opens");
-    expect(opened.address == 0u, "example grip-open-with-zone-response: address");
+    expect(opened.unit_address == 0u, "example grip-open-with-zone-response: address");
     expect(opened.status == 3u, "example grip-open-with-zone-response: status");
     expect(esc11_grip_open_with_zone_response_decode(opened.body, opened.body_length) == ESC11_OK, "example grip-open-with-zone-response decodes");
     expect(esc11_serial_encode_grip_open_with_zone_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example grip-open-with-zone-response encodes");
@@ -3710,7 +3710,7 @@ static void test_149(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example grip-close-with-zone-request opens");
-    expect(opened.address == 0u, "example grip-close-with-zone-request: address");
+    expect(opened.unit_address == 0u, "example grip-close-with-zone-request: address");
     expect(opened.code == 37u, "example grip-close-with-zone-request: code");
     expect(esc11_grip_close_with_zone_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example grip-close-with-zone-request decodes");
     expect(out.zone_limit_1 == 500, "example grip-close-with-zone-request: zone_limit_1");
@@ -3735,7 +3735,7 @@ static void test_150(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example grip-close-with-zone-response opens");
-    expect(opened.address == 0u, "example grip-close-with-zone-response: address");
+    expect(opened.unit_address == 0u, "example grip-close-with-zone-response: address");
     expect(opened.status == 3u, "example grip-close-with-zone-response: status");
     expect(esc11_grip_close_with_zone_response_decode(opened.body, opened.body_length) == ESC11_OK, "example grip-close-with-zone-response decodes");
     expect(esc11_serial_encode_grip_close_with_zone_response(0u, 3u, again, sizeof again, &length) == ESC11_OK, "example grip-close-with-zone-response encodes");
@@ -3752,7 +3752,7 @@ static void test_151(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example no-operation-request opens");
-    expect(opened.address == 0u, "example no-operation-request: address");
+    expect(opened.unit_address == 0u, "example no-operation-request: address");
     expect(opened.code == 48u, "example no-operation-request: code");
     expect(esc11_no_operation_request_decode(opened.body, opened.body_length) == ESC11_OK, "example no-operation-request decodes");
     expect(esc11_serial_encode_no_operation_request(0u, again, sizeof again, &length) == ESC11_OK, "example no-operation-request encodes");
@@ -3769,7 +3769,7 @@ static void test_152(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example no-operation-response opens");
-    expect(opened.address == 0u, "example no-operation-response: address");
+    expect(opened.unit_address == 0u, "example no-operation-response: address");
     expect(opened.status == 0u, "example no-operation-response: status");
     expect(esc11_no_operation_response_decode(opened.body, opened.body_length) == ESC11_OK, "example no-operation-response decodes");
     expect(esc11_serial_encode_no_operation_response(0u, 0u, again, sizeof again, &length) == ESC11_OK, "example no-operation-response encodes");
@@ -3789,7 +3789,7 @@ static void test_153(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example excite-motor-request opens");
-    expect(opened.address == 0u, "example excite-motor-request: address");
+    expect(opened.unit_address == 0u, "example excite-motor-request: address");
     expect(opened.code == 49u, "example excite-motor-request: code");
     expect(esc11_set_motor_excitation_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example excite-motor-request decodes");
     expect(out.excited == true, "example excite-motor-request: excited");
@@ -3808,7 +3808,7 @@ static void test_154(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example excite-motor-response opens");
-    expect(opened.address == 0u, "example excite-motor-response: address");
+    expect(opened.unit_address == 0u, "example excite-motor-response: address");
     expect(opened.status == 2u, "example excite-motor-response: status");
     expect(esc11_set_motor_excitation_response_decode(opened.body, opened.body_length) == ESC11_OK, "example excite-motor-response decodes");
     expect(esc11_serial_encode_set_motor_excitation_response(0u, 2u, again, sizeof again, &length) == ESC11_OK, "example excite-motor-response encodes");
@@ -3828,7 +3828,7 @@ static void test_155(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example release-motor-request opens");
-    expect(opened.address == 0u, "example release-motor-request: address");
+    expect(opened.unit_address == 0u, "example release-motor-request: address");
     expect(opened.code == 49u, "example release-motor-request: code");
     expect(esc11_set_motor_excitation_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example release-motor-request decodes");
     expect(out.excited == false, "example release-motor-request: excited");
@@ -3847,7 +3847,7 @@ static void test_156(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example release-motor-response opens");
-    expect(opened.address == 0u, "example release-motor-response: address");
+    expect(opened.unit_address == 0u, "example release-motor-response: address");
     expect(opened.status == 6u, "example release-motor-response: status");
     expect(esc11_set_motor_excitation_response_decode(opened.body, opened.body_length) == ESC11_OK, "example release-motor-response decodes");
     expect(esc11_serial_encode_set_motor_excitation_response(0u, 6u, again, sizeof again, &length) == ESC11_OK, "example release-motor-response encodes");
@@ -3864,7 +3864,7 @@ static void test_157(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-version-request opens");
-    expect(opened.address == 0u, "example read-version-request: address");
+    expect(opened.unit_address == 0u, "example read-version-request: address");
     expect(opened.code == 64u, "example read-version-request: code");
     expect(esc11_read_version_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-version-request decodes");
     expect(esc11_serial_encode_read_version_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-version-request encodes");
@@ -3884,7 +3884,7 @@ static void test_158(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-version-response opens");
-    expect(opened.address == 0u, "example read-version-response: address");
+    expect(opened.unit_address == 0u, "example read-version-response: address");
     expect(opened.status == 2u, "example read-version-response: status");
     expect(esc11_read_version_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-version-response decodes");
     expect(same_bytes(out.version, "\040\061\056\060\061\040", 6u), "example read-version-response: version");
@@ -3903,7 +3903,7 @@ static void test_159(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-current-position-request opens");
-    expect(opened.address == 0u, "example read-current-position-request: address");
+    expect(opened.unit_address == 0u, "example read-current-position-request: address");
     expect(opened.code == 65u, "example read-current-position-request: code");
     expect(esc11_read_current_position_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-current-position-request decodes");
     expect(esc11_serial_encode_read_current_position_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-current-position-request encodes");
@@ -3923,7 +3923,7 @@ static void test_160(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-current-position-response opens");
-    expect(opened.address == 0u, "example read-current-position-response: address");
+    expect(opened.unit_address == 0u, "example read-current-position-response: address");
     expect(opened.status == 2u, "example read-current-position-response: status");
     expect(esc11_read_current_position_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-current-position-response decodes");
     expect(out.position == 800, "example read-current-position-response: position");
@@ -3942,7 +3942,7 @@ static void test_161(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-current-point-number-request opens");
-    expect(opened.address == 0u, "example read-current-point-number-request: address");
+    expect(opened.unit_address == 0u, "example read-current-point-number-request: address");
     expect(opened.code == 66u, "example read-current-point-number-request: code");
     expect(esc11_read_current_point_number_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-current-point-number-request decodes");
     expect(esc11_serial_encode_read_current_point_number_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-current-point-number-request encodes");
@@ -3962,7 +3962,7 @@ static void test_162(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-current-point-number-response opens");
-    expect(opened.address == 0u, "example read-current-point-number-response: address");
+    expect(opened.unit_address == 0u, "example read-current-point-number-response: address");
     expect(opened.status == 2u, "example read-current-point-number-response: status");
     expect(esc11_read_current_point_number_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-current-point-number-response decodes");
     expect(out.point_number == 3u, "example read-current-point-number-response: point_number");
@@ -3984,7 +3984,7 @@ static void test_163(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-parameter-request opens");
-    expect(opened.address == 0u, "example read-parameter-request: address");
+    expect(opened.unit_address == 0u, "example read-parameter-request: address");
     expect(opened.code == 67u, "example read-parameter-request: code");
     expect(esc11_read_parameter_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-parameter-request decodes");
     expect(out.parameter_number == 1u, "example read-parameter-request: parameter_number");
@@ -4006,7 +4006,7 @@ static void test_164(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-parameter-response opens");
-    expect(opened.address == 0u, "example read-parameter-response: address");
+    expect(opened.unit_address == 0u, "example read-parameter-response: address");
     expect(opened.status == 2u, "example read-parameter-response: status");
     expect(esc11_read_parameter_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-parameter-response decodes");
     expect(out.value == 100u, "example read-parameter-response: value");
@@ -4028,7 +4028,7 @@ static void test_165(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-point-request opens");
-    expect(opened.address == 0u, "example read-point-request: address");
+    expect(opened.unit_address == 0u, "example read-point-request: address");
     expect(opened.code == 68u, "example read-point-request: code");
     expect(esc11_read_point_request_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-point-request decodes");
     expect(out.point_number == 3u, "example read-point-request: point_number");
@@ -4050,7 +4050,7 @@ static void test_166(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-point-response opens");
-    expect(opened.address == 0u, "example read-point-response: address");
+    expect(opened.unit_address == 0u, "example read-point-response: address");
     expect(opened.status == 2u, "example read-point-response: status");
     expect(esc11_read_point_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-point-response decodes");
     expect(out.point.number == 3u, "example read-point-response: number");
@@ -4081,7 +4081,7 @@ static void test_167(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-homing-state-request opens");
-    expect(opened.address == 0u, "example read-homing-state-request: address");
+    expect(opened.unit_address == 0u, "example read-homing-state-request: address");
     expect(opened.code == 69u, "example read-homing-state-request: code");
     expect(esc11_read_homing_state_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-homing-state-request decodes");
     expect(esc11_serial_encode_read_homing_state_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-homing-state-request encodes");
@@ -4101,7 +4101,7 @@ static void test_168(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-homing-state-response opens");
-    expect(opened.address == 0u, "example read-homing-state-response: address");
+    expect(opened.unit_address == 0u, "example read-homing-state-response: address");
     expect(opened.status == 2u, "example read-homing-state-response: status");
     expect(esc11_read_homing_state_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-homing-state-response decodes");
     expect(out.homing_complete == true, "example read-homing-state-response: homing_complete");
@@ -4120,7 +4120,7 @@ static void test_169(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-motor-excitation-request opens");
-    expect(opened.address == 0u, "example read-motor-excitation-request: address");
+    expect(opened.unit_address == 0u, "example read-motor-excitation-request: address");
     expect(opened.code == 70u, "example read-motor-excitation-request: code");
     expect(esc11_read_motor_excitation_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-motor-excitation-request decodes");
     expect(esc11_serial_encode_read_motor_excitation_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-motor-excitation-request encodes");
@@ -4140,7 +4140,7 @@ static void test_170(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-motor-excitation-response opens");
-    expect(opened.address == 0u, "example read-motor-excitation-response: address");
+    expect(opened.unit_address == 0u, "example read-motor-excitation-response: address");
     expect(opened.status == 2u, "example read-motor-excitation-response: status");
     expect(esc11_read_motor_excitation_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-motor-excitation-response decodes");
     expect(out.excited == true, "example read-motor-excitation-response: excited");
@@ -4159,7 +4159,7 @@ static void test_171(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-alarm-code-request opens");
-    expect(opened.address == 0u, "example read-alarm-code-request: address");
+    expect(opened.unit_address == 0u, "example read-alarm-code-request: address");
     expect(opened.code == 71u, "example read-alarm-code-request: code");
     expect(esc11_read_alarm_code_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-alarm-code-request decodes");
     expect(esc11_serial_encode_read_alarm_code_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-alarm-code-request encodes");
@@ -4179,7 +4179,7 @@ static void test_172(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-alarm-code-response opens");
-    expect(opened.address == 0u, "example read-alarm-code-response: address");
+    expect(opened.unit_address == 0u, "example read-alarm-code-response: address");
     expect(opened.status == 2u, "example read-alarm-code-response: status");
     expect(esc11_read_alarm_code_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-alarm-code-response decodes");
     expect(out.alarm_code == 1u, "example read-alarm-code-response: alarm_code");
@@ -4198,7 +4198,7 @@ static void test_173(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_request_open(received, sizeof received, &opened) == ESC11_OK, "example read-accumulated-time-request opens");
-    expect(opened.address == 0u, "example read-accumulated-time-request: address");
+    expect(opened.unit_address == 0u, "example read-accumulated-time-request: address");
     expect(opened.code == 72u, "example read-accumulated-time-request: code");
     expect(esc11_read_accumulated_time_request_decode(opened.body, opened.body_length) == ESC11_OK, "example read-accumulated-time-request decodes");
     expect(esc11_serial_encode_read_accumulated_time_request(0u, again, sizeof again, &length) == ESC11_OK, "example read-accumulated-time-request encodes");
@@ -4218,7 +4218,7 @@ static void test_174(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(esc11_serial_response_open(received, sizeof received, &opened) == ESC11_OK, "example read-accumulated-time-response opens");
-    expect(opened.address == 0u, "example read-accumulated-time-response: address");
+    expect(opened.unit_address == 0u, "example read-accumulated-time-response: address");
     expect(opened.status == 2u, "example read-accumulated-time-response: status");
     expect(esc11_read_accumulated_time_response_decode(opened.body, opened.body_length, &out) == ESC11_OK, "example read-accumulated-time-response decodes");
     expect(out.hours == 1u, "example read-accumulated-time-response: hours");

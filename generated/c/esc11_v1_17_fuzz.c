@@ -105,7 +105,7 @@ static void frame_0(const uint8_t *data, size_t size)
     }
     hold(opened.body >= data && opened.body + opened.body_length <= data + size);
     memcpy(out + 3, opened.body, opened.body_length);
-    if (esc11_serial_request_close(opened.address, opened.code, opened.body_length, out, sizeof out, &length) == ESC11_OK) {
+    if (esc11_serial_request_close(opened.unit_address, opened.code, opened.body_length, out, sizeof out, &length) == ESC11_OK) {
         hold(length == size && memcmp(out, data, size) == 0);
     }
 }
@@ -130,7 +130,7 @@ static void frame_1(const uint8_t *data, size_t size)
         return;
     }
     hold(status == ESC11_OK);
-    hold(opened.address == data[0]);
+    hold(opened.unit_address == data[0]);
     hold(opened.code == data[1]);
     hold(opened.body_length == size - GIVEN);
     hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
@@ -147,7 +147,7 @@ static void frame_2(const uint8_t *data, size_t size)
     }
     hold(opened.body >= data && opened.body + opened.body_length <= data + size);
     memcpy(out + 3, opened.body, opened.body_length);
-    if (esc11_serial_response_close(opened.address, opened.status, opened.body_length, out, sizeof out, &length) == ESC11_OK) {
+    if (esc11_serial_response_close(opened.unit_address, opened.status, opened.body_length, out, sizeof out, &length) == ESC11_OK) {
         hold(length == size && memcmp(out, data, size) == 0);
     }
 }
@@ -169,7 +169,7 @@ static void frame_3(const uint8_t *data, size_t size)
     }
     status = esc11_serial_response_open(out, length, &opened);
     hold(status == ESC11_OK);
-    hold(opened.address == data[0]);
+    hold(opened.unit_address == data[0]);
     hold(opened.status == data[1]);
     hold(opened.body_length == size - GIVEN);
     hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);

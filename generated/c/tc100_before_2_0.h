@@ -4691,7 +4691,7 @@ static inline tc100_codec_status tc100_table_points_at(uint32_t number, uint16_t
 /** An opened request: its header, and where its body is. */
 typedef struct tc100_rtu_request_frame {
     /** Source: 8.4 L1796 */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
@@ -4709,7 +4709,7 @@ static inline tc100_codec_status tc100_rtu_request_open(const uint8_t *frame, si
     if (tc100_crc16_modbus(in, length - 2u) != tc100_load_u16_le(in + length - 2u)) {
         return TC100_ERR_WRONG_CHECK;
     }
-    out->station = tc100_load_u8(in + 0);
+    out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
     if (out->code != 3u && out->code != 6u && out->code != 16u) {
         return TC100_ERR_UNKNOWN_CODE;
@@ -4720,17 +4720,17 @@ static inline tc100_codec_status tc100_rtu_request_open(const uint8_t *frame, si
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline tc100_codec_status tc100_rtu_request_close(uint8_t station, uint32_t code, size_t body_length,
+static inline tc100_codec_status tc100_rtu_request_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 4u;
     if (capacity < 4u || body_length > capacity - 4u) {
         return TC100_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return TC100_ERR_OUT_OF_RANGE;
     }
-    tc100_store_u8(out + 0, (uint8_t)station);
+    tc100_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return TC100_ERR_UNKNOWN_CODE;
     }
@@ -4743,7 +4743,7 @@ static inline tc100_codec_status tc100_rtu_request_close(uint8_t station, uint32
 /** An opened response: its header, and where its body is. */
 typedef struct tc100_rtu_response_frame {
     /** Source: 8.4 L1796 */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     /** The frame is an exception response; its body is the record of the exception. */
@@ -4764,7 +4764,7 @@ static inline tc100_codec_status tc100_rtu_response_open(const uint8_t *frame, s
     if (tc100_crc16_modbus(in, length - 2u) != tc100_load_u16_le(in + length - 2u)) {
         return TC100_ERR_WRONG_CHECK;
     }
-    out->station = tc100_load_u8(in + 0);
+    out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
     out->error = (out->code & 128u) != 0;
     if (out->error) {
@@ -4779,17 +4779,17 @@ static inline tc100_codec_status tc100_rtu_response_open(const uint8_t *frame, s
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline tc100_codec_status tc100_rtu_response_close(uint8_t station, uint32_t code, size_t body_length,
+static inline tc100_codec_status tc100_rtu_response_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 4u;
     if (capacity < 4u || body_length > capacity - 4u) {
         return TC100_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return TC100_ERR_OUT_OF_RANGE;
     }
-    tc100_store_u8(out + 0, (uint8_t)station);
+    tc100_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return TC100_ERR_UNKNOWN_CODE;
     }
@@ -4800,7 +4800,7 @@ static inline tc100_codec_status tc100_rtu_response_close(uint8_t station, uint3
 }
 
 /** Writes the whole frame of the request read_registers_request. */
-static inline tc100_codec_status tc100_rtu_encode_read_registers_request(uint8_t station,
+static inline tc100_codec_status tc100_rtu_encode_read_registers_request(uint8_t unit_address,
         const tc100_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4812,14 +4812,14 @@ static inline tc100_codec_status tc100_rtu_encode_read_registers_request(uint8_t
     if (status != TC100_OK) {
         return status;
     }
-    if (station == 0) {
+    if (unit_address == 0) {
         return TC100_ERR_OUT_OF_RANGE;
     }
-    return tc100_rtu_request_close(station, 3u, body_length, out, capacity, length);
+    return tc100_rtu_request_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_registers_response. */
-static inline tc100_codec_status tc100_rtu_encode_read_registers_response(uint8_t station,
+static inline tc100_codec_status tc100_rtu_encode_read_registers_response(uint8_t unit_address,
         const tc100_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4831,11 +4831,11 @@ static inline tc100_codec_status tc100_rtu_encode_read_registers_response(uint8_
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_rtu_response_close(station, 3u, body_length, out, capacity, length);
+    return tc100_rtu_response_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_register_request. */
-static inline tc100_codec_status tc100_rtu_encode_write_register_request(uint8_t station,
+static inline tc100_codec_status tc100_rtu_encode_write_register_request(uint8_t unit_address,
         const tc100_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4847,11 +4847,11 @@ static inline tc100_codec_status tc100_rtu_encode_write_register_request(uint8_t
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_rtu_request_close(station, 6u, body_length, out, capacity, length);
+    return tc100_rtu_request_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_register_response. */
-static inline tc100_codec_status tc100_rtu_encode_write_register_response(uint8_t station,
+static inline tc100_codec_status tc100_rtu_encode_write_register_response(uint8_t unit_address,
         const tc100_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4863,11 +4863,11 @@ static inline tc100_codec_status tc100_rtu_encode_write_register_response(uint8_
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_rtu_response_close(station, 6u, body_length, out, capacity, length);
+    return tc100_rtu_response_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_registers_request. */
-static inline tc100_codec_status tc100_rtu_encode_write_registers_request(uint8_t station,
+static inline tc100_codec_status tc100_rtu_encode_write_registers_request(uint8_t unit_address,
         const tc100_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4879,11 +4879,11 @@ static inline tc100_codec_status tc100_rtu_encode_write_registers_request(uint8_
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_rtu_request_close(station, 16u, body_length, out, capacity, length);
+    return tc100_rtu_request_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_registers_response. */
-static inline tc100_codec_status tc100_rtu_encode_write_registers_response(uint8_t station,
+static inline tc100_codec_status tc100_rtu_encode_write_registers_response(uint8_t unit_address,
         const tc100_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4895,11 +4895,11 @@ static inline tc100_codec_status tc100_rtu_encode_write_registers_response(uint8
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_rtu_response_close(station, 16u, body_length, out, capacity, length);
+    return tc100_rtu_response_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline tc100_codec_status tc100_rtu_encode_error(uint8_t station, uint32_t code, const tc100_exception *in,
+static inline tc100_codec_status tc100_rtu_encode_error(uint8_t unit_address, uint32_t code, const tc100_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -4911,7 +4911,7 @@ static inline tc100_codec_status tc100_rtu_encode_error(uint8_t station, uint32_
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_rtu_response_close(station, code | 128u, body_length, out, capacity, length);
+    return tc100_rtu_response_close(unit_address, code | 128u, body_length, out, capacity, length);
 }
 
 /**
@@ -4956,7 +4956,7 @@ static inline tc100_codec_status tc100_ascii_parts(const uint8_t *frame, size_t 
 /** An opened request: its header, and where its body is. */
 typedef struct tc100_ascii_request_frame {
     /** Source: 8.5 L2022 */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
@@ -4983,7 +4983,7 @@ static inline tc100_codec_status tc100_ascii_request_open(const uint8_t *frame, 
     if (tc100_lrc(in, length - 1u) != tc100_load_u8(in + length - 1u)) {
         return TC100_ERR_WRONG_CHECK;
     }
-    out->station = tc100_load_u8(in + 0);
+    out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
     if (out->code != 3u && out->code != 6u && out->code != 16u) {
         return TC100_ERR_UNKNOWN_CODE;
@@ -4994,7 +4994,7 @@ static inline tc100_codec_status tc100_ascii_request_open(const uint8_t *frame, 
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline tc100_codec_status tc100_ascii_request_close(uint8_t station, uint32_t code, size_t body_length,
+static inline tc100_codec_status tc100_ascii_request_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 3u;
@@ -5002,10 +5002,10 @@ static inline tc100_codec_status tc100_ascii_request_close(uint8_t station, uint
     if (capacity < 9u || body_length > (capacity - 9u) / 2u) {
         return TC100_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return TC100_ERR_OUT_OF_RANGE;
     }
-    tc100_store_u8(out + 0, (uint8_t)station);
+    tc100_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return TC100_ERR_UNKNOWN_CODE;
     }
@@ -5026,7 +5026,7 @@ static inline tc100_codec_status tc100_ascii_request_close(uint8_t station, uint
 /** An opened response: its header, and where its body is. */
 typedef struct tc100_ascii_response_frame {
     /** Source: 8.5 L2022 */
-    uint8_t station;
+    uint8_t unit_address;
     /** The code, without the flag of an exception response. */
     uint32_t code;
     /** The frame is an exception response; its body is the record of the exception. */
@@ -5055,7 +5055,7 @@ static inline tc100_codec_status tc100_ascii_response_open(const uint8_t *frame,
     if (tc100_lrc(in, length - 1u) != tc100_load_u8(in + length - 1u)) {
         return TC100_ERR_WRONG_CHECK;
     }
-    out->station = tc100_load_u8(in + 0);
+    out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
     out->error = (out->code & 128u) != 0;
     if (out->error) {
@@ -5070,7 +5070,7 @@ static inline tc100_codec_status tc100_ascii_response_open(const uint8_t *frame,
 }
 
 /** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
-static inline tc100_codec_status tc100_ascii_response_close(uint8_t station, uint32_t code, size_t body_length,
+static inline tc100_codec_status tc100_ascii_response_close(uint8_t unit_address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
     const size_t total = body_length + 3u;
@@ -5078,10 +5078,10 @@ static inline tc100_codec_status tc100_ascii_response_close(uint8_t station, uin
     if (capacity < 9u || body_length > (capacity - 9u) / 2u) {
         return TC100_ERR_CAPACITY;
     }
-    if (!((station >= 1 && station <= 16) || (station == 0))) {
+    if (!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))) {
         return TC100_ERR_OUT_OF_RANGE;
     }
-    tc100_store_u8(out + 0, (uint8_t)station);
+    tc100_store_u8(out + 0, (uint8_t)unit_address);
     if (code > 255u) {
         return TC100_ERR_UNKNOWN_CODE;
     }
@@ -5100,7 +5100,7 @@ static inline tc100_codec_status tc100_ascii_response_close(uint8_t station, uin
 }
 
 /** Writes the whole frame of the request read_registers_request. */
-static inline tc100_codec_status tc100_ascii_encode_read_registers_request(uint8_t station,
+static inline tc100_codec_status tc100_ascii_encode_read_registers_request(uint8_t unit_address,
         const tc100_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5112,14 +5112,14 @@ static inline tc100_codec_status tc100_ascii_encode_read_registers_request(uint8
     if (status != TC100_OK) {
         return status;
     }
-    if (station == 0) {
+    if (unit_address == 0) {
         return TC100_ERR_OUT_OF_RANGE;
     }
-    return tc100_ascii_request_close(station, 3u, body_length, out, capacity, length);
+    return tc100_ascii_request_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response read_registers_response. */
-static inline tc100_codec_status tc100_ascii_encode_read_registers_response(uint8_t station,
+static inline tc100_codec_status tc100_ascii_encode_read_registers_response(uint8_t unit_address,
         const tc100_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5131,11 +5131,11 @@ static inline tc100_codec_status tc100_ascii_encode_read_registers_response(uint
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_ascii_response_close(station, 3u, body_length, out, capacity, length);
+    return tc100_ascii_response_close(unit_address, 3u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_register_request. */
-static inline tc100_codec_status tc100_ascii_encode_write_register_request(uint8_t station,
+static inline tc100_codec_status tc100_ascii_encode_write_register_request(uint8_t unit_address,
         const tc100_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5147,11 +5147,11 @@ static inline tc100_codec_status tc100_ascii_encode_write_register_request(uint8
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_ascii_request_close(station, 6u, body_length, out, capacity, length);
+    return tc100_ascii_request_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_register_response. */
-static inline tc100_codec_status tc100_ascii_encode_write_register_response(uint8_t station,
+static inline tc100_codec_status tc100_ascii_encode_write_register_response(uint8_t unit_address,
         const tc100_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5163,11 +5163,11 @@ static inline tc100_codec_status tc100_ascii_encode_write_register_response(uint
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_ascii_response_close(station, 6u, body_length, out, capacity, length);
+    return tc100_ascii_response_close(unit_address, 6u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the request write_registers_request. */
-static inline tc100_codec_status tc100_ascii_encode_write_registers_request(uint8_t station,
+static inline tc100_codec_status tc100_ascii_encode_write_registers_request(uint8_t unit_address,
         const tc100_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5179,11 +5179,11 @@ static inline tc100_codec_status tc100_ascii_encode_write_registers_request(uint
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_ascii_request_close(station, 16u, body_length, out, capacity, length);
+    return tc100_ascii_request_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of the response write_registers_response. */
-static inline tc100_codec_status tc100_ascii_encode_write_registers_response(uint8_t station,
+static inline tc100_codec_status tc100_ascii_encode_write_registers_response(uint8_t unit_address,
         const tc100_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
@@ -5195,12 +5195,12 @@ static inline tc100_codec_status tc100_ascii_encode_write_registers_response(uin
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_ascii_response_close(station, 16u, body_length, out, capacity, length);
+    return tc100_ascii_response_close(unit_address, 16u, body_length, out, capacity, length);
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline tc100_codec_status tc100_ascii_encode_error(uint8_t station, uint32_t code, const tc100_exception *in,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline tc100_codec_status tc100_ascii_encode_error(uint8_t unit_address, uint32_t code,
+        const tc100_exception *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     tc100_codec_status status;
@@ -5211,7 +5211,7 @@ static inline tc100_codec_status tc100_ascii_encode_error(uint8_t station, uint3
     if (status != TC100_OK) {
         return status;
     }
-    return tc100_ascii_response_close(station, code | 128u, body_length, out, capacity, length);
+    return tc100_ascii_response_close(unit_address, code | 128u, body_length, out, capacity, length);
 }
 
 /* ---- Texts of codes, in UTF-8 ---- */

@@ -2696,7 +2696,7 @@ static void test_118(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-homing opens");
-    expect(opened.station == 1u, "example rtu-homing: station");
+    expect(opened.unit_address == 1u, "example rtu-homing: station");
     expect(opened.code == 6u, "example rtu-homing: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-homing decodes");
     expect(out.address == 8222u, "example rtu-homing: address");
@@ -2721,7 +2721,7 @@ static void test_119(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-homing opens");
-    expect(opened.station == 1u, "example ascii-homing: station");
+    expect(opened.unit_address == 1u, "example ascii-homing: station");
     expect(opened.code == 6u, "example ascii-homing: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-homing decodes");
     expect(out.address == 8222u, "example ascii-homing: address");
@@ -2746,7 +2746,7 @@ static void test_120(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-write-enable opens");
-    expect(opened.station == 1u, "example ascii-write-enable: station");
+    expect(opened.unit_address == 1u, "example ascii-write-enable: station");
     expect(opened.code == 16u, "example ascii-write-enable: code");
     expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-write-enable decodes");
     expect(out.address == 39323u, "example ascii-write-enable: address");
@@ -2790,7 +2790,7 @@ static void test_122(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example unknown-function-04-response opens");
-    expect(opened.station == 1u, "example unknown-function-04-response: station");
+    expect(opened.unit_address == 1u, "example unknown-function-04-response: station");
     expect(opened.code == 4u, "example unknown-function-04-response: code");
     expect(opened.error == true, "example unknown-function-04-response: error");
     expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-04-response decodes");
@@ -2825,7 +2825,7 @@ static void test_124(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example unknown-function-90-response opens");
-    expect(opened.station == 1u, "example unknown-function-90-response: station");
+    expect(opened.unit_address == 1u, "example unknown-function-90-response: station");
     expect(opened.code == 16u, "example unknown-function-90-response: code");
     expect(opened.error == true, "example unknown-function-90-response: error");
     expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-90-response decodes");
@@ -2848,7 +2848,7 @@ static void test_125(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-read-action-status opens");
-    expect(opened.station == 1u, "example rtu-read-action-status: station");
+    expect(opened.unit_address == 1u, "example rtu-read-action-status: station");
     expect(opened.code == 3u, "example rtu-read-action-status: code");
     expect(tc100_read_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-read-action-status decodes");
     expect(out.address == 4096u, "example rtu-read-action-status: address");
@@ -2872,7 +2872,7 @@ static void test_126(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-homing-8.4 opens");
-    expect(opened.station == 1u, "example rtu-homing-8.4: station");
+    expect(opened.unit_address == 1u, "example rtu-homing-8.4: station");
     expect(opened.code == 6u, "example rtu-homing-8.4: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-homing-8.4 decodes");
     expect(out.address == 8222u, "example rtu-homing-8.4: address");
@@ -2896,7 +2896,7 @@ static void test_127(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-write-relative-distance opens");
-    expect(opened.station == 1u, "example rtu-write-relative-distance: station");
+    expect(opened.unit_address == 1u, "example rtu-write-relative-distance: station");
     expect(opened.code == 16u, "example rtu-write-relative-distance: code");
     expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-write-relative-distance decodes");
     expect(out.address == 8192u, "example rtu-write-relative-distance: address");
@@ -2925,7 +2925,7 @@ static void test_128(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-read-action-status opens");
-    expect(opened.station == 1u, "example ascii-read-action-status: station");
+    expect(opened.unit_address == 1u, "example ascii-read-action-status: station");
     expect(opened.code == 3u, "example ascii-read-action-status: code");
     expect(tc100_read_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-read-action-status decodes");
     expect(out.address == 4096u, "example ascii-read-action-status: address");
@@ -2950,7 +2950,7 @@ static void test_129(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-homing-8.5 opens");
-    expect(opened.station == 1u, "example ascii-homing-8.5: station");
+    expect(opened.unit_address == 1u, "example ascii-homing-8.5: station");
     expect(opened.code == 6u, "example ascii-homing-8.5: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-homing-8.5 decodes");
     expect(out.address == 8222u, "example ascii-homing-8.5: address");
@@ -2975,7 +2975,7 @@ static void test_130(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-write-relative-distance opens");
-    expect(opened.station == 1u, "example ascii-write-relative-distance: station");
+    expect(opened.unit_address == 1u, "example ascii-write-relative-distance: station");
     expect(opened.code == 16u, "example ascii-write-relative-distance: code");
     expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-write-relative-distance decodes");
     expect(out.address == 8192u, "example ascii-write-relative-distance: address");

@@ -144,7 +144,7 @@ static void frame_0(const uint8_t *data, size_t size)
     }
     hold(opened.body >= data && opened.body + opened.body_length <= data + size);
     memcpy(out + 2, opened.body, opened.body_length);
-    if (tc100_rtu_request_close(opened.station, opened.code, opened.body_length, out, sizeof out, &length) == TC100_OK) {
+    if (tc100_rtu_request_close(opened.unit_address, opened.code, opened.body_length, out, sizeof out, &length) == TC100_OK) {
         hold(length == size && memcmp(out, data, size) == 0);
     }
 }
@@ -169,7 +169,7 @@ static void frame_1(const uint8_t *data, size_t size)
         return;
     }
     hold(status == TC100_OK);
-    hold(opened.station == data[0]);
+    hold(opened.unit_address == data[0]);
     hold(opened.code == data[1]);
     hold(opened.body_length == size - GIVEN);
     hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
@@ -186,7 +186,7 @@ static void frame_2(const uint8_t *data, size_t size)
     }
     hold(opened.body >= data && opened.body + opened.body_length <= data + size);
     memcpy(out + 2, opened.body, opened.body_length);
-    if (tc100_rtu_response_close(opened.station, opened.code | (opened.error ? 128u : 0u), opened.body_length, out, sizeof out, &length) == TC100_OK) {
+    if (tc100_rtu_response_close(opened.unit_address, opened.code | (opened.error ? 128u : 0u), opened.body_length, out, sizeof out, &length) == TC100_OK) {
         hold(length == size && memcmp(out, data, size) == 0);
     }
 }
@@ -211,7 +211,7 @@ static void frame_3(const uint8_t *data, size_t size)
         return;
     }
     hold(status == TC100_OK);
-    hold(opened.station == data[0]);
+    hold(opened.unit_address == data[0]);
     hold(opened.code == (data[1] & 127u));
     hold(opened.body_length == size - GIVEN);
     hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
@@ -229,7 +229,7 @@ static void frame_4(const uint8_t *data, size_t size)
     }
     hold(opened.body >= buffer && opened.body + opened.body_length <= buffer + sizeof buffer);
     memcpy(out + 2, opened.body, opened.body_length);
-    if (tc100_ascii_request_close(opened.station, opened.code, opened.body_length, out, sizeof out, &length) == TC100_OK) {
+    if (tc100_ascii_request_close(opened.unit_address, opened.code, opened.body_length, out, sizeof out, &length) == TC100_OK) {
         hold(length == size);
     }
 }
@@ -255,7 +255,7 @@ static void frame_5(const uint8_t *data, size_t size)
         return;
     }
     hold(status == TC100_OK);
-    hold(opened.station == data[0]);
+    hold(opened.unit_address == data[0]);
     hold(opened.code == data[1]);
     hold(opened.body_length == size - GIVEN);
     hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
@@ -273,7 +273,7 @@ static void frame_6(const uint8_t *data, size_t size)
     }
     hold(opened.body >= buffer && opened.body + opened.body_length <= buffer + sizeof buffer);
     memcpy(out + 2, opened.body, opened.body_length);
-    if (tc100_ascii_response_close(opened.station, opened.code | (opened.error ? 128u : 0u), opened.body_length, out, sizeof out, &length) == TC100_OK) {
+    if (tc100_ascii_response_close(opened.unit_address, opened.code | (opened.error ? 128u : 0u), opened.body_length, out, sizeof out, &length) == TC100_OK) {
         hold(length == size);
     }
 }
@@ -299,7 +299,7 @@ static void frame_7(const uint8_t *data, size_t size)
         return;
     }
     hold(status == TC100_OK);
-    hold(opened.station == data[0]);
+    hold(opened.unit_address == data[0]);
     hold(opened.code == (data[1] & 127u));
     hold(opened.body_length == size - GIVEN);
     hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);

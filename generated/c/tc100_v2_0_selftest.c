@@ -2802,7 +2802,7 @@ static void test_120(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-homing opens");
-    expect(opened.station == 1u, "example rtu-homing: station");
+    expect(opened.unit_address == 1u, "example rtu-homing: station");
     expect(opened.code == 6u, "example rtu-homing: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-homing decodes");
     expect(out.address == 8222u, "example rtu-homing: address");
@@ -2827,7 +2827,7 @@ static void test_121(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-homing opens");
-    expect(opened.station == 1u, "example ascii-homing: station");
+    expect(opened.unit_address == 1u, "example ascii-homing: station");
     expect(opened.code == 6u, "example ascii-homing: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-homing decodes");
     expect(out.address == 8222u, "example ascii-homing: address");
@@ -2852,7 +2852,7 @@ static void test_122(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-write-enable opens");
-    expect(opened.station == 1u, "example ascii-write-enable: station");
+    expect(opened.unit_address == 1u, "example ascii-write-enable: station");
     expect(opened.code == 16u, "example ascii-write-enable: code");
     expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-write-enable decodes");
     expect(out.address == 39323u, "example ascii-write-enable: address");
@@ -2896,7 +2896,7 @@ static void test_124(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example unknown-function-04-response opens");
-    expect(opened.station == 1u, "example unknown-function-04-response: station");
+    expect(opened.unit_address == 1u, "example unknown-function-04-response: station");
     expect(opened.code == 4u, "example unknown-function-04-response: code");
     expect(opened.error == true, "example unknown-function-04-response: error");
     expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-04-response decodes");
@@ -2931,7 +2931,7 @@ static void test_126(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_response_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example unknown-function-90-response opens");
-    expect(opened.station == 1u, "example unknown-function-90-response: station");
+    expect(opened.unit_address == 1u, "example unknown-function-90-response: station");
     expect(opened.code == 16u, "example unknown-function-90-response: code");
     expect(opened.error == true, "example unknown-function-90-response: error");
     expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-90-response decodes");
@@ -2954,7 +2954,7 @@ static void test_127(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-read-action-status opens");
-    expect(opened.station == 1u, "example rtu-read-action-status: station");
+    expect(opened.unit_address == 1u, "example rtu-read-action-status: station");
     expect(opened.code == 3u, "example rtu-read-action-status: code");
     expect(tc100_read_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-read-action-status decodes");
     expect(out.address == 4096u, "example rtu-read-action-status: address");
@@ -2978,7 +2978,7 @@ static void test_128(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-homing-8.4 opens");
-    expect(opened.station == 1u, "example rtu-homing-8.4: station");
+    expect(opened.unit_address == 1u, "example rtu-homing-8.4: station");
     expect(opened.code == 6u, "example rtu-homing-8.4: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-homing-8.4 decodes");
     expect(out.address == 8222u, "example rtu-homing-8.4: address");
@@ -3002,7 +3002,7 @@ static void test_129(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example rtu-write-relative-distance opens");
-    expect(opened.station == 1u, "example rtu-write-relative-distance: station");
+    expect(opened.unit_address == 1u, "example rtu-write-relative-distance: station");
     expect(opened.code == 16u, "example rtu-write-relative-distance: code");
     expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-write-relative-distance decodes");
     expect(out.address == 8192u, "example rtu-write-relative-distance: address");
@@ -3031,7 +3031,7 @@ static void test_130(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-read-action-status opens");
-    expect(opened.station == 1u, "example ascii-read-action-status: station");
+    expect(opened.unit_address == 1u, "example ascii-read-action-status: station");
     expect(opened.code == 3u, "example ascii-read-action-status: code");
     expect(tc100_read_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-read-action-status decodes");
     expect(out.address == 4096u, "example ascii-read-action-status: address");
@@ -3056,7 +3056,7 @@ static void test_131(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-homing-8.5 opens");
-    expect(opened.station == 1u, "example ascii-homing-8.5: station");
+    expect(opened.unit_address == 1u, "example ascii-homing-8.5: station");
     expect(opened.code == 6u, "example ascii-homing-8.5: code");
     expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-homing-8.5 decodes");
     expect(out.address == 8222u, "example ascii-homing-8.5: address");
@@ -3081,7 +3081,7 @@ static void test_132(void)
     copy(received, frame, sizeof frame);
     clear(&opened, sizeof opened);
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-write-relative-distance opens");
-    expect(opened.station == 1u, "example ascii-write-relative-distance: station");
+    expect(opened.unit_address == 1u, "example ascii-write-relative-distance: station");
     expect(opened.code == 16u, "example ascii-write-relative-distance: code");
     expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-write-relative-distance decodes");
     expect(out.address == 8192u, "example ascii-write-relative-distance: address");

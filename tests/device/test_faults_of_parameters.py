@@ -20,7 +20,7 @@ NUMBERS = {"target_position": 0, "target_speed": 2, "speed_limit": 4}
 FIRST = {0: 7, 1: -8, 2: 100, 3: 0, 4: 1000, 8: 1}
 WANTED = {0: 70, 2: 200, 4: 900}
 DETAILS: dict[str, dict[str, Any]] = {
-    "late_answer": {"seconds": 0.3},
+    "late_answer": {"seconds": 0.25},
     "exception": {"reason": "value_invalid"},
     "stuck_bit": {"signal": "parameters/axis/speed_limit", "value": 2},
     "out_of_range": {"signal": "parameters/axis/speed_limit", "value": 3000},
@@ -182,7 +182,7 @@ def test_a_scan_goes_on_where_a_device_is_silent_at_numbers_that_it_does_not_hav
 ) -> None:
     bench = Bench(device, tmp_path)
     bench.begin()
-    assert bench.run("scan", "4..9", "--retries", "0", "--format", "json", timeout="0.05") == 0
+    assert bench.run("scan", "4..9", "--retries", "0", "--format", "json", timeout="0.2") == 0
     (space,) = json.loads(capsys.readouterr().out)["spaces"]
     assert space["words"] == {"0x0004": 1000, "0x0008": 1}
 

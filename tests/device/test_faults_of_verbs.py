@@ -20,7 +20,7 @@ from layouts import TEST_SPECS
 FOLDER = str(TEST_SPECS)
 NAMES = ["limit", "points[1].speed", "points[2].speed"]
 DETAILS: dict[str, dict[str, Any]] = {
-    "late_answer": {"seconds": 0.3},
+    "late_answer": {"seconds": 0.25},
     "exception": {"reason": "value_invalid"},
     "stuck_bit": {"signal": "registers/limit", "value": 2},
     "out_of_range": {"signal": "registers/limit", "value": 9},

@@ -227,8 +227,8 @@ class Driver:
         call = self.naming.function("link", link.name, direction, "open")
         wrapped = is_wrapped(link)
         parts = header_parts(frame)
-        printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part.name)});' for part in parts)
-        heads = "".join(f"opened.{frame_member(part.name)}, " for part in parts)
+        printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part)});' for part in parts)
+        heads = "".join(f"opened.{frame_member(part)}, " for part in parts)
         coded = frame.role("code") is not None
         error = link.link.exception_response if direction == "response" else None
         code = '"%ld", (long)opened.code' if coded else '"None"'

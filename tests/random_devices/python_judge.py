@@ -144,7 +144,7 @@ class Python:
         for part in shape.header:
             if part.is_argument:
                 name = _python_name(part.name)
-                head[part.name] = raw(decoded.station if part.role == "unit_address" else getattr(decoded, name))
+                head[part.name] = raw(decoded.unit_address if part.role == "unit_address" else getattr(decoded, name))
         error = self.layout.links[link].link.exception_response
         refusal = error is not None and hasattr(decoded, "exception")
         content = decoded.exception if refusal else decoded.message

@@ -42,7 +42,7 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
             text = f"{flags.name} cannot be {_text(flags.ranges)} as {_type_range(flags.type)}"
             yield finding("range_within_type", flags.place, "range", text, _HELP)
     for link in device.links.values():
-        yield from _of_stations(link)
+        yield from _of_unit_addresses(link)
 
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
@@ -104,7 +104,7 @@ def _exact(number: int, size: int) -> bool:
     return odd < 1 << _DIGITS[size] and abs(number) < 1 << (128 if size == 4 else 1024)
 
 
-def _of_stations(link: Link) -> Iterator[Diagnostic]:
+def _of_unit_addresses(link: Link) -> Iterator[Diagnostic]:
     part = next((p for p in link.request if p.role == "unit_address" and p.value is not None), None)
     if link.unit_addresses is None or part is None or part.value is None or part.value.type.kind not in _WHOLE:
         return

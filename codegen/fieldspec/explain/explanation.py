@@ -224,7 +224,7 @@ class _Frame:
         if part.role == "code":
             return self._code(part, read)
         if part.role == "unit_address":
-            return self._station(read)
+            return self._unit_address(read)
         should = self.asked.values.get(part.part.same_as) if self.asked else None
         return read if read.reason or should is None else read.judged(read.number == should, repr(should), "")
 
@@ -281,15 +281,15 @@ class _Frame:
             return read
         return read.judged(False, link.code_text(expected, self.direction), "unknown_code")
 
-    def _station(self, read: DecodedValue) -> DecodedValue:
-        stations = self.link.unit_addresses
-        if stations is None or stations.ranges is None:
+    def _unit_address(self, read: DecodedValue) -> DecodedValue:
+        addresses = self.link.unit_addresses
+        if addresses is None or addresses.ranges is None:
             return read
-        if read.number == stations.broadcast:
+        if read.number == addresses.broadcast:
             return replace(read, meanings=(Meaning("broadcast", "", "for all stations", ""),), verdict="", reason="")
-        if read.number in stations.ranges:
+        if read.number in addresses.ranges:
             return read
-        return read.judged(False, stations.ranges.text(), "out_of_range")
+        return read.judged(False, addresses.ranges.text(), "out_of_range")
 
     def _record(self) -> RecordLayout | None:
         """The record of the body; None if nothing tells what it is."""

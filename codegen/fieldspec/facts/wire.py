@@ -225,21 +225,21 @@ def _link(link: Link) -> Iterator[FactRow]:
                 cells.update(provenance=STANDARD, evidence=standard.text())
             sources = link.silence_sources or (() if standard is not None else link.sources)
             yield row("timing", f"{path}/silence/{name}", sources, **cells)
-    yield from _stations(link)
+    yield from _unit_addresses(link)
     yield from _serial(link)
     for direction in ("request", "response"):
         for part in link.parts(direction):
             yield from of_fact("frame_part", part, part.value, direction=direction)
 
 
-def _stations(link: Link) -> Iterator[FactRow]:
-    stations = link.unit_addresses
-    if stations is None:
+def _unit_addresses(link: Link) -> Iterator[FactRow]:
+    addresses = link.unit_addresses
+    if addresses is None:
         return
-    path, sources = stations.place.path, stations.sources or link.sources
-    yield row("station", path, sources, name="stations", **of_ranges(stations.ranges))
-    if stations.broadcast is not None:
-        yield row("station", f"{path}/broadcast", sources, name="broadcast", code=stations.broadcast)
+    path, sources = addresses.place.path, addresses.sources or link.sources
+    yield row("unit_address", path, sources, name="unit_addresses", **of_ranges(addresses.ranges))
+    if addresses.broadcast is not None:
+        yield row("unit_address", f"{path}/broadcast", sources, name="broadcast", code=addresses.broadcast)
 
 
 def _serial(link: Link) -> Iterator[FactRow]:

@@ -258,10 +258,10 @@ class LinkLayout:
 
     def barred_address(self, message: MessageLayout) -> int | None:
         """The broadcast address, where the spec says that a request cannot be sent to it; None where it may be sent."""
-        stations, part = self.link.unit_addresses, self.request.role("unit_address")
-        if message.message.broadcast is not False or stations is None or part is None or not part.is_argument:
+        addresses, part = self.link.unit_addresses, self.request.role("unit_address")
+        if message.message.broadcast is not False or addresses is None or part is None or not part.is_argument:
             return None
-        return stations.broadcast
+        return addresses.broadcast
 
     @property
     def barred_messages(self) -> list[str]:

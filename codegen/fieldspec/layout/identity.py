@@ -70,7 +70,7 @@ def _value(value: Value | None) -> Words:
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
     for link_layout in links.values():
         link = link_layout.link
-        stations = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
+        addresses = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
         error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
         if link.exception_response is not None and not link.exception_response.flag:
             error = (*error, link.exception_response.code, link.exception_response.part, link.exception_response.normal)
@@ -82,7 +82,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             link.start.hex(),
             link.end.hex(),
             error,
-            stations,
+            addresses,
             list(link_layout.messages),
         )
         if not link.has_common_delimiters:

@@ -21,6 +21,67 @@ MOST_FILES = 1000
 MOST_FINDINGS = 200
 """How many findings of one kind are reported; more of them help nobody."""
 
+SYNONYMS = {
+    "address": ("at", "unit_addresses", "base", "bounds"),
+    "allowed": ("range",),
+    "baud_rate": ("baud",),
+    "baudrate": ("baud",),
+    "bits": ("fields",),
+    "cmd": ("code",),
+    "command": ("code",),
+    "comment": ("notes", "doc"),
+    "constant": ("const",),
+    "crc": ("algorithm",),
+    "data_type": ("type",),
+    "datatype": ("type",),
+    "default_value": ("default",),
+    "description": ("doc", "title", "notes"),
+    "endian": ("byte_order",),
+    "endianness": ("byte_order",),
+    "entries": ("rows", "members", "fields", "bits"),
+    "factor": ("scale",),
+    "fields": ("bits", "rows"),
+    "first": ("bounds", "from"),
+    "fixed": ("const",),
+    "function": ("code",),
+    "function_code": ("code",),
+    "gain": ("scale",),
+    "help": ("doc",),
+    "init": ("initial",),
+    "initial_value": ("default",),
+    "items": ("rows", "members", "fields", "bits"),
+    "last": ("bounds", "to"),
+    "limits": ("range",),
+    "line": ("source",),
+    "max": ("range", "unit_range"),
+    "maximum": ("range", "unit_range"),
+    "min": ("range", "unit_range"),
+    "minimum": ("range", "unit_range"),
+    "mode": ("access",),
+    "multiplier": ("scale",),
+    "opcode": ("code",),
+    "options": ("enum",),
+    "page": ("source",),
+    "permission": ("access",),
+    "poly": ("polynomial",),
+    "read_only": ("access",),
+    "readonly": ("access",),
+    "refin": ("reflect_in",),
+    "refout": ("reflect_out",),
+    "register": ("at",),
+    "resolution": ("scale",),
+    "scaling": ("scale",),
+    "size": ("length", "words", "count"),
+    "swap": ("word_order",),
+    "terminator": ("end",),
+    "title": ("doc", "label"),
+    "units": ("unit",),
+    "values": ("members", "enum"),
+    "word_swap": ("word_order",),
+    "xorout": ("final_xor",),
+}
+"""Words of other tools for keys of the language, the likeliest key first."""
+
 _LONGEST = 60
 _SEARCHED = 2000
 
@@ -37,6 +98,11 @@ def bounded(findings: list[Diagnostic]) -> list[Diagnostic]:
 def quoted(text: str) -> str:
     """A text of a file between backticks; a long one is cut."""
     return f"`{text}`" if len(text) <= _LONGEST else f"`{text[:_LONGEST]}...`"
+
+
+def synonym(word: str, known: Collection[str]) -> str:
+    """The known key for which other tools use a word; empty for other words."""
+    return next((key for key in SYNONYMS.get(word.lower(), ()) if key in known), "")
 
 
 def near(word: str, known: Collection[str]) -> str:

@@ -16,7 +16,7 @@ from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
-from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
+from fieldspec.reading.findings import MOST_FINDINGS, near, quoted, synonym
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
@@ -230,8 +230,20 @@ def _have(node: Node) -> str:
 
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
-    hint = _comma(node, key) or near(key, list(part.get("properties", {})))
+    known = part.get("properties", {})
+    hint = _comma(node, key) or _known_key(key, known) or near(key, list(known))
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
+
+
+def _known_key(key: str, known: Schema) -> str:
+    """The help for a word that other tools use, or for a key of the entries of a list here; empty for others."""
+    if own := synonym(key, known):
+        return f"the key for it is `{own}`"
+    for name, part in known.items():
+        keys = resolved(resolved(part).get("items", {})).get("properties", {})
+        if "name" in keys and (own := key if key in keys else synonym(key, keys)):
+            return f"the entries of `{name}` have the key `{own}`"
+    return ""
 
 
 def _comma(node: Mapping, key: str) -> str:

@@ -297,10 +297,10 @@ class FrameCodec:
         refusal = self.link.link.exception_response
         marks = refusal is not None and refusal.part == part.name and part in self.link.response.header
         allowed = refusal.permitted(part.value, error) if refusal is not None and marks else part.value.ranges
-        stations = self.link.link.unit_addresses if part.role == "unit_address" else None
-        if stations is not None and stations.ranges is not None:
-            allowed = stations.ranges
-            if number == stations.broadcast:
+        addresses = self.link.link.unit_addresses if part.role == "unit_address" else None
+        if addresses is not None and addresses.ranges is not None:
+            allowed = addresses.ranges
+            if number == addresses.broadcast:
                 return number
         if not part.value.type.low <= number <= part.value.type.high or (allowed is not None and number not in allowed):
             raise CodecError("out_of_range", f"{part.name} is {number}")

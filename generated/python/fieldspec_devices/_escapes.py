@@ -195,9 +195,9 @@ class EscapeFramer(Framer):
         shortest: int,
         longest: int,
         most: int,
-        station_offset: int = 0,
-        station_size: int = 0,
-        stations: frozenset[int] = frozenset(),
+        unit_address_offset: int = 0,
+        unit_address_size: int = 0,
+        unit_addresses: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
         self.escaped_frames, self.most = frames, most
@@ -205,9 +205,9 @@ class EscapeFramer(Framer):
             frames,
             shortest=shortest,
             longest=longest,
-            station_offset=station_offset,
-            station_size=station_size,
-            stations=stations,
+            unit_address_offset=unit_address_offset,
+            unit_address_size=unit_address_size,
+            unit_addresses=unit_addresses,
             order=order,
         )
 

@@ -34,33 +34,33 @@ class RequestOf(Record, Generic[R]):
 
 
 class Request(Record, Generic[M]):
-    """A request to a unit address, `station`, which is 0 on links without addresses."""
+    """A request to `unit_address`, which is 0 on links without addresses."""
 
-    __slots__ = ("message", "station")
-    __match_args__ = ("station", "message")
+    __slots__ = ("message", "unit_address")
+    __match_args__ = ("unit_address", "message")
 
-    def __init__(self, station: int, message: M) -> None:
-        self.station, self.message = station, message
+    def __init__(self, unit_address: int, message: M) -> None:
+        self.unit_address, self.message = unit_address, message
 
 
 class Response(Record, Generic[M]):
-    """A response from a unit address, `station`, which is 0 on links without addresses."""
+    """A response from `unit_address`, which is 0 on links without addresses."""
 
-    __slots__ = ("message", "station")
-    __match_args__ = ("station", "message")
+    __slots__ = ("message", "unit_address")
+    __match_args__ = ("unit_address", "message")
 
-    def __init__(self, station: int, message: M) -> None:
-        self.station, self.message = station, message
+    def __init__(self, unit_address: int, message: M) -> None:
+        self.unit_address, self.message = unit_address, message
 
 
 class ErrorReply(Record, Generic[M]):
     """An exception response: the code of the request, and the record with the reason."""
 
-    __slots__ = ("code", "exception", "station")
-    __match_args__ = ("station", "code", "exception")
+    __slots__ = ("code", "exception", "unit_address")
+    __match_args__ = ("unit_address", "code", "exception")
 
-    def __init__(self, station: int, code: int, exception: M) -> None:
-        self.station, self.code, self.exception = station, code, exception
+    def __init__(self, unit_address: int, code: int, exception: M) -> None:
+        self.unit_address, self.code, self.exception = unit_address, code, exception
 
 
 class Frames:

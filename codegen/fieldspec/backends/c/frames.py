@@ -131,7 +131,7 @@ def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[De
     frame = link.frame(direction)
     inside: list[Comment | Variable] = []
     for part in header_parts(frame):
-        inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part.name))]
+        inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part))]
     if frame.role("code") is not None:
         inside += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
     if shared_codes(link, direction):
@@ -185,7 +185,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     body += _check_frame(naming, frame, True)
     for part in header_parts(frame):
         number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
-        body.append(assign(PointerMember(OUT, frame_member(part.name)), number))
+        body.append(assign(PointerMember(OUT, frame_member(part)), number))
     body += _read_code(naming, link, frame)
     # Where no message is answered, every code is refused and there is no body to return.
     if not isinstance(body[-1], Return):
@@ -271,13 +271,13 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
 
 def header_parameters(frame: FrameLayout) -> list[Variable]:
     """The parameters for the parts before the body that users set."""
-    return [declare_value(part_value(part), argument(part.name)) for part in header_parts(frame)]
+    return [declare_value(part_value(part), argument(part)) for part in header_parts(frame)]
 
 
 def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str) -> list[Declaration]:
     """The function that completes a frame around its body.
 
-    `codec_status rtu_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out, ...)`
+    `codec_status rtu_request_close(uint8_t unit_address, uint32_t code, size_t body_length, uint8_t *out, ...)`
     """
     frame = link.frame(direction)
     parameters = header_parameters(frame)
@@ -364,9 +364,9 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: F
         return (*limit, store(naming, wire.access, target, Cast(number_type, _CODE)))
     if part.constant is not None:
         return store_constant(naming, wire, part.constant, target)
-    value = Identifier(argument(part.name))
+    value = Identifier(argument(part))
     unknown = unknown_value_test(naming, layout.device, wire.value, value)
-    outside = _station_test(link, wire, value) if part.role == "unit_address" else None
+    outside = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
     if outside is None and not enum_implies_range(layout.device, wire.value):
         outside = out_of_range_test(wire.value, value)
     return (
@@ -376,16 +376,16 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: F
     )
 
 
-def _station_test(link: LinkLayout, wire: WireValue, station: Expression) -> Expression | None:
-    """`!((station >= 1 && station <= 16) || (station == 0))`: whether a unit address is none of the link's."""
-    stations = link.link.unit_addresses
-    if stations is None or stations.ranges is None:
+def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
+    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is none of the link's."""
+    addresses = link.link.unit_addresses
+    if addresses is None or addresses.ranges is None:
         return None
     inside: list[Expression] = []
-    for low, high in stations.ranges.intervals:
-        bounds: list[Expression] = [at_least(station, decimal(low))] if low > wire.value.type.low else []
-        bounds += [at_most(station, decimal(high))] if high < wire.value.type.high else []
+    for low, high in addresses.ranges.intervals:
+        bounds: list[Expression] = [at_least(address, decimal(low))] if low > wire.value.type.low else []
+        bounds += [at_most(address, decimal(high))] if high < wire.value.type.high else []
         inside.append(Group(all_of(bounds) if bounds else decimal(1)))
-    if stations.broadcast is not None and stations.broadcast not in stations.ranges:
-        inside.append(Group(equal(station, decimal(stations.broadcast))))
+    if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
+        inside.append(Group(equal(address, decimal(addresses.broadcast))))
     return negate(Group(inside[0]) if len(inside) == 1 else any_of(inside))

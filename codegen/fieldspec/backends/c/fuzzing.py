@@ -244,7 +244,7 @@ def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: in
     frame = link.frame(direction)
     ok, body_member = naming.status("ok"), Member(_OPENED, "body")
     body_length = Member(_OPENED, "body_length")
-    arguments: list[Expression] = [Member(_OPENED, frame_member(part.name)) for part in header_parts(frame)]
+    arguments: list[Expression] = [Member(_OPENED, frame_member(part)) for part in header_parts(frame)]
     flag = _flag_of(link, direction)
     if frame.role("code") is not None:
         code: Expression = Member(_OPENED, "code")
@@ -279,7 +279,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
     """Closes a frame around any bytes, and opens it again; the first bytes are the parts before the body."""
     frame = link.frame(direction)
     ok = naming.status("ok")
-    names = [frame_member(part.name) for part in header_parts(frame)]
+    names = [frame_member(part) for part in header_parts(frame)]
     has_code = frame.role("code") is not None
     flag = _flag_of(link, direction)
     header = [Element(_DATA, decimal(at)) for at in range(len(names) + has_code)]

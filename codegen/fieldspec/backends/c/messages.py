@@ -77,7 +77,7 @@ def _declare_message(
 ) -> list[Declaration]:
     """The function that writes the whole frame of a message; `barred` is the broadcast address that it refuses.
 
-    `codec_status rtu_encode_move_request(uint8_t station, const move_request *in, uint8_t *out, ...)`
+    `codec_status rtu_encode_move_request(uint8_t unit_address, const move_request *in, uint8_t *out, ...)`
     """
     function = naming.function("link", link.name, "encode", name, direction)
     codes = [unsigned(code)] if code is not None else []
@@ -130,10 +130,10 @@ def _encode_frame(
 
 
 def _refuse_broadcast(naming: Naming, frame: FrameLayout, address: int) -> Body:
-    """`if (station == 0) { return ERR_OUT_OF_RANGE; }`"""
+    """`if (unit_address == 0) { return ERR_OUT_OF_RANGE; }`"""
     part = frame.role("unit_address")
     assert part is not None
-    return refuse(naming, equal(Identifier(argument(part.name)), decimal(address)), "err_out_of_range")
+    return refuse(naming, equal(Identifier(argument(part)), decimal(address)), "err_out_of_range")
 
 
 def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:

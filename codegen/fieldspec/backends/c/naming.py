@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal, TypeAlias
 
 from fieldspec.backends.c.expressions import Identifier, Local, Type
+from fieldspec.layout.frame import PartLayout
 from fieldspec.names import Name
 from fieldspec.reserved import C
 
@@ -33,8 +34,11 @@ _TAKEN = (
     *(f"{sign}int{bits}_{end}" for sign in ("", "u") for bits in (8, 16, 32, 64, "ptr") for end in ("t", "max", "min")),
 )
 
-_OWN = {"in", "out", "code", "length", "capacity", "body_length", "status", "total", "at", "byte", "value"}
-_FRAME = {"code", "subcode", "error", "body", "body_length"}
+_OWN = {
+    *("unit_address", "code", "in", "out", "length", "capacity", "body_length"),
+    *("status", "total", "at", "byte", "value"),
+}
+_FRAME = {"unit_address", "code", "subcode", "error", "body", "body_length"}
 _ARGUMENTS = C | _OWN
 _MEMBERS = C | _FRAME
 
@@ -116,11 +120,18 @@ def member(name: str) -> str:
     return f"{name}_" if name in C else name
 
 
-def argument(name: str) -> str:
-    """A parameter of a function; a word of C, or a name that the function itself uses, gets an underscore behind it."""
-    return f"{name}_" if name in _ARGUMENTS else name
+def argument(part: PartLayout) -> str:
+    """The parameter for a part of a frame, `unit_address` for the unit address.
+
+    A word of C, or a name that the function itself uses, gets an underscore behind it.
+    """
+    if part.role == "unit_address":
+        return part.role
+    return f"{part.name}_" if part.name in _ARGUMENTS else part.name
 
 
-def frame_member(name: str) -> str:
-    """A member of an opened frame that a part of the frame gives."""
-    return f"{name}_" if name in _MEMBERS else name
+def frame_member(part: PartLayout) -> str:
+    """The member of an opened frame for a part of the frame, `unit_address` for the unit address."""
+    if part.role == "unit_address":
+        return part.role
+    return f"{part.name}_" if part.name in _MEMBERS else part.name

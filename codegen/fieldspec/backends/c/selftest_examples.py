@@ -119,7 +119,7 @@ def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], w
     body: list[Statement] = []
     for part in header_parts(frame):
         number = integer(values[part.name], part.size, part_value(part).value.type.signed)
-        body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part.name)), number))
+        body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part)), number))
     if frame.role("code") is not None:
         body.append(expect_equal(f"{what}: code", Member(_OPENED, "code"), _code(link, example)))
     if example.direction == "response" and link.link.exception_response is not None:

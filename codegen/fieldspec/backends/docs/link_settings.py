@@ -10,21 +10,21 @@ from fieldspec.backends.docs.value_cells import spoken
 from fieldspec.model.link import Link
 
 
-def station_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
+def address_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """The addresses on the line and how they are set."""
-    stations = link.unit_addresses
-    if stations is None:
+    addresses = link.unit_addresses
+    if addresses is None:
         return
-    if stations.ranges is not None:
-        yield "Unit addresses", ((text_piece(spoken(stations.ranges.text())),),)
-    if stations.broadcast is not None:
-        yield "Broadcast address", ((text_piece(str(stations.broadcast)),),)
-    if stations.rule:
-        yield "How to set the unit address", ((text_piece(stations.rule),),)
-    for note in stations.notes:
+    if addresses.ranges is not None:
+        yield "Unit addresses", ((text_piece(spoken(addresses.ranges.text())),),)
+    if addresses.broadcast is not None:
+        yield "Broadcast address", ((text_piece(str(addresses.broadcast)),),)
+    if addresses.rule:
+        yield "How to set the unit address", ((text_piece(addresses.rule),),)
+    for note in addresses.notes:
         yield "Note on unit addresses", ((text_piece(note),),)
-    if stations.sources:
-        yield "Source of unit addresses", (cited(stations.sources),)
+    if addresses.sources:
+        yield "Source of unit addresses", (cited(addresses.sources),)
 
 
 def serial_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:

@@ -21,7 +21,7 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.backends.docs.link_settings import serial_facts, station_facts
+from fieldspec.backends.docs.link_settings import address_facts, serial_facts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import dataclass, replace
@@ -384,7 +384,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
         )
-    yield from station_facts(link)
+    yield from address_facts(link)
     yield from serial_facts(link)
     if link.sources:
         yield "Source", (cited(link.sources),)

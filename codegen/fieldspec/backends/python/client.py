@@ -143,7 +143,7 @@ def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout
     if len(links) > 1:
         lines.append(f"link: _Literal[{', '.join(link.title for link in links)}] = {links[0].title}")
     if addressed:
-        lines.append(f"station: int = {known[0] if known else 1}")
+        lines.append(f"unit_address: int = {known[0] if known else 1}")
     return [
         *lines,
         "timeout: float | None = None",
@@ -162,7 +162,7 @@ def _session(links: Sequence[ClientLinkView], addressed: bool) -> list[str]:
         lines.append(f"known = {{{', '.join(f'{link.title}: {link.name}' for link in links)}}}")
     arguments = [
         "known[link]" if len(links) > 1 else links[0].name,
-        "station" if addressed else "0",
+        "unit_address" if addressed else "0",
         'getattr(transport, "datagrams", False)',
         *(f"{name}={name}" for name in ("timeout", "pause", "retries", "settle")),
     ]

@@ -104,15 +104,15 @@ def fixed_frame(
         encoding_terms, read = (
             list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", "")
         )
-        station = frame.role("unit_address")
-        if station is not None and station.size == 1:
-            most, table = greatest_part(link, station), f"_STATIONS{name}"
+        unit_address = frame.role("unit_address")
+        if unit_address is not None and unit_address.size == 1:
+            most, table = greatest_part(link, unit_address), f"_UNIT_ADDRESSES{name}"
             declared = [_begun(table, encoding_terms, most)]
             encoding_terms, read = (
-                [f"{table}[station]", *_terms_outside_table(terms)] for terms in (encoding_terms, read)
+                [f"{table}[unit_address]", *_terms_outside_table(terms)] for terms in (encoding_terms, read)
             )
             # The table has no greater addresses, and `pack` refuses negative ones.
-            tests = [test for test in tests if test != f"station <= {most}"]
+            tests = [test for test in tests if test != f"unit_address <= {most}"]
         letters += "H"
         packed.append("check")
         check = chained("check = ", encoding_terms, "^", "", 16)
@@ -147,18 +147,18 @@ def _declared(name: str, letters: str, read: str, reads: bool) -> list[str]:
     return [*lines, f"_UNPACK{name} = _Struct({literal(read)}).unpack"] if reads else lines
 
 
-_STATION = "[station]"
+_UNIT_ADDRESS = "[unit_address]"
 
 
 def _begun(table: str, terms: list[str], most: int) -> str:
     """The statement of the table that begins a CRC: the constant, combined with the term of each unit address."""
-    station_terms = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
-    return f"{table} = tuple({terms[0]} ^ term for term in {station_terms}[:{most + 1}])"
+    unit_address_terms = next(term for term in terms if term.endswith(_UNIT_ADDRESS)).removesuffix(_UNIT_ADDRESS)
+    return f"{table} = tuple({terms[0]} ^ term for term in {unit_address_terms}[:{most + 1}])"
 
 
 def _terms_outside_table(terms: list[str]) -> list[str]:
     """The terms of a CRC that are not in its table."""
-    return [term for term in terms[1:] if not term.endswith(_STATION)]
+    return [term for term in terms[1:] if not term.endswith(_UNIT_ADDRESS)]
 
 
 def _packing(call: str, packed: list[str], marked: str, appended: str, indent: int) -> list[str]:

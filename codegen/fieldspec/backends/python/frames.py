@@ -28,7 +28,7 @@ class PartView:
 
 def variable(part: PartLayout) -> str:
     """The variable of a header part."""
-    return "station" if part.role == "unit_address" else f"part_{part.name}"
+    return "unit_address" if part.role == "unit_address" else f"part_{part.name}"
 
 
 def number(part: PartLayout) -> str:
@@ -45,7 +45,7 @@ def letter(part: PartLayout) -> str:
 def _argument_view(part: PartLayout, place: int, words: Words) -> PartView:
     flags = part.value.flags if part.value else ""
     construction = f"{words.flags[flags]}({{}})" if flags else "{}"
-    name = Scope(frozenset({"station", "message", "self", "frame", "request"})).take(part.name)
+    name = Scope(frozenset({"unit_address", "message", "self", "frame", "request"})).take(part.name)
     return PartView(
         name=name,
         variable=variable(part),
@@ -81,10 +81,10 @@ def _allowed(
     assert part.value is not None
     if link.link.exception_response is not None and marks_exceptions(link, frame, part):
         return link.link.exception_response.permitted(part.value, is_exception).intervals, ()
-    stations = link.link.unit_addresses if part.role == "unit_address" else None
-    if stations is not None and stations.ranges is not None:
-        beside = () if stations.broadcast is None else (stations.broadcast,)
-        return stations.ranges.intervals, beside
+    unit_addresses = link.link.unit_addresses if part.role == "unit_address" else None
+    if unit_addresses is not None and unit_addresses.ranges is not None:
+        beside = () if unit_addresses.broadcast is None else (unit_addresses.broadcast,)
+        return unit_addresses.ranges.intervals, beside
     return (part.value.ranges.intervals if part.value.ranges else ()), ()
 
 
@@ -283,7 +283,7 @@ def framer(
     bodies = [record for _, _, record in carried] + ([refusal] if refusal else [])
     if not bodies:
         return "", [], []
-    arguments = [frames, *_bounds(link, frame, bodies), *_stations(link, frame, direction)]
+    arguments = [frames, *_bounds(link, frame, bodies), *_unit_addresses(link, frame, direction)]
     about = [f"Finds the {direction}s in a stream."]
     if frame.start and frame.end and link.link.encoding == "hex_ascii":
         about.append("A start delimiter within a frame begins another frame.")
@@ -349,19 +349,19 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     return [f"shortest={sizes[0]}", f"longest={sizes[1]}"]
 
 
-def _stations(link: LinkLayout, frame: FrameLayout, direction: str) -> list[str]:
+def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> list[str]:
     order = next((part.order for part in frame.header if part.size > 1), "big")
     ordered = ['order="little"'] if order == "little" else []
-    station, stations = frame.role("unit_address"), link.link.unit_addresses
-    if station is None or stations is None or stations.ranges is None:
+    unit_address, unit_addresses = frame.role("unit_address"), link.link.unit_addresses
+    if unit_address is None or unit_addresses is None or unit_addresses.ranges is None:
         return ordered
-    known = [_span(interval) for interval in stations.ranges.intervals]
-    if direction == "request" and stations.broadcast is not None:
-        known.append(str(stations.broadcast))
+    known = [_span(interval) for interval in unit_addresses.ranges.intervals]
+    if direction == "request" and unit_addresses.broadcast is not None:
+        known.append(str(unit_addresses.broadcast))
     return [
-        f"station_offset={station.offset}",
-        f"station_size={station.size}",
-        f"stations=frozenset(({', '.join(known)},))",
+        f"unit_address_offset={unit_address.offset}",
+        f"unit_address_size={unit_address.size}",
+        f"unit_addresses=frozenset(({', '.join(known)},))",
         *ordered,
     ]
 

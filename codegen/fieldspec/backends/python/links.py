@@ -51,7 +51,7 @@ class ExchangeView:
     refusals: list[str]
     refuse: list[str]
     wrapper: str
-    station: str
+    unit_address: str
     head_parts: list[PartView]
 
 
@@ -107,7 +107,7 @@ class LinkView:
     name: str
     type: str
     doc: list[str]
-    stations: str
+    unit_addresses: str
     broadcast: str
     unanswered: bool
     is_can: bool
@@ -146,7 +146,7 @@ def link_view(
     pascal = Name.of(link.name).pascal()
     coded = any(part.role == "code" for part in link.request.header)
     carried = [exchange for exchange in exchanges if carries(link, exchange.message)]
-    stations = link.link.unit_addresses
+    unit_addresses = link.link.unit_addresses
     views = {
         direction: _direction(
             link,
@@ -171,15 +171,15 @@ def link_view(
         wrappers.append(
             _wrapper(error.wrapper, "error_reply", ["code: int", "exception: _M"], views["response"].head_parts)
         )
-    facts = [f"Stations {stations.ranges.text()}."] if stations and stations.ranges else []
-    if stations and stations.broadcast is not None:
-        facts.append(f"A request to {stations.broadcast} is for all of them.")
+    facts = [f"Unit addresses {unit_addresses.ranges.text()}."] if unit_addresses and unit_addresses.ranges else []
+    if unit_addresses and unit_addresses.broadcast is not None:
+        facts.append(f"A request to {unit_addresses.broadcast} is for all devices.")
     return LinkView(
         name=name,
         type=scope.take(f"{pascal}Link"),
         doc=docstring(described(link.link.title or Name.of(link.name).title(), link.link, " ".join(facts)), 4),
-        stations=pairs(stations.ranges if stations else None) or "()",
-        broadcast=str(stations.broadcast) if stations else "None",
+        unit_addresses=pairs(unit_addresses.ranges if unit_addresses else None) or "()",
+        broadcast=str(unit_addresses.broadcast) if unit_addresses else "None",
         is_can=link.link.is_can,
         is_extended=link.link.escape is not None and link.link.escape.bits == CAN_BITS[1],
         unanswered=len(link.carried("response")) < len(link.messages),
@@ -207,14 +207,14 @@ def _wrapper(name: str, kind: str, attributes: list[str], arguments: list[PartVi
         base=base,
         doc=docstring([text], 4),
         slots=quoted,
-        match_args=", ".join(["station", *names]).replace(", ", '", "'),
+        match_args=", ".join(["unit_address", *names]).replace(", ", '", "'),
         init=item_lines(
             "def __init__(",
-            ["self", "station: int", *attributes, *(f"{part.name}: {part.type}" for part in arguments)],
+            ["self", "unit_address: int", *attributes, *(f"{part.name}: {part.type}" for part in arguments)],
             ") -> None:",
             4,
         ),
-        parameters=", ".join(["station", *names]),
+        parameters=", ".join(["unit_address", *names]),
         head_parts=arguments,
     )
 
@@ -244,7 +244,7 @@ def _direction(
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
     parts = argument_views(frame, words)
-    station = frame.role("unit_address")
+    unit_address = frame.role("unit_address")
     wrapper = scope.take(f"{pascal}{direction.capitalize()}") if parts else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
     views = [_exchange(link, direction, exchange, frames, wrapper, parts) for exchange in carried]
@@ -258,7 +258,7 @@ def _direction(
         else None
     )
     framing, arguments, doc = framer(link, direction, messages, refusal, frames)
-    station_expression = f"head[{frame.header.index(station)}]" if station else "0"
+    unit_address_expression = f"head[{frame.header.index(unit_address)}]" if unit_address else "0"
     return DirectionView(
         direction=direction,
         frames=frames,
@@ -276,11 +276,11 @@ def _direction(
         exchanges=views,
         wrapper=wrapper,
         head_parts=parts,
-        before="station: int, " if station else "",
+        before="unit_address: int, " if unit_address else "",
         after="".join(f", {part.name}: {part.type}" for part in parts).replace(", ", ", *, ", 1),
         writer=f"_to_{link.name}",
-        call=", ".join(["station"] * bool(station) + [part.name for part in parts]),
-        construction=", ".join([station_expression, "{}", *(part.expression for part in parts)]),
+        call=", ".join(["unit_address"] * bool(unit_address) + [part.name for part in parts]),
+        construction=", ".join([unit_address_expression, "{}", *(part.expression for part in parts)]),
         code=f"head[{frame.header.index(code)}]" if code else "",
         framer=framing,
         framer_arguments=arguments,
@@ -330,7 +330,7 @@ def _exchange(
     frame = link.frame(direction)
     code = exchange.message.message.code
     upper = f"_{Name.of(exchange.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
-    part, station = frame.role("code"), frame.role("unit_address")
+    part, unit_address = frame.role("code"), frame.role("unit_address")
     flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
     # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
@@ -350,7 +350,7 @@ def _exchange(
         known=_message_names(exchange.message) if part is None else [],
         fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
-            [", station: int"] * (station is not None)
+            [", unit_address: int"] * (unit_address is not None)
             + [f", {argument.variable}: {argument.type}" for argument in arguments]
         ),
         frames=frames,
@@ -358,6 +358,6 @@ def _exchange(
         refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
         refuse=chained("raise ", ["self._refused()", *refusals, unfit], "or", "", 8),
         wrapper=wrapper,
-        station="station" if station is not None else "0",
+        unit_address="unit_address" if unit_address is not None else "0",
         head_parts=arguments,
     )

@@ -110,8 +110,8 @@ def _frame(codec: FrameCodec, direction: str, message: str, values: dict[str, Ra
 
 
 def _least_of_part(codec: FrameCodec, part: PartLayout) -> int:
-    stations = codec.link.link.unit_addresses if part.role == "unit_address" else None
-    ranges = stations.ranges if stations is not None else None
+    addresses = codec.link.link.unit_addresses if part.role == "unit_address" else None
+    ranges = addresses.ranges if addresses is not None else None
     assert part.value is not None
     ranges = ranges or part.value.ranges
     return ranges.low if ranges is not None else max(0, part.value.type.low)

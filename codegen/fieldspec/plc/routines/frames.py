@@ -134,12 +134,12 @@ def _write_header_part(
     if part.constant is not None:
         return _write_constant(part, holder, part.offset)
     source = arguments[part.name]
-    stations = link.link.unit_addresses
+    addresses = link.link.unit_addresses
     statements: list[Statement] = []
-    if part.role == "unit_address" and stations is not None and stations.ranges is not None:
-        intervals = [*stations.ranges.intervals]
-        if stations.broadcast is not None and stations.broadcast not in stations.ranges:
-            intervals.append((stations.broadcast, stations.broadcast))
+    if part.role == "unit_address" and addresses is not None and addresses.ranges is not None:
+        intervals = [*addresses.ranges.intervals]
+        if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
+            intervals.append((addresses.broadcast, addresses.broadcast))
         wrong = outside(converted(source, wire.whole), intervals, wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))

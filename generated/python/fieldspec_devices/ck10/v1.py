@@ -3578,23 +3578,23 @@ class ReadRegistersResponse(_Record):
             or _refused_number("byte_count", len(self.values) * 2, 0, 255)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _RTU_RESPONSES.joined([station, 0x03], body)
+        return _RTU_RESPONSES.joined([unit_address, 0x03], body)
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _ASCII_RESPONSES.joined([station, 0x03], body)
+        return _ASCII_RESPONSES.joined([unit_address, 0x03], body)
 
 
 _PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
 _PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
@@ -3656,24 +3656,26 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 125),))
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if station != 0 and 1 <= raw_word_count <= 125:
+            if unit_address != 0 and 1 <= raw_word_count <= 125:
                 check = (
-                    _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
+                    _UNIT_ADDRESSES_READ_REGISTERS_RTU_REQUEST[unit_address]
                     ^ _X3[raw_address >> 8]
                     ^ _X2[raw_address & 255]
                     ^ _X0[raw_word_count]
                 )
-                return _PACK_READ_REGISTERS_RTU_REQUEST(station, 0x03, raw_address, raw_word_count, check)
+                return _PACK_READ_REGISTERS_RTU_REQUEST(
+                    unit_address, 0x03, raw_address, raw_word_count, check,
+                )
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_broadcast("station", station, 0, "read_registers")
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_broadcast("station", unit_address, 0, "read_registers")
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("read_registers_request")
         )
 
@@ -3681,9 +3683,9 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_rtu(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            station, _, raw_address, raw_word_count, check = _UNPACK_READ_REGISTERS_RTU_REQUEST(data)
+            unit_address, _, raw_address, raw_word_count, check = _UNPACK_READ_REGISTERS_RTU_REQUEST(data)
             expected = (
-                _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
+                _UNIT_ADDRESSES_READ_REGISTERS_RTU_REQUEST[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X0[raw_word_count]
@@ -3695,22 +3697,22 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         message.address = raw_address
         message.word_count = raw_word_count
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if station <= 16 and station != 0 and 1 <= raw_word_count <= 125:
-                data = _PACK_READ_REGISTERS_ASCII_REQUEST(station, 0x03, self.address, raw_word_count)
+            if unit_address <= 16 and unit_address != 0 and 1 <= raw_word_count <= 125:
+                data = _PACK_READ_REGISTERS_ASCII_REQUEST(unit_address, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_broadcast("station", station, 0, "read_registers")
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_broadcast("station", unit_address, 0, "read_registers")
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("read_registers_request")
         )
 
@@ -3718,19 +3720,19 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_ascii(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            station, _, message.address, message.word_count = _UNPACK_READ_REGISTERS_ASCII_REQUEST(data)
+            unit_address, _, message.address, message.word_count = _UNPACK_READ_REGISTERS_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
@@ -3789,23 +3791,23 @@ class WriteRegisterResponse(_Record):
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
             check = (
-                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
                 ^ _X0[raw_value & 255]
             )
-            return _PACK_WRITE_REGISTER_RTU_RESPONSE(station, 0x06, raw_address, raw_value, check)
+            return _PACK_WRITE_REGISTER_RTU_RESPONSE(unit_address, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_response")
         )
 
@@ -3813,9 +3815,9 @@ class WriteRegisterResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_RESPONSE(data)
+            unit_address, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_RESPONSE(data)
             expected = (
-                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
@@ -3828,20 +3830,20 @@ class WriteRegisterResponse(_Record):
         message.address = raw_address
         message.value = raw_value
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16:
-                data = _PACK_WRITE_REGISTER_ASCII_RESPONSE(station, 0x06, self.address, self.value)
+            if unit_address <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_RESPONSE(unit_address, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_response")
         )
 
@@ -3849,19 +3851,19 @@ class WriteRegisterResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_RESPONSE(data)
+            unit_address, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
@@ -3921,23 +3923,23 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
             check = (
-                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_REQUEST[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
                 ^ _X0[raw_value & 255]
             )
-            return _PACK_WRITE_REGISTER_RTU_REQUEST(station, 0x06, raw_address, raw_value, check)
+            return _PACK_WRITE_REGISTER_RTU_REQUEST(unit_address, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_request")
         )
 
@@ -3945,9 +3947,9 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_rtu(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_REQUEST(data)
+            unit_address, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_REQUEST(data)
             expected = (
-                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_REQUEST[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
@@ -3960,20 +3962,20 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         message.address = raw_address
         message.value = raw_value
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16:
-                data = _PACK_WRITE_REGISTER_ASCII_REQUEST(station, 0x06, self.address, self.value)
+            if unit_address <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_REQUEST(unit_address, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_request")
         )
 
@@ -3981,19 +3983,19 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_ascii(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_REQUEST(data)
+            unit_address, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
@@ -4052,23 +4054,23 @@ class WriteRegistersResponse(_Record):
             or _refused_number("word_count", self.word_count, 0, 65535)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
             check = (
-                _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTERS_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_word_count >> 8]
                 ^ _X0[raw_word_count & 255]
             )
-            return _PACK_WRITE_REGISTERS_RTU_RESPONSE(station, 0x10, raw_address, raw_word_count, check)
+            return _PACK_WRITE_REGISTERS_RTU_RESPONSE(unit_address, 0x10, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_registers_response")
         )
 
@@ -4076,9 +4078,9 @@ class WriteRegistersResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            station, _, raw_address, raw_word_count, check = _UNPACK_WRITE_REGISTERS_RTU_RESPONSE(data)
+            unit_address, _, raw_address, raw_word_count, check = _UNPACK_WRITE_REGISTERS_RTU_RESPONSE(data)
             expected = (
-                _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTERS_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_word_count >> 8]
@@ -4091,20 +4093,20 @@ class WriteRegistersResponse(_Record):
         message.address = raw_address
         message.word_count = raw_word_count
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16:
-                data = _PACK_WRITE_REGISTERS_ASCII_RESPONSE(station, 0x10, self.address, self.word_count)
+            if unit_address <= 16:
+                data = _PACK_WRITE_REGISTERS_ASCII_RESPONSE(unit_address, 0x10, self.address, self.word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_registers_response")
         )
 
@@ -4112,13 +4114,18 @@ class WriteRegistersResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            station, _, message.address, message.word_count = _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE(data)
+            (
+                unit_address,
+                _,
+                message.address,
+                message.word_count,
+            ) = _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4184,23 +4191,23 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
             or _refused_number("byte_count", len(self.values) * 2, 0, 255)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _RTU_REQUESTS.joined([station, 0x10], body)
+        return _RTU_REQUESTS.joined([unit_address, 0x10], body)
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _ASCII_REQUESTS.joined([station, 0x10], body)
+        return _ASCII_REQUESTS.joined([unit_address, 0x10], body)
 
 
 _PACK_REPORT_SERVER_ID_RTU_RESPONSE, _UNPACK_REPORT_SERVER_ID_RTU_RESPONSE = _packing(">BBBBBH")
-_STATIONS_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ term for term in _X4[:17])
+_UNIT_ADDRESSES_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ term for term in _X4[:17])
 _PACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBB").pack
 _UNPACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBBx").unpack
 _REPORT_SERVER_ID_RESPONSE_PACK, _REPORT_SERVER_ID_RESPONSE_UNPACK = _packing(">BBB")
@@ -4257,15 +4264,15 @@ class ReportServerIdResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
-            check = _STATIONS_REPORT_SERVER_ID_RTU_RESPONSE[station]
-            return _PACK_REPORT_SERVER_ID_RTU_RESPONSE(station, 0x11, 2, 104, 255, check)
+            check = _UNIT_ADDRESSES_REPORT_SERVER_ID_RTU_RESPONSE[unit_address]
+            return _PACK_REPORT_SERVER_ID_RTU_RESPONSE(unit_address, 0x11, 2, 104, 255, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("report_server_id_response")
         )
 
@@ -4274,33 +4281,33 @@ class ReportServerIdResponse(_Record):
         message = _new(ReportServerIdResponse)
         try:
             (
-                station,
+                unit_address,
                 _,
                 raw_byte_count,
                 raw_server_id,
                 raw_run_status,
                 check,
             ) = _UNPACK_REPORT_SERVER_ID_RTU_RESPONSE(data)
-            expected = _STATIONS_REPORT_SERVER_ID_RTU_RESPONSE[station]
+            expected = _UNIT_ADDRESSES_REPORT_SERVER_ID_RTU_RESPONSE[unit_address]
         except _UNREAD:
             return None
         if check != expected or raw_byte_count != 2 or raw_server_id != 104 or raw_run_status != 255:
             return None
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16:
-                data = _PACK_REPORT_SERVER_ID_ASCII_RESPONSE(station, 0x11, 2, 104, 255)
+            if unit_address <= 16:
+                data = _PACK_REPORT_SERVER_ID_ASCII_RESPONSE(unit_address, 0x11, 2, 104, 255)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("report_server_id_response")
         )
 
@@ -4309,7 +4316,7 @@ class ReportServerIdResponse(_Record):
         message = _new(ReportServerIdResponse)
         try:
             (
-                station,
+                unit_address,
                 _,
                 raw_byte_count,
                 raw_server_id,
@@ -4326,13 +4333,13 @@ class ReportServerIdResponse(_Record):
         if raw_run_status != 255:
             raise _wrong_const("run_status", raw_run_status, 255, 4)
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_REPORT_SERVER_ID_RTU_REQUEST, _UNPACK_REPORT_SERVER_ID_RTU_REQUEST = _packing(">BBH")
-_STATIONS_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ term for term in _X1[:17])
+_UNIT_ADDRESSES_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ term for term in _X1[:17])
 _PACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BB").pack
 _UNPACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BBx").unpack
 _REPORT_SERVER_ID_REQUEST_PACK, _REPORT_SERVER_ID_REQUEST_UNPACK = _packing(">")
@@ -4373,17 +4380,17 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
-            if station != 0:
-                check = _STATIONS_REPORT_SERVER_ID_RTU_REQUEST[station]
-                return _PACK_REPORT_SERVER_ID_RTU_REQUEST(station, 0x11, check)
+            if unit_address != 0:
+                check = _UNIT_ADDRESSES_REPORT_SERVER_ID_RTU_REQUEST[unit_address]
+                return _PACK_REPORT_SERVER_ID_RTU_REQUEST(unit_address, 0x11, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_broadcast("station", station, 0, "report_server_id")
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_broadcast("station", unit_address, 0, "report_server_id")
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("report_server_id_request")
         )
 
@@ -4391,28 +4398,28 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def _from_rtu(data: _Data) -> _Request[ReportServerIdRequest] | None:
         message = _new(ReportServerIdRequest)
         try:
-            station, _, check = _UNPACK_REPORT_SERVER_ID_RTU_REQUEST(data)
-            expected = _STATIONS_REPORT_SERVER_ID_RTU_REQUEST[station]
+            unit_address, _, check = _UNPACK_REPORT_SERVER_ID_RTU_REQUEST(data)
+            expected = _UNIT_ADDRESSES_REPORT_SERVER_ID_RTU_REQUEST[unit_address]
         except _UNREAD:
             return None
         if check != expected:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16 and station != 0:
-                data = _PACK_REPORT_SERVER_ID_ASCII_REQUEST(station, 0x11)
+            if unit_address <= 16 and unit_address != 0:
+                data = _PACK_REPORT_SERVER_ID_ASCII_REQUEST(unit_address, 0x11)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_broadcast("station", station, 0, "report_server_id")
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_broadcast("station", unit_address, 0, "report_server_id")
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("report_server_id_request")
         )
 
@@ -4420,13 +4427,13 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def _from_ascii(data: _Data) -> _Request[ReportServerIdRequest] | None:
         message = _new(ReportServerIdRequest)
         try:
-            station, _ = _UNPACK_REPORT_SERVER_ID_ASCII_REQUEST(data)
+            unit_address, _ = _UNPACK_REPORT_SERVER_ID_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4484,7 +4491,7 @@ class RtuLink:
 
     RS-485, half duplex, asynchronous.
 
-    Stations 1..16. A request to 0 is for all of them.
+    Unit addresses 1..16. A request to 0 is for all devices.
 
     Note: Chapter 2 (L243) says that values of 32 and 64 bits are accessed from the low position on.
     Read as the lowest address first, it fits both orders of words; read as the low word first, it
@@ -4506,16 +4513,16 @@ class RtuLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
     broadcast: _ClassVar[int | None] = 0
 
-    def encode_request(self, station: int, message: AnyRtuRequest) -> bytes:
+    def encode_request(self, unit_address: int, message: AnyRtuRequest) -> bytes:
         """The frame of a request. Raises CodecError for values that are out of range."""
-        return message._to_rtu(station)
+        return message._to_rtu(unit_address)
 
-    def encode_response(self, station: int, message: AnyRtuResponse) -> bytes:
+    def encode_response(self, unit_address: int, message: AnyRtuResponse) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_rtu(station)
+        return message._to_rtu(unit_address)
 
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
@@ -4562,16 +4569,16 @@ class RtuLink:
         message = _RTU_RESPONSES.message(_RTU_RESPONSE_CLASSES, code, body, wanted)
         return _Response(head[0], message)
 
-    def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
+    def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
-            _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _refused_number("function", code, 0, 255)
         )
         if error is not None:
             raise error
-        return _RTU_RESPONSES.joined([station, code | 0x80], body)
+        return _RTU_RESPONSES.joined([unit_address, code | 0x80], body)
 
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
@@ -4582,9 +4589,9 @@ class RtuLink:
             _RTU_REQUESTS,
             shortest=4,
             longest=255,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17), 0,)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17), 0,)),
             code_size=1,
             extents={
                 0x03: (8, 0, 0, 0),
@@ -4603,9 +4610,9 @@ class RtuLink:
             _RTU_RESPONSES,
             shortest=5,
             longest=255,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17),)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17),)),
             code_size=1,
             extents={
                 0x03: (5, 2, 1, 1),
@@ -4680,7 +4687,7 @@ class AsciiLink:
 
     RS-485, half duplex, asynchronous. Each byte is two characters, the high one first.
 
-    Stations 1..16. A request to 0 is for all of them.
+    Unit addresses 1..16. A request to 0 is for all devices.
 
     Note: Two characters may be one second apart at most (L103).
 
@@ -4695,16 +4702,16 @@ class AsciiLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
     broadcast: _ClassVar[int | None] = 0
 
-    def encode_request(self, station: int, message: AnyAsciiRequest) -> bytes:
+    def encode_request(self, unit_address: int, message: AnyAsciiRequest) -> bytes:
         """The frame of a request. Raises CodecError for values that are out of range."""
-        return message._to_ascii(station)
+        return message._to_ascii(unit_address)
 
-    def encode_response(self, station: int, message: AnyAsciiResponse) -> bytes:
+    def encode_response(self, unit_address: int, message: AnyAsciiResponse) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_ascii(station)
+        return message._to_ascii(unit_address)
 
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
@@ -4751,16 +4758,16 @@ class AsciiLink:
         message = _ASCII_RESPONSES.message(_ASCII_RESPONSE_CLASSES, code, body, wanted)
         return _Response(head[0], message)
 
-    def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
+    def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
-            _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _refused_number("function", code, 0, 255)
         )
         if error is not None:
             raise error
-        return _ASCII_RESPONSES.joined([station, code | 0x80], body)
+        return _ASCII_RESPONSES.joined([unit_address, code | 0x80], body)
 
     def request_framer(self) -> _MarkFramer:
         """Finds the requests in a stream.
@@ -4771,9 +4778,9 @@ class AsciiLink:
             _ASCII_REQUESTS,
             shortest=9,
             longest=511,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17), 0,)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17), 0,)),
         )
 
     def response_framer(self) -> _MarkFramer:
@@ -4785,9 +4792,9 @@ class AsciiLink:
             _ASCII_RESPONSES,
             shortest=11,
             longest=511,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17),)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17),)),
         )
 
 

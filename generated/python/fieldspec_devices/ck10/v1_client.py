@@ -377,7 +377,7 @@ class Client(_RegisterClient):
         transport: _Transport,
         *,
         link: _Literal["rtu", "ascii"] = "rtu",
-        station: int = 1,
+        unit_address: int = 1,
         timeout: float | None = None,
         pause: float | None = None,
         retries: int = 2,
@@ -386,7 +386,7 @@ class Client(_RegisterClient):
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
             known[link],
-            station,
+            unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
             pause=pause,
@@ -627,7 +627,7 @@ class AsyncClient(_AsyncRegisterClient):
         transport: _AsyncTransport,
         *,
         link: _Literal["rtu", "ascii"] = "rtu",
-        station: int = 1,
+        unit_address: int = 1,
         timeout: float | None = None,
         pause: float | None = None,
         retries: int = 2,
@@ -636,7 +636,7 @@ class AsyncClient(_AsyncRegisterClient):
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
             known[link],
-            station,
+            unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
             pause=pause,

@@ -1832,15 +1832,15 @@ class ReadPointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         body = self.encode()
         error = (
-            _refused_number("address", station, 0, 255, ((0, 15),))
+            _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
         )
         if error is not None:
             raise error
-        return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
+        return _SERIAL_RESPONSES.joined([0, unit_address, part_status.raw], body)
 
 
 _PACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB").pack
@@ -1899,17 +1899,17 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("first_point", self.first_point, 0, 255, ((1, 31),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_first_point = self.first_point
-            if station <= 15 and 1 <= raw_first_point <= 31:
-                data = _PACK_READ_POINTS_SERIAL_REQUEST(5, station, 0x50, raw_first_point)
+            if unit_address <= 15 and 1 <= raw_first_point <= 31:
+                data = _PACK_READ_POINTS_SERIAL_REQUEST(5, unit_address, 0x50, raw_first_point)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_points_request")
         )
 
@@ -1917,13 +1917,19 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointsRequest] | None:
         message = _new(ReadPointsRequest)
         try:
-            part_length, station, _, message.first_point, check = _UNPACK_READ_POINTS_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                message.first_point,
+                check,
+            ) = _UNPACK_READ_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -1984,17 +1990,19 @@ class ReadParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_parameters = self.parameters
-            if station <= 15 and len(raw_parameters) == 32:
-                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(68, station, part_status.raw, *raw_parameters)
+            if unit_address <= 15 and len(raw_parameters) == 32:
+                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(
+                    68, unit_address, part_status.raw, *raw_parameters,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_parameters_response")
         )
@@ -2005,7 +2013,7 @@ class ReadParametersResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 *message.parameters,
                 check,
@@ -2015,7 +2023,7 @@ class ReadParametersResponse(_Record):
         if part_length != 68 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2060,16 +2068,16 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_PARAMETERS_SERIAL_REQUEST(4, station, 0x51)
+            if unit_address <= 15:
+                data = _PACK_READ_PARAMETERS_SERIAL_REQUEST(4, unit_address, 0x51)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_parameters_request")
         )
 
@@ -2077,13 +2085,13 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadParametersRequest] | None:
         message = _new(ReadParametersRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_PARAMETERS_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2197,11 +2205,11 @@ class ReadIoStatusResponse(_Record):
             or _refused_flags("state_outputs", self.state_outputs, 255)
         )
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
+            if unit_address <= 15:
                 data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self._word_inputs, self._word_outputs,
+                    7, unit_address, part_status.raw, self._word_inputs, self._word_outputs,
                     self._word_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -2209,7 +2217,7 @@ class ReadIoStatusResponse(_Record):
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_io_status_response")
         )
@@ -2220,7 +2228,7 @@ class ReadIoStatusResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message._word_inputs,
                 message._word_outputs,
@@ -2232,7 +2240,7 @@ class ReadIoStatusResponse(_Record):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2277,16 +2285,16 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_IO_STATUS_SERIAL_REQUEST(4, station, 0x52)
+            if unit_address <= 15:
+                data = _PACK_READ_IO_STATUS_SERIAL_REQUEST(4, unit_address, 0x52)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_io_status_request")
         )
 
@@ -2294,13 +2302,13 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadIoStatusRequest] | None:
         message = _new(ReadIoStatusRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_IO_STATUS_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_IO_STATUS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2351,15 +2359,15 @@ class ReadAlarmHistoryResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("entries", self.entries, 0, 16, _refused_record, AlarmHistoryEntry)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         body = self.encode()
         error = (
-            _refused_number("address", station, 0, 255, ((0, 15),))
+            _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
         )
         if error is not None:
             raise error
-        return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
+        return _SERIAL_RESPONSES.joined([0, unit_address, part_status.raw], body)
 
 
 _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
@@ -2402,16 +2410,16 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x53)
+            if unit_address <= 15:
+                data = _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST(4, unit_address, 0x53)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_alarm_history_request")
         )
 
@@ -2419,13 +2427,13 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmHistoryRequest] | None:
         message = _new(ReadAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2468,16 +2476,16 @@ class WritePointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_points_response")
         )
@@ -2486,13 +2494,13 @@ class WritePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WritePointsResponse] | None:
         message = _new(WritePointsResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_POINTS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_WRITE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2544,12 +2552,12 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("address", station, 0, 255, ((0, 15),))
+        error = _refused_number("address", unit_address, 0, 255, ((0, 15),))
         if error is not None:
             raise error
-        return _SERIAL_REQUESTS.joined([0, station, 0x60], body)
+        return _SERIAL_REQUESTS.joined([0, unit_address, 0x60], body)
 
 
 _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB").pack
@@ -2590,16 +2598,16 @@ class WriteParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_parameters_response")
         )
@@ -2608,13 +2616,13 @@ class WriteParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParametersResponse] | None:
         message = _new(WriteParametersResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2677,17 +2685,17 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameters = self.parameters
-            if station <= 15 and len(raw_parameters) == 32:
-                data = _PACK_WRITE_PARAMETERS_SERIAL_REQUEST(68, station, 0x61, *raw_parameters)
+            if unit_address <= 15 and len(raw_parameters) == 32:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_REQUEST(68, unit_address, 0x61, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("write_parameters_request")
         )
 
@@ -2697,7 +2705,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 *message.parameters,
                 check,
@@ -2707,7 +2715,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         if part_length != 68 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2750,16 +2758,16 @@ class WriteParameterResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_parameter_response")
         )
@@ -2768,13 +2776,13 @@ class WriteParameterResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParameterResponse] | None:
         message = _new(WriteParameterResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2842,19 +2850,19 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if station <= 15 and raw_parameter_number <= 31:
+            if unit_address <= 15 and raw_parameter_number <= 31:
                 data = _PACK_WRITE_PARAMETER_SERIAL_REQUEST(
-                    7, station, 0x62, raw_parameter_number, self.value,
+                    7, unit_address, 0x62, raw_parameter_number, self.value,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("write_parameter_request")
         )
 
@@ -2864,7 +2872,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.parameter_number,
                 message.value,
@@ -2875,7 +2883,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2920,16 +2928,16 @@ class WriteTemporaryPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_temporary_point_response")
         )
@@ -2938,13 +2946,18 @@ class WriteTemporaryPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteTemporaryPointResponse] | None:
         message = _new(WriteTemporaryPointResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3006,16 +3019,16 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, TemporaryPoint)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(20, station, 0x63, self.point.encode())
+            if unit_address <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(20, unit_address, 0x63, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("write_temporary_point_request")
         )
 
@@ -3023,14 +3036,20 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def _from_serial(data: _Data) -> _Request[WriteTemporaryPointRequest] | None:
         message = _new(WriteTemporaryPointRequest)
         try:
-            part_length, station, _, raw_point, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                raw_point,
+                check,
+            ) = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
             return None
         message.point = _decoded_at(TemporaryPoint, raw_point, 3)
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3073,16 +3092,16 @@ class ClearPointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("clear_points_response")
         )
@@ -3091,13 +3110,13 @@ class ClearPointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearPointsResponse] | None:
         message = _new(ClearPointsResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_CLEAR_POINTS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_CLEAR_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3165,18 +3184,20 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
             or _refused_number("point_count", self.point_count, 0, 255, ((1, 31),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
-            if station <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
-                data = _PACK_CLEAR_POINTS_SERIAL_REQUEST(6, station, 0x70, raw_first_point, raw_point_count)
+            if unit_address <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
+                data = _PACK_CLEAR_POINTS_SERIAL_REQUEST(
+                    6, unit_address, 0x70, raw_first_point, raw_point_count,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("clear_points_request")
         )
 
@@ -3186,7 +3207,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.first_point,
                 message.point_count,
@@ -3197,7 +3218,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3240,16 +3261,16 @@ class InitializePointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("initialize_points_response")
         )
@@ -3258,13 +3279,13 @@ class InitializePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializePointsResponse] | None:
         message = _new(InitializePointsResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3309,16 +3330,16 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_POINTS_SERIAL_REQUEST(4, station, 0x71)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_REQUEST(4, unit_address, 0x71)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("initialize_points_request")
         )
 
@@ -3326,13 +3347,13 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _from_serial(data: _Data) -> _Request[InitializePointsRequest] | None:
         message = _new(InitializePointsRequest)
         try:
-            part_length, station, _, check = _UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3376,16 +3397,16 @@ class InitializeParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("initialize_parameters_response")
         )
@@ -3394,13 +3415,18 @@ class InitializeParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializeParametersResponse] | None:
         message = _new(InitializeParametersResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3470,16 +3496,18 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("actuator_type", self.actuator_type, 0, 65535)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._word_actuator_type)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(
+                    6, unit_address, 0x72, self._word_actuator_type,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("initialize_parameters_request")
         )
 
@@ -3489,7 +3517,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message._word_actuator_type,
                 check,
@@ -3499,7 +3527,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3542,16 +3570,16 @@ class ClearAlarmHistoryResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("clear_alarm_history_response")
         )
@@ -3560,13 +3588,13 @@ class ClearAlarmHistoryResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAlarmHistoryResponse] | None:
         message = _new(ClearAlarmHistoryResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3611,16 +3639,16 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x73)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(4, unit_address, 0x73)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("clear_alarm_history_request")
         )
 
@@ -3628,13 +3656,13 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAlarmHistoryRequest] | None:
         message = _new(ClearAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3677,16 +3705,16 @@ class ClearAccumulatedTimeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("clear_accumulated_time_response")
         )
@@ -3695,13 +3723,18 @@ class ClearAccumulatedTimeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAccumulatedTimeResponse] | None:
         message = _new(ClearAccumulatedTimeResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3746,16 +3779,16 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x74)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(4, unit_address, 0x74)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("clear_accumulated_time_request")
         )
 
@@ -3763,13 +3796,13 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAccumulatedTimeRequest] | None:
         message = _new(ClearAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3812,16 +3845,16 @@ class StopResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_STOP_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_STOP_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("stop_response")
         )
@@ -3830,13 +3863,13 @@ class StopResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StopResponse] | None:
         message = _new(StopResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_STOP_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_STOP_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3881,16 +3914,16 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_STOP_SERIAL_REQUEST(4, station, 0x10)
+            if unit_address <= 15:
+                data = _PACK_STOP_SERIAL_REQUEST(4, unit_address, 0x10)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("stop_request")
         )
 
@@ -3898,13 +3931,13 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _from_serial(data: _Data) -> _Request[StopRequest] | None:
         message = _new(StopRequest)
         try:
-            part_length, station, _, check = _UNPACK_STOP_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_STOP_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3947,16 +3980,16 @@ class StartHomingResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("start_homing_response")
         )
@@ -3965,13 +3998,13 @@ class StartHomingResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StartHomingResponse] | None:
         message = _new(StartHomingResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_START_HOMING_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_START_HOMING_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4016,16 +4049,16 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_START_HOMING_SERIAL_REQUEST(4, station, 0x11)
+            if unit_address <= 15:
+                data = _PACK_START_HOMING_SERIAL_REQUEST(4, unit_address, 0x11)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("start_homing_request")
         )
 
@@ -4033,13 +4066,13 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _from_serial(data: _Data) -> _Request[StartHomingRequest] | None:
         message = _new(StartHomingRequest)
         try:
-            part_length, station, _, check = _UNPACK_START_HOMING_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_START_HOMING_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4083,16 +4116,16 @@ class MovePositiveDistanceResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_positive_distance_response")
         )
@@ -4101,13 +4134,18 @@ class MovePositiveDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MovePositiveDistanceResponse] | None:
         message = _new(MovePositiveDistanceResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4208,21 +4246,21 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+            if unit_address <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
                 data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST(
-                    7, station, 0x12, raw_distance, raw_speed, raw_force,
+                    7, unit_address, 0x12, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_positive_distance_request")
         )
 
@@ -4232,7 +4270,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -4244,7 +4282,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4288,16 +4326,16 @@ class MoveNegativeDistanceResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_negative_distance_response")
         )
@@ -4306,13 +4344,18 @@ class MoveNegativeDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveNegativeDistanceResponse] | None:
         message = _new(MoveNegativeDistanceResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4413,21 +4456,21 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+            if unit_address <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
                 data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST(
-                    7, station, 0x13, raw_distance, raw_speed, raw_force,
+                    7, unit_address, 0x13, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_negative_distance_request")
         )
 
@@ -4437,7 +4480,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -4449,7 +4492,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4493,16 +4536,16 @@ class MoveOpenResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_open_response")
         )
@@ -4511,13 +4554,13 @@ class MoveOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveOpenResponse] | None:
         message = _new(MoveOpenResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_OPEN_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4579,17 +4622,17 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
-            if station <= 15 and 1 <= raw_speed <= 100:
-                data = _PACK_MOVE_OPEN_SERIAL_REQUEST(5, station, 0x14, raw_speed)
+            if unit_address <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_OPEN_SERIAL_REQUEST(5, unit_address, 0x14, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_open_request")
         )
 
@@ -4597,13 +4640,13 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveOpenRequest] | None:
         message = _new(MoveOpenRequest)
         try:
-            part_length, station, _, message.speed, check = _UNPACK_MOVE_OPEN_SERIAL_REQUEST(data)
+            part_length, unit_address, _, message.speed, check = _UNPACK_MOVE_OPEN_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4646,16 +4689,16 @@ class MoveCloseResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_close_response")
         )
@@ -4664,13 +4707,13 @@ class MoveCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveCloseResponse] | None:
         message = _new(MoveCloseResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_CLOSE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4731,17 +4774,17 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
-            if station <= 15 and 1 <= raw_speed <= 100:
-                data = _PACK_MOVE_CLOSE_SERIAL_REQUEST(5, station, 0x15, raw_speed)
+            if unit_address <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_CLOSE_SERIAL_REQUEST(5, unit_address, 0x15, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_close_request")
         )
 
@@ -4749,13 +4792,13 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveCloseRequest] | None:
         message = _new(MoveCloseRequest)
         try:
-            part_length, station, _, message.speed, check = _UNPACK_MOVE_CLOSE_SERIAL_REQUEST(data)
+            part_length, unit_address, _, message.speed, check = _UNPACK_MOVE_CLOSE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4798,16 +4841,16 @@ class MoveRelativeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_relative_response")
         )
@@ -4816,13 +4859,13 @@ class MoveRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveRelativeResponse] | None:
         message = _new(MoveRelativeResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4916,18 +4959,18 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
-            if station <= 15 and -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
-                data = _PACK_MOVE_RELATIVE_SERIAL_REQUEST(9, station, 0x16, raw_distance, raw_speed)
+            if unit_address <= 15 and -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_RELATIVE_SERIAL_REQUEST(9, unit_address, 0x16, raw_distance, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_relative_request")
         )
 
@@ -4937,7 +4980,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -4948,7 +4991,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         if part_length != 9 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4991,16 +5034,16 @@ class MoveAbsoluteResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_absolute_response")
         )
@@ -5009,13 +5052,13 @@ class MoveAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveAbsoluteResponse] | None:
         message = _new(MoveAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5109,18 +5152,18 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_position = self.position
             raw_speed = self.speed
-            if station <= 15 and -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
-                data = _PACK_MOVE_ABSOLUTE_SERIAL_REQUEST(9, station, 0x17, raw_position, raw_speed)
+            if unit_address <= 15 and -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_REQUEST(9, unit_address, 0x17, raw_position, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_absolute_request")
         )
 
@@ -5130,7 +5173,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.position,
                 message.speed,
@@ -5141,7 +5184,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         if part_length != 9 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5184,16 +5227,16 @@ class MoveToPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_to_point_response")
         )
@@ -5202,13 +5245,13 @@ class MoveToPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveToPointResponse] | None:
         message = _new(MoveToPointResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5277,18 +5320,18 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
-            if station <= 15 and 1 <= raw_point_number <= 31 and raw_speed <= 100:
-                data = _PACK_MOVE_TO_POINT_SERIAL_REQUEST(6, station, 0x1a, raw_point_number, raw_speed)
+            if unit_address <= 15 and 1 <= raw_point_number <= 31 and raw_speed <= 100:
+                data = _PACK_MOVE_TO_POINT_SERIAL_REQUEST(6, unit_address, 0x1a, raw_point_number, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_to_point_request")
         )
 
@@ -5298,7 +5341,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.point_number,
                 message.speed,
@@ -5309,7 +5352,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5353,16 +5396,16 @@ class GripOpenResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_open_response")
         )
@@ -5371,13 +5414,13 @@ class GripOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenResponse] | None:
         message = _new(GripOpenResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5446,18 +5489,18 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
-                data = _PACK_GRIP_OPEN_SERIAL_REQUEST(6, station, 0x20, raw_speed, raw_force)
+            if unit_address <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_OPEN_SERIAL_REQUEST(6, unit_address, 0x20, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_open_request")
         )
 
@@ -5467,7 +5510,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.speed,
                 message.force,
@@ -5478,7 +5521,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5522,16 +5565,16 @@ class GripCloseResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_close_response")
         )
@@ -5540,13 +5583,13 @@ class GripCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseResponse] | None:
         message = _new(GripCloseResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5615,18 +5658,18 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
-                data = _PACK_GRIP_CLOSE_SERIAL_REQUEST(6, station, 0x21, raw_speed, raw_force)
+            if unit_address <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_CLOSE_SERIAL_REQUEST(6, unit_address, 0x21, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_close_request")
         )
 
@@ -5636,7 +5679,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.speed,
                 message.force,
@@ -5647,7 +5690,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5691,16 +5734,16 @@ class GripRelativeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_relative_response")
         )
@@ -5709,13 +5752,13 @@ class GripRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripRelativeResponse] | None:
         message = _new(GripRelativeResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5816,26 +5859,26 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_distance <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_RELATIVE_SERIAL_REQUEST(
-                    10, station, 0x22, raw_distance, raw_speed, raw_force,
+                    10, unit_address, 0x22, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_relative_request")
         )
 
@@ -5845,7 +5888,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -5857,7 +5900,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         if part_length != 10 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5901,16 +5944,16 @@ class GripAbsoluteResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_absolute_response")
         )
@@ -5919,13 +5962,13 @@ class GripAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripAbsoluteResponse] | None:
         message = _new(GripAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6026,26 +6069,26 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_position = self.position
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_position <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_ABSOLUTE_SERIAL_REQUEST(
-                    10, station, 0x23, raw_position, raw_speed, raw_force,
+                    10, unit_address, 0x23, raw_position, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_absolute_request")
         )
 
@@ -6055,7 +6098,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.position,
                 message.speed,
@@ -6067,7 +6110,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         if part_length != 10 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6112,16 +6155,16 @@ class GripOpenWithZoneResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_open_with_zone_response")
         )
@@ -6130,13 +6173,13 @@ class GripOpenWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenWithZoneResponse] | None:
         message = _new(GripOpenWithZoneResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6292,28 +6335,28 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST(
-                    14, station, 0x24, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
+                    14, unit_address, 0x24, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_open_with_zone_request")
         )
 
@@ -6323,7 +6366,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.zone_limit_1,
                 message.zone_limit_2,
@@ -6336,7 +6379,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         if part_length != 14 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6381,16 +6424,16 @@ class GripCloseWithZoneResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_close_with_zone_response")
         )
@@ -6399,13 +6442,13 @@ class GripCloseWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseWithZoneResponse] | None:
         message = _new(GripCloseWithZoneResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6561,28 +6604,28 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST(
-                    14, station, 0x25, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
+                    14, unit_address, 0x25, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_close_with_zone_request")
         )
 
@@ -6592,7 +6635,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.zone_limit_1,
                 message.zone_limit_2,
@@ -6605,7 +6648,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         if part_length != 14 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6648,16 +6691,16 @@ class NoOperationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("no_operation_response")
         )
@@ -6666,13 +6709,13 @@ class NoOperationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[NoOperationResponse] | None:
         message = _new(NoOperationResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_NO_OPERATION_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_NO_OPERATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6717,16 +6760,16 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_NO_OPERATION_SERIAL_REQUEST(4, station, 0x30)
+            if unit_address <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_REQUEST(4, unit_address, 0x30)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("no_operation_request")
         )
 
@@ -6734,13 +6777,13 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _from_serial(data: _Data) -> _Request[NoOperationRequest] | None:
         message = _new(NoOperationRequest)
         try:
-            part_length, station, _, check = _UNPACK_NO_OPERATION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_NO_OPERATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6783,16 +6826,16 @@ class SetMotorExcitationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("set_motor_excitation_response")
         )
@@ -6801,13 +6844,13 @@ class SetMotorExcitationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[SetMotorExcitationResponse] | None:
         message = _new(SetMotorExcitationResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6872,17 +6915,17 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_excited = self.excited
-            if station <= 15 and raw_excited <= 1:
-                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(5, station, 0x31, raw_excited)
+            if unit_address <= 15 and raw_excited <= 1:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(5, unit_address, 0x31, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("set_motor_excitation_request")
         )
 
@@ -6890,7 +6933,13 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[SetMotorExcitationRequest] | None:
         message = _new(SetMotorExcitationRequest)
         try:
-            part_length, station, _, raw_excited, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                raw_excited,
+                check,
+            ) = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -6899,7 +6948,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
             raise _no_boolean("excited", raw_excited, 3)
         message.excited = raw_excited == 1
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6960,19 +7009,19 @@ class ReadVersionResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_text("version", self.version, 6)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_version = self.version
-            if station <= 15 and len(raw_version) <= 6 and "\0" not in raw_version:
+            if unit_address <= 15 and len(raw_version) <= 6 and "\0" not in raw_version:
                 data = _PACK_READ_VERSION_SERIAL_RESPONSE(
-                    10, station, part_status.raw, raw_version.encode("ascii"),
+                    10, unit_address, part_status.raw, raw_version.encode("ascii"),
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_version_response")
         )
@@ -6981,14 +7030,20 @@ class ReadVersionResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadVersionResponse] | None:
         message = _new(ReadVersionResponse)
         try:
-            part_length, station, part_status, raw_version, check = _UNPACK_READ_VERSION_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                raw_version,
+                check,
+            ) = _UNPACK_READ_VERSION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
             return None
         message.version = _text("version", raw_version, 3)
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7033,16 +7088,16 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_VERSION_SERIAL_REQUEST(4, station, 0x40)
+            if unit_address <= 15:
+                data = _PACK_READ_VERSION_SERIAL_REQUEST(4, unit_address, 0x40)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_version_request")
         )
 
@@ -7050,13 +7105,13 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadVersionRequest] | None:
         message = _new(ReadVersionRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_VERSION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_VERSION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7136,17 +7191,19 @@ class ReadCurrentPositionResponse(_Record):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_position = self.position
-            if station <= 15 and -134217727 <= raw_position <= 134217727:
-                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(8, station, part_status.raw, raw_position)
+            if unit_address <= 15 and -134217727 <= raw_position <= 134217727:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(
+                    8, unit_address, part_status.raw, raw_position,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_current_position_response")
         )
@@ -7157,7 +7214,7 @@ class ReadCurrentPositionResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.position,
                 check,
@@ -7167,7 +7224,7 @@ class ReadCurrentPositionResponse(_Record):
         if part_length != 8 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7212,16 +7269,16 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_CURRENT_POSITION_SERIAL_REQUEST(4, station, 0x41)
+            if unit_address <= 15:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_REQUEST(4, unit_address, 0x41)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_current_position_request")
         )
 
@@ -7229,13 +7286,13 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadCurrentPositionRequest] | None:
         message = _new(ReadCurrentPositionRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7295,19 +7352,19 @@ class ReadCurrentPointNumberResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_point_number = self.point_number
-            if station <= 15 and 1 <= raw_point_number <= 31:
+            if unit_address <= 15 and 1 <= raw_point_number <= 31:
                 data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(
-                    5, station, part_status.raw, raw_point_number,
+                    5, unit_address, part_status.raw, raw_point_number,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_current_point_number_response")
         )
@@ -7318,7 +7375,7 @@ class ReadCurrentPointNumberResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.point_number,
                 check,
@@ -7328,7 +7385,7 @@ class ReadCurrentPointNumberResponse(_Record):
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7373,16 +7430,16 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(4, station, 0x42)
+            if unit_address <= 15:
+                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(4, unit_address, 0x42)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_current_point_number_request")
         )
 
@@ -7390,13 +7447,13 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _from_serial(data: _Data) -> _Request[ReadCurrentPointNumberRequest] | None:
         message = _new(ReadCurrentPointNumberRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7453,16 +7510,16 @@ class ReadParameterResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("value", self.value, 0, 65535)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, station, part_status.raw, self.value)
+            if unit_address <= 15:
+                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, unit_address, part_status.raw, self.value)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_parameter_response")
         )
@@ -7473,7 +7530,7 @@ class ReadParameterResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.value,
                 check,
@@ -7483,7 +7540,7 @@ class ReadParameterResponse(_Record):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7544,17 +7601,17 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("parameter_number", self.parameter_number, 0, 255, ((0, 31),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if station <= 15 and raw_parameter_number <= 31:
-                data = _PACK_READ_PARAMETER_SERIAL_REQUEST(5, station, 0x43, raw_parameter_number)
+            if unit_address <= 15 and raw_parameter_number <= 31:
+                data = _PACK_READ_PARAMETER_SERIAL_REQUEST(5, unit_address, 0x43, raw_parameter_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_parameter_request")
         )
 
@@ -7564,7 +7621,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.parameter_number,
                 check,
@@ -7574,7 +7631,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7632,16 +7689,18 @@ class ReadPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, Point)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_POINT_SERIAL_RESPONSE(20, station, part_status.raw, self.point.encode())
+            if unit_address <= 15:
+                data = _PACK_READ_POINT_SERIAL_RESPONSE(
+                    20, unit_address, part_status.raw, self.point.encode(),
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_point_response")
         )
@@ -7650,14 +7709,20 @@ class ReadPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadPointResponse] | None:
         message = _new(ReadPointResponse)
         try:
-            part_length, station, part_status, raw_point, check = _UNPACK_READ_POINT_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                raw_point,
+                check,
+            ) = _UNPACK_READ_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
             return None
         message.point = _decoded_at(Point, raw_point, 3)
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7718,17 +7783,17 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_point_number = self.point_number
-            if station <= 15 and 1 <= raw_point_number <= 31:
-                data = _PACK_READ_POINT_SERIAL_REQUEST(5, station, 0x44, raw_point_number)
+            if unit_address <= 15 and 1 <= raw_point_number <= 31:
+                data = _PACK_READ_POINT_SERIAL_REQUEST(5, unit_address, 0x44, raw_point_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_point_request")
         )
 
@@ -7736,13 +7801,19 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointRequest] | None:
         message = _new(ReadPointRequest)
         try:
-            part_length, station, _, message.point_number, check = _UNPACK_READ_POINT_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                message.point_number,
+                check,
+            ) = _UNPACK_READ_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7804,19 +7875,19 @@ class ReadHomingStateResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("homing_complete", self.homing_complete, 0, 1)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_homing_complete = self.homing_complete
-            if station <= 15 and raw_homing_complete <= 1:
+            if unit_address <= 15 and raw_homing_complete <= 1:
                 data = _PACK_READ_HOMING_STATE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, raw_homing_complete,
+                    5, unit_address, part_status.raw, raw_homing_complete,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_homing_state_response")
         )
@@ -7827,7 +7898,7 @@ class ReadHomingStateResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 raw_homing_complete,
                 check,
@@ -7840,7 +7911,7 @@ class ReadHomingStateResponse(_Record):
             raise _no_boolean("homing_complete", raw_homing_complete, 3)
         message.homing_complete = raw_homing_complete == 1
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7885,16 +7956,16 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_HOMING_STATE_SERIAL_REQUEST(4, station, 0x45)
+            if unit_address <= 15:
+                data = _PACK_READ_HOMING_STATE_SERIAL_REQUEST(4, unit_address, 0x45)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_homing_state_request")
         )
 
@@ -7902,13 +7973,13 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadHomingStateRequest] | None:
         message = _new(ReadHomingStateRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_HOMING_STATE_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_HOMING_STATE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7972,17 +8043,19 @@ class ReadMotorExcitationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_excited = self.excited
-            if station <= 15 and raw_excited <= 1:
-                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(5, station, part_status.raw, raw_excited)
+            if unit_address <= 15 and raw_excited <= 1:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(
+                    5, unit_address, part_status.raw, raw_excited,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_motor_excitation_response")
         )
@@ -7993,7 +8066,7 @@ class ReadMotorExcitationResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 raw_excited,
                 check,
@@ -8006,7 +8079,7 @@ class ReadMotorExcitationResponse(_Record):
             raise _no_boolean("excited", raw_excited, 3)
         message.excited = raw_excited == 1
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8051,16 +8124,16 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(4, station, 0x46)
+            if unit_address <= 15:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(4, unit_address, 0x46)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_motor_excitation_request")
         )
 
@@ -8068,13 +8141,13 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadMotorExcitationRequest] | None:
         message = _new(ReadMotorExcitationRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8142,18 +8215,18 @@ class ReadAlarmCodeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("alarm_code", self.alarm_code, 0, 255)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
+            if unit_address <= 15:
                 data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, self._word_alarm_code,
+                    5, unit_address, part_status.raw, self._word_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_alarm_code_response")
         )
@@ -8164,7 +8237,7 @@ class ReadAlarmCodeResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message._word_alarm_code,
                 check,
@@ -8174,7 +8247,7 @@ class ReadAlarmCodeResponse(_Record):
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8219,16 +8292,16 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_ALARM_CODE_SERIAL_REQUEST(4, station, 0x47)
+            if unit_address <= 15:
+                data = _PACK_READ_ALARM_CODE_SERIAL_REQUEST(4, unit_address, 0x47)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_alarm_code_request")
         )
 
@@ -8236,13 +8309,13 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmCodeRequest] | None:
         message = _new(ReadAlarmCodeRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_ALARM_CODE_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_ALARM_CODE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8308,19 +8381,19 @@ class ReadAccumulatedTimeResponse(_Record):
             or _refused_number("minutes", self.minutes, 0, 255, ((0, 60),))
         )
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_minutes = self.minutes
-            if station <= 15 and raw_minutes <= 60:
+            if unit_address <= 15 and raw_minutes <= 60:
                 data = _PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self.hours, raw_minutes,
+                    7, unit_address, part_status.raw, self.hours, raw_minutes,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_accumulated_time_response")
         )
@@ -8331,7 +8404,7 @@ class ReadAccumulatedTimeResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.hours,
                 message.minutes,
@@ -8342,7 +8415,7 @@ class ReadAccumulatedTimeResponse(_Record):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8387,16 +8460,16 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x48)
+            if unit_address <= 15:
+                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(4, unit_address, 0x48)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_accumulated_time_request")
         )
 
@@ -8404,13 +8477,13 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAccumulatedTimeRequest] | None:
         message = _new(ReadAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8419,10 +8492,10 @@ class SerialResponse(_Response[_M]):
     """A response on this link, with all parts of its header."""
 
     __slots__ = ("status",)
-    __match_args__ = ("station", "message", "status",)
+    __match_args__ = ("unit_address", "message", "status",)
 
-    def __init__(self, station: int, message: _M, status: CommunicationStatus) -> None:
-        super().__init__(station, message)
+    def __init__(self, unit_address: int, message: _M, status: CommunicationStatus) -> None:
+        super().__init__(unit_address, message)
         self.status = status
 
 
@@ -8733,7 +8806,7 @@ class SerialLink:
     packet with its own address. Each packet begins with its length, which is the number of data bytes
     plus 4.
 
-    Stations 0..15.
+    Unit addresses 0..15.
 
     Note: A response carries a status byte where the request carries the command: which command it
     answers shows only in the order of the packets.
@@ -8751,16 +8824,16 @@ class SerialLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ((0, 15),)
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ((0, 15),)
     broadcast: _ClassVar[int | None] = None
 
-    def encode_request(self, station: int, message: AnySerialRequest) -> bytes:
+    def encode_request(self, unit_address: int, message: AnySerialRequest) -> bytes:
         """The frame of a request. Raises CodecError for values that are out of range."""
-        return message._to_serial(station)
+        return message._to_serial(unit_address)
 
-    def encode_response(self, station: int, message: AnySerialResponse, *, status: CommunicationStatus) -> bytes:
+    def encode_response(self, unit_address: int, message: AnySerialResponse, *, status: CommunicationStatus) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_serial(station, status)
+        return message._to_serial(unit_address, status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
@@ -9009,9 +9082,9 @@ class SerialLink:
             _SERIAL_REQUESTS,
             shortest=4,
             longest=244,
-            station_offset=1,
-            station_size=1,
-            stations=frozenset((*range(0, 16),)),
+            unit_address_offset=1,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(0, 16),)),
             length_size=1,
         )
 
@@ -9024,9 +9097,9 @@ class SerialLink:
             _SERIAL_RESPONSES,
             shortest=4,
             longest=244,
-            station_offset=1,
-            station_size=1,
-            stations=frozenset((*range(0, 16),)),
+            unit_address_offset=1,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(0, 16),)),
             length_size=1,
         )
 

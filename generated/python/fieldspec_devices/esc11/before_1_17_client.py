@@ -204,7 +204,7 @@ class Client(_ParameterClient):
         self,
         transport: _Transport,
         *,
-        station: int = 0,
+        unit_address: int = 0,
         timeout: float | None = None,
         pause: float | None = None,
         retries: int = 2,
@@ -212,7 +212,7 @@ class Client(_ParameterClient):
     ) -> None:
         session = _Session(
             _SERIAL,
-            station,
+            unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
             pause=pause,
@@ -417,7 +417,7 @@ class AsyncClient(_AsyncParameterClient):
         self,
         transport: _AsyncTransport,
         *,
-        station: int = 0,
+        unit_address: int = 0,
         timeout: float | None = None,
         pause: float | None = None,
         retries: int = 2,
@@ -425,7 +425,7 @@ class AsyncClient(_AsyncParameterClient):
     ) -> None:
         session = _Session(
             _SERIAL,
-            station,
+            unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
             pause=pause,

@@ -1834,15 +1834,15 @@ class ReadPointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         body = self.encode()
         error = (
-            _refused_number("address", station, 0, 255, ((0, 15),))
+            _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
         )
         if error is not None:
             raise error
-        return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
+        return _SERIAL_RESPONSES.joined([0, unit_address, part_status.raw], body)
 
 
 _PACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB").pack
@@ -1901,17 +1901,17 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("first_point", self.first_point, 0, 255, ((1, 31),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_first_point = self.first_point
-            if station <= 15 and 1 <= raw_first_point <= 31:
-                data = _PACK_READ_POINTS_SERIAL_REQUEST(5, station, 0x50, raw_first_point)
+            if unit_address <= 15 and 1 <= raw_first_point <= 31:
+                data = _PACK_READ_POINTS_SERIAL_REQUEST(5, unit_address, 0x50, raw_first_point)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_points_request")
         )
 
@@ -1919,13 +1919,19 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointsRequest] | None:
         message = _new(ReadPointsRequest)
         try:
-            part_length, station, _, message.first_point, check = _UNPACK_READ_POINTS_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                message.first_point,
+                check,
+            ) = _UNPACK_READ_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -1986,17 +1992,19 @@ class ReadParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_parameters = self.parameters
-            if station <= 15 and len(raw_parameters) == 32:
-                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(68, station, part_status.raw, *raw_parameters)
+            if unit_address <= 15 and len(raw_parameters) == 32:
+                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(
+                    68, unit_address, part_status.raw, *raw_parameters,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_parameters_response")
         )
@@ -2007,7 +2015,7 @@ class ReadParametersResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 *message.parameters,
                 check,
@@ -2017,7 +2025,7 @@ class ReadParametersResponse(_Record):
         if part_length != 68 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2062,16 +2070,16 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_PARAMETERS_SERIAL_REQUEST(4, station, 0x51)
+            if unit_address <= 15:
+                data = _PACK_READ_PARAMETERS_SERIAL_REQUEST(4, unit_address, 0x51)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_parameters_request")
         )
 
@@ -2079,13 +2087,13 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadParametersRequest] | None:
         message = _new(ReadParametersRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_PARAMETERS_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2199,11 +2207,11 @@ class ReadIoStatusResponse(_Record):
             or _refused_flags("state_outputs", self.state_outputs, 255)
         )
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
+            if unit_address <= 15:
                 data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self._word_inputs, self._word_outputs,
+                    7, unit_address, part_status.raw, self._word_inputs, self._word_outputs,
                     self._word_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -2211,7 +2219,7 @@ class ReadIoStatusResponse(_Record):
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_io_status_response")
         )
@@ -2222,7 +2230,7 @@ class ReadIoStatusResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message._word_inputs,
                 message._word_outputs,
@@ -2234,7 +2242,7 @@ class ReadIoStatusResponse(_Record):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2279,16 +2287,16 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_IO_STATUS_SERIAL_REQUEST(4, station, 0x52)
+            if unit_address <= 15:
+                data = _PACK_READ_IO_STATUS_SERIAL_REQUEST(4, unit_address, 0x52)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_io_status_request")
         )
 
@@ -2296,13 +2304,13 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadIoStatusRequest] | None:
         message = _new(ReadIoStatusRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_IO_STATUS_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_IO_STATUS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2353,15 +2361,15 @@ class ReadAlarmHistoryResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("entries", self.entries, 0, 16, _refused_record, AlarmHistoryEntry)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         body = self.encode()
         error = (
-            _refused_number("address", station, 0, 255, ((0, 15),))
+            _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
         )
         if error is not None:
             raise error
-        return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
+        return _SERIAL_RESPONSES.joined([0, unit_address, part_status.raw], body)
 
 
 _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
@@ -2404,16 +2412,16 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x53)
+            if unit_address <= 15:
+                data = _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST(4, unit_address, 0x53)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_alarm_history_request")
         )
 
@@ -2421,13 +2429,13 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmHistoryRequest] | None:
         message = _new(ReadAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2470,16 +2478,16 @@ class WritePointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_points_response")
         )
@@ -2488,13 +2496,13 @@ class WritePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WritePointsResponse] | None:
         message = _new(WritePointsResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_POINTS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_WRITE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2546,12 +2554,12 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("address", station, 0, 255, ((0, 15),))
+        error = _refused_number("address", unit_address, 0, 255, ((0, 15),))
         if error is not None:
             raise error
-        return _SERIAL_REQUESTS.joined([0, station, 0x60], body)
+        return _SERIAL_REQUESTS.joined([0, unit_address, 0x60], body)
 
 
 _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB").pack
@@ -2592,16 +2600,16 @@ class WriteParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_parameters_response")
         )
@@ -2610,13 +2618,13 @@ class WriteParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParametersResponse] | None:
         message = _new(WriteParametersResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2679,17 +2687,17 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameters = self.parameters
-            if station <= 15 and len(raw_parameters) == 32:
-                data = _PACK_WRITE_PARAMETERS_SERIAL_REQUEST(68, station, 0x61, *raw_parameters)
+            if unit_address <= 15 and len(raw_parameters) == 32:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_REQUEST(68, unit_address, 0x61, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("write_parameters_request")
         )
 
@@ -2699,7 +2707,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 *message.parameters,
                 check,
@@ -2709,7 +2717,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         if part_length != 68 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2752,16 +2760,16 @@ class WriteParameterResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_parameter_response")
         )
@@ -2770,13 +2778,13 @@ class WriteParameterResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParameterResponse] | None:
         message = _new(WriteParameterResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -2844,19 +2852,19 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if station <= 15 and raw_parameter_number <= 31:
+            if unit_address <= 15 and raw_parameter_number <= 31:
                 data = _PACK_WRITE_PARAMETER_SERIAL_REQUEST(
-                    7, station, 0x62, raw_parameter_number, self.value,
+                    7, unit_address, 0x62, raw_parameter_number, self.value,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("write_parameter_request")
         )
 
@@ -2866,7 +2874,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.parameter_number,
                 message.value,
@@ -2877,7 +2885,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2922,16 +2930,16 @@ class WriteTemporaryPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("write_temporary_point_response")
         )
@@ -2940,13 +2948,18 @@ class WriteTemporaryPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteTemporaryPointResponse] | None:
         message = _new(WriteTemporaryPointResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3008,16 +3021,16 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, TemporaryPoint)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(20, station, 0x63, self.point.encode())
+            if unit_address <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(20, unit_address, 0x63, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("write_temporary_point_request")
         )
 
@@ -3025,14 +3038,20 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def _from_serial(data: _Data) -> _Request[WriteTemporaryPointRequest] | None:
         message = _new(WriteTemporaryPointRequest)
         try:
-            part_length, station, _, raw_point, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                raw_point,
+                check,
+            ) = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
             return None
         message.point = _decoded_at(TemporaryPoint, raw_point, 3)
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3075,16 +3094,16 @@ class ClearPointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("clear_points_response")
         )
@@ -3093,13 +3112,13 @@ class ClearPointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearPointsResponse] | None:
         message = _new(ClearPointsResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_CLEAR_POINTS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_CLEAR_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3167,18 +3186,20 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
             or _refused_number("point_count", self.point_count, 0, 255, ((1, 31),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
-            if station <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
-                data = _PACK_CLEAR_POINTS_SERIAL_REQUEST(6, station, 0x70, raw_first_point, raw_point_count)
+            if unit_address <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
+                data = _PACK_CLEAR_POINTS_SERIAL_REQUEST(
+                    6, unit_address, 0x70, raw_first_point, raw_point_count,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("clear_points_request")
         )
 
@@ -3188,7 +3209,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.first_point,
                 message.point_count,
@@ -3199,7 +3220,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3242,16 +3263,16 @@ class InitializePointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("initialize_points_response")
         )
@@ -3260,13 +3281,13 @@ class InitializePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializePointsResponse] | None:
         message = _new(InitializePointsResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3311,16 +3332,16 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_POINTS_SERIAL_REQUEST(4, station, 0x71)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_REQUEST(4, unit_address, 0x71)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("initialize_points_request")
         )
 
@@ -3328,13 +3349,13 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _from_serial(data: _Data) -> _Request[InitializePointsRequest] | None:
         message = _new(InitializePointsRequest)
         try:
-            part_length, station, _, check = _UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3378,16 +3399,16 @@ class InitializeParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("initialize_parameters_response")
         )
@@ -3396,13 +3417,18 @@ class InitializeParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializeParametersResponse] | None:
         message = _new(InitializeParametersResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3472,16 +3498,18 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("actuator_type", self.actuator_type, 0, 65535)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._word_actuator_type)
+            if unit_address <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(
+                    6, unit_address, 0x72, self._word_actuator_type,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("initialize_parameters_request")
         )
 
@@ -3491,7 +3519,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message._word_actuator_type,
                 check,
@@ -3501,7 +3529,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3544,16 +3572,16 @@ class ClearAlarmHistoryResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("clear_alarm_history_response")
         )
@@ -3562,13 +3590,13 @@ class ClearAlarmHistoryResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAlarmHistoryResponse] | None:
         message = _new(ClearAlarmHistoryResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3613,16 +3641,16 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x73)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(4, unit_address, 0x73)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("clear_alarm_history_request")
         )
 
@@ -3630,13 +3658,13 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAlarmHistoryRequest] | None:
         message = _new(ClearAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3679,16 +3707,16 @@ class ClearAccumulatedTimeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("clear_accumulated_time_response")
         )
@@ -3697,13 +3725,18 @@ class ClearAccumulatedTimeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAccumulatedTimeResponse] | None:
         message = _new(ClearAccumulatedTimeResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3748,16 +3781,16 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x74)
+            if unit_address <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(4, unit_address, 0x74)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("clear_accumulated_time_request")
         )
 
@@ -3765,13 +3798,13 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAccumulatedTimeRequest] | None:
         message = _new(ClearAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3814,16 +3847,16 @@ class StopResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_STOP_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_STOP_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("stop_response")
         )
@@ -3832,13 +3865,13 @@ class StopResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StopResponse] | None:
         message = _new(StopResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_STOP_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_STOP_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -3883,16 +3916,16 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_STOP_SERIAL_REQUEST(4, station, 0x10)
+            if unit_address <= 15:
+                data = _PACK_STOP_SERIAL_REQUEST(4, unit_address, 0x10)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("stop_request")
         )
 
@@ -3900,13 +3933,13 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _from_serial(data: _Data) -> _Request[StopRequest] | None:
         message = _new(StopRequest)
         try:
-            part_length, station, _, check = _UNPACK_STOP_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_STOP_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -3949,16 +3982,16 @@ class StartHomingResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("start_homing_response")
         )
@@ -3967,13 +4000,13 @@ class StartHomingResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StartHomingResponse] | None:
         message = _new(StartHomingResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_START_HOMING_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_START_HOMING_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4018,16 +4051,16 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_START_HOMING_SERIAL_REQUEST(4, station, 0x11)
+            if unit_address <= 15:
+                data = _PACK_START_HOMING_SERIAL_REQUEST(4, unit_address, 0x11)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("start_homing_request")
         )
 
@@ -4035,13 +4068,13 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _from_serial(data: _Data) -> _Request[StartHomingRequest] | None:
         message = _new(StartHomingRequest)
         try:
-            part_length, station, _, check = _UNPACK_START_HOMING_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_START_HOMING_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4085,16 +4118,16 @@ class MovePositiveDistanceResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_positive_distance_response")
         )
@@ -4103,13 +4136,18 @@ class MovePositiveDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MovePositiveDistanceResponse] | None:
         message = _new(MovePositiveDistanceResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4210,21 +4248,21 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+            if unit_address <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
                 data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST(
-                    7, station, 0x12, raw_distance, raw_speed, raw_force,
+                    7, unit_address, 0x12, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_positive_distance_request")
         )
 
@@ -4234,7 +4272,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -4246,7 +4284,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4290,16 +4328,16 @@ class MoveNegativeDistanceResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_negative_distance_response")
         )
@@ -4308,13 +4346,18 @@ class MoveNegativeDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveNegativeDistanceResponse] | None:
         message = _new(MoveNegativeDistanceResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                check,
+            ) = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4415,21 +4458,21 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+            if unit_address <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
                 data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST(
-                    7, station, 0x13, raw_distance, raw_speed, raw_force,
+                    7, unit_address, 0x13, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_negative_distance_request")
         )
 
@@ -4439,7 +4482,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -4451,7 +4494,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4495,16 +4538,16 @@ class MoveOpenResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_open_response")
         )
@@ -4513,13 +4556,13 @@ class MoveOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveOpenResponse] | None:
         message = _new(MoveOpenResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_OPEN_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4581,17 +4624,17 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
-            if station <= 15 and 1 <= raw_speed <= 100:
-                data = _PACK_MOVE_OPEN_SERIAL_REQUEST(5, station, 0x14, raw_speed)
+            if unit_address <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_OPEN_SERIAL_REQUEST(5, unit_address, 0x14, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_open_request")
         )
 
@@ -4599,13 +4642,13 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveOpenRequest] | None:
         message = _new(MoveOpenRequest)
         try:
-            part_length, station, _, message.speed, check = _UNPACK_MOVE_OPEN_SERIAL_REQUEST(data)
+            part_length, unit_address, _, message.speed, check = _UNPACK_MOVE_OPEN_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4648,16 +4691,16 @@ class MoveCloseResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_close_response")
         )
@@ -4666,13 +4709,13 @@ class MoveCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveCloseResponse] | None:
         message = _new(MoveCloseResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_CLOSE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4733,17 +4776,17 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
-            if station <= 15 and 1 <= raw_speed <= 100:
-                data = _PACK_MOVE_CLOSE_SERIAL_REQUEST(5, station, 0x15, raw_speed)
+            if unit_address <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_CLOSE_SERIAL_REQUEST(5, unit_address, 0x15, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_close_request")
         )
 
@@ -4751,13 +4794,13 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveCloseRequest] | None:
         message = _new(MoveCloseRequest)
         try:
-            part_length, station, _, message.speed, check = _UNPACK_MOVE_CLOSE_SERIAL_REQUEST(data)
+            part_length, unit_address, _, message.speed, check = _UNPACK_MOVE_CLOSE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4800,16 +4843,16 @@ class MoveRelativeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_relative_response")
         )
@@ -4818,13 +4861,13 @@ class MoveRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveRelativeResponse] | None:
         message = _new(MoveRelativeResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -4918,18 +4961,18 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
-            if station <= 15 and -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
-                data = _PACK_MOVE_RELATIVE_SERIAL_REQUEST(9, station, 0x16, raw_distance, raw_speed)
+            if unit_address <= 15 and -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_RELATIVE_SERIAL_REQUEST(9, unit_address, 0x16, raw_distance, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_relative_request")
         )
 
@@ -4939,7 +4982,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -4950,7 +4993,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         if part_length != 9 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -4993,16 +5036,16 @@ class MoveAbsoluteResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_absolute_response")
         )
@@ -5011,13 +5054,13 @@ class MoveAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveAbsoluteResponse] | None:
         message = _new(MoveAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5111,18 +5154,18 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_position = self.position
             raw_speed = self.speed
-            if station <= 15 and -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
-                data = _PACK_MOVE_ABSOLUTE_SERIAL_REQUEST(9, station, 0x17, raw_position, raw_speed)
+            if unit_address <= 15 and -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_REQUEST(9, unit_address, 0x17, raw_position, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_absolute_request")
         )
 
@@ -5132,7 +5175,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.position,
                 message.speed,
@@ -5143,7 +5186,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         if part_length != 9 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5186,16 +5229,16 @@ class MoveToPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("move_to_point_response")
         )
@@ -5204,13 +5247,13 @@ class MoveToPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveToPointResponse] | None:
         message = _new(MoveToPointResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5279,18 +5322,18 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
-            if station <= 15 and 1 <= raw_point_number <= 31 and raw_speed <= 100:
-                data = _PACK_MOVE_TO_POINT_SERIAL_REQUEST(6, station, 0x1a, raw_point_number, raw_speed)
+            if unit_address <= 15 and 1 <= raw_point_number <= 31 and raw_speed <= 100:
+                data = _PACK_MOVE_TO_POINT_SERIAL_REQUEST(6, unit_address, 0x1a, raw_point_number, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("move_to_point_request")
         )
 
@@ -5300,7 +5343,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.point_number,
                 message.speed,
@@ -5311,7 +5354,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5355,16 +5398,16 @@ class GripOpenResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_open_response")
         )
@@ -5373,13 +5416,13 @@ class GripOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenResponse] | None:
         message = _new(GripOpenResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5448,18 +5491,18 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
-                data = _PACK_GRIP_OPEN_SERIAL_REQUEST(6, station, 0x20, raw_speed, raw_force)
+            if unit_address <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_OPEN_SERIAL_REQUEST(6, unit_address, 0x20, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_open_request")
         )
 
@@ -5469,7 +5512,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.speed,
                 message.force,
@@ -5480,7 +5523,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5524,16 +5567,16 @@ class GripCloseResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_close_response")
         )
@@ -5542,13 +5585,13 @@ class GripCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseResponse] | None:
         message = _new(GripCloseResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5617,18 +5660,18 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
-                data = _PACK_GRIP_CLOSE_SERIAL_REQUEST(6, station, 0x21, raw_speed, raw_force)
+            if unit_address <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_CLOSE_SERIAL_REQUEST(6, unit_address, 0x21, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_close_request")
         )
 
@@ -5638,7 +5681,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.speed,
                 message.force,
@@ -5649,7 +5692,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5693,16 +5736,16 @@ class GripRelativeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_relative_response")
         )
@@ -5711,13 +5754,13 @@ class GripRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripRelativeResponse] | None:
         message = _new(GripRelativeResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -5818,26 +5861,26 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_distance <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_RELATIVE_SERIAL_REQUEST(
-                    10, station, 0x22, raw_distance, raw_speed, raw_force,
+                    10, unit_address, 0x22, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_relative_request")
         )
 
@@ -5847,7 +5890,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.distance,
                 message.speed,
@@ -5859,7 +5902,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         if part_length != 10 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -5903,16 +5946,16 @@ class GripAbsoluteResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_absolute_response")
         )
@@ -5921,13 +5964,13 @@ class GripAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripAbsoluteResponse] | None:
         message = _new(GripAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6028,26 +6071,26 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_position = self.position
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_position <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_ABSOLUTE_SERIAL_REQUEST(
-                    10, station, 0x23, raw_position, raw_speed, raw_force,
+                    10, unit_address, 0x23, raw_position, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_absolute_request")
         )
 
@@ -6057,7 +6100,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.position,
                 message.speed,
@@ -6069,7 +6112,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         if part_length != 10 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6114,16 +6157,16 @@ class GripOpenWithZoneResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_open_with_zone_response")
         )
@@ -6132,13 +6175,13 @@ class GripOpenWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenWithZoneResponse] | None:
         message = _new(GripOpenWithZoneResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6294,28 +6337,28 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST(
-                    14, station, 0x24, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
+                    14, unit_address, 0x24, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_open_with_zone_request")
         )
 
@@ -6325,7 +6368,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.zone_limit_1,
                 message.zone_limit_2,
@@ -6338,7 +6381,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         if part_length != 14 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6383,16 +6426,16 @@ class GripCloseWithZoneResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("grip_close_with_zone_response")
         )
@@ -6401,13 +6444,13 @@ class GripCloseWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseWithZoneResponse] | None:
         message = _new(GripCloseWithZoneResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6563,28 +6606,28 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
             raw_speed = self.speed
             raw_force = self.force
             if (
-                station <= 15
+                unit_address <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
                 and raw_speed <= 100
                 and raw_force <= 100
             ):
                 data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST(
-                    14, station, 0x25, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
+                    14, unit_address, 0x25, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("grip_close_with_zone_request")
         )
 
@@ -6594,7 +6637,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.zone_limit_1,
                 message.zone_limit_2,
@@ -6607,7 +6650,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         if part_length != 14 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6650,16 +6693,16 @@ class NoOperationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("no_operation_response")
         )
@@ -6668,13 +6711,13 @@ class NoOperationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[NoOperationResponse] | None:
         message = _new(NoOperationResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_NO_OPERATION_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_NO_OPERATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6719,16 +6762,16 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_NO_OPERATION_SERIAL_REQUEST(4, station, 0x30)
+            if unit_address <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_REQUEST(4, unit_address, 0x30)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("no_operation_request")
         )
 
@@ -6736,13 +6779,13 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _from_serial(data: _Data) -> _Request[NoOperationRequest] | None:
         message = _new(NoOperationRequest)
         try:
-            part_length, station, _, check = _UNPACK_NO_OPERATION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_NO_OPERATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6785,16 +6828,16 @@ class SetMotorExcitationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("set_motor_excitation_response")
         )
@@ -6803,13 +6846,13 @@ class SetMotorExcitationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[SetMotorExcitationResponse] | None:
         message = _new(SetMotorExcitationResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -6874,17 +6917,17 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_excited = self.excited
-            if station <= 15 and raw_excited <= 1:
-                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(5, station, 0x31, raw_excited)
+            if unit_address <= 15 and raw_excited <= 1:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(5, unit_address, 0x31, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("set_motor_excitation_request")
         )
 
@@ -6892,7 +6935,13 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[SetMotorExcitationRequest] | None:
         message = _new(SetMotorExcitationRequest)
         try:
-            part_length, station, _, raw_excited, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                raw_excited,
+                check,
+            ) = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -6901,7 +6950,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
             raise _no_boolean("excited", raw_excited, 3)
         message.excited = raw_excited == 1
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -6962,19 +7011,19 @@ class ReadVersionResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_text("version", self.version, 6)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_version = self.version
-            if station <= 15 and len(raw_version) <= 6 and "\0" not in raw_version:
+            if unit_address <= 15 and len(raw_version) <= 6 and "\0" not in raw_version:
                 data = _PACK_READ_VERSION_SERIAL_RESPONSE(
-                    10, station, part_status.raw, raw_version.encode("ascii"),
+                    10, unit_address, part_status.raw, raw_version.encode("ascii"),
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_version_response")
         )
@@ -6983,14 +7032,20 @@ class ReadVersionResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadVersionResponse] | None:
         message = _new(ReadVersionResponse)
         try:
-            part_length, station, part_status, raw_version, check = _UNPACK_READ_VERSION_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                raw_version,
+                check,
+            ) = _UNPACK_READ_VERSION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
             return None
         message.version = _text("version", raw_version, 3)
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7035,16 +7090,16 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_VERSION_SERIAL_REQUEST(4, station, 0x40)
+            if unit_address <= 15:
+                data = _PACK_READ_VERSION_SERIAL_REQUEST(4, unit_address, 0x40)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_version_request")
         )
 
@@ -7052,13 +7107,13 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadVersionRequest] | None:
         message = _new(ReadVersionRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_VERSION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_VERSION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7138,17 +7193,19 @@ class ReadCurrentPositionResponse(_Record):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_position = self.position
-            if station <= 15 and -134217727 <= raw_position <= 134217727:
-                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(8, station, part_status.raw, raw_position)
+            if unit_address <= 15 and -134217727 <= raw_position <= 134217727:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(
+                    8, unit_address, part_status.raw, raw_position,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_current_position_response")
         )
@@ -7159,7 +7216,7 @@ class ReadCurrentPositionResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.position,
                 check,
@@ -7169,7 +7226,7 @@ class ReadCurrentPositionResponse(_Record):
         if part_length != 8 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7214,16 +7271,16 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_CURRENT_POSITION_SERIAL_REQUEST(4, station, 0x41)
+            if unit_address <= 15:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_REQUEST(4, unit_address, 0x41)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_current_position_request")
         )
 
@@ -7231,13 +7288,13 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadCurrentPositionRequest] | None:
         message = _new(ReadCurrentPositionRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7297,19 +7354,19 @@ class ReadCurrentPointNumberResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_point_number = self.point_number
-            if station <= 15 and 1 <= raw_point_number <= 31:
+            if unit_address <= 15 and 1 <= raw_point_number <= 31:
                 data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(
-                    5, station, part_status.raw, raw_point_number,
+                    5, unit_address, part_status.raw, raw_point_number,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_current_point_number_response")
         )
@@ -7320,7 +7377,7 @@ class ReadCurrentPointNumberResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.point_number,
                 check,
@@ -7330,7 +7387,7 @@ class ReadCurrentPointNumberResponse(_Record):
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7375,16 +7432,16 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(4, station, 0x42)
+            if unit_address <= 15:
+                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(4, unit_address, 0x42)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_current_point_number_request")
         )
 
@@ -7392,13 +7449,13 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _from_serial(data: _Data) -> _Request[ReadCurrentPointNumberRequest] | None:
         message = _new(ReadCurrentPointNumberRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7455,16 +7512,16 @@ class ReadParameterResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("value", self.value, 0, 65535)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, station, part_status.raw, self.value)
+            if unit_address <= 15:
+                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, unit_address, part_status.raw, self.value)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_parameter_response")
         )
@@ -7475,7 +7532,7 @@ class ReadParameterResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.value,
                 check,
@@ -7485,7 +7542,7 @@ class ReadParameterResponse(_Record):
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7546,17 +7603,17 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("parameter_number", self.parameter_number, 0, 255, ((0, 31),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if station <= 15 and raw_parameter_number <= 31:
-                data = _PACK_READ_PARAMETER_SERIAL_REQUEST(5, station, 0x43, raw_parameter_number)
+            if unit_address <= 15 and raw_parameter_number <= 31:
+                data = _PACK_READ_PARAMETER_SERIAL_REQUEST(5, unit_address, 0x43, raw_parameter_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_parameter_request")
         )
 
@@ -7566,7 +7623,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 _,
                 message.parameter_number,
                 check,
@@ -7576,7 +7633,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7634,16 +7691,18 @@ class ReadPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, Point)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_POINT_SERIAL_RESPONSE(20, station, part_status.raw, self.point.encode())
+            if unit_address <= 15:
+                data = _PACK_READ_POINT_SERIAL_RESPONSE(
+                    20, unit_address, part_status.raw, self.point.encode(),
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_point_response")
         )
@@ -7652,14 +7711,20 @@ class ReadPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadPointResponse] | None:
         message = _new(ReadPointResponse)
         try:
-            part_length, station, part_status, raw_point, check = _UNPACK_READ_POINT_SERIAL_RESPONSE(data)
+            (
+                part_length,
+                unit_address,
+                part_status,
+                raw_point,
+                check,
+            ) = _UNPACK_READ_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
             return None
         message.point = _decoded_at(Point, raw_point, 3)
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7720,17 +7785,17 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_point_number = self.point_number
-            if station <= 15 and 1 <= raw_point_number <= 31:
-                data = _PACK_READ_POINT_SERIAL_REQUEST(5, station, 0x44, raw_point_number)
+            if unit_address <= 15 and 1 <= raw_point_number <= 31:
+                data = _PACK_READ_POINT_SERIAL_REQUEST(5, unit_address, 0x44, raw_point_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_point_request")
         )
 
@@ -7738,13 +7803,19 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointRequest] | None:
         message = _new(ReadPointRequest)
         try:
-            part_length, station, _, message.point_number, check = _UNPACK_READ_POINT_SERIAL_REQUEST(data)
+            (
+                part_length,
+                unit_address,
+                _,
+                message.point_number,
+                check,
+            ) = _UNPACK_READ_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7806,19 +7877,19 @@ class ReadHomingStateResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("homing_complete", self.homing_complete, 0, 1)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_homing_complete = self.homing_complete
-            if station <= 15 and raw_homing_complete <= 1:
+            if unit_address <= 15 and raw_homing_complete <= 1:
                 data = _PACK_READ_HOMING_STATE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, raw_homing_complete,
+                    5, unit_address, part_status.raw, raw_homing_complete,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_homing_state_response")
         )
@@ -7829,7 +7900,7 @@ class ReadHomingStateResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 raw_homing_complete,
                 check,
@@ -7842,7 +7913,7 @@ class ReadHomingStateResponse(_Record):
             raise _no_boolean("homing_complete", raw_homing_complete, 3)
         message.homing_complete = raw_homing_complete == 1
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -7887,16 +7958,16 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_HOMING_STATE_SERIAL_REQUEST(4, station, 0x45)
+            if unit_address <= 15:
+                data = _PACK_READ_HOMING_STATE_SERIAL_REQUEST(4, unit_address, 0x45)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_homing_state_request")
         )
 
@@ -7904,13 +7975,13 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadHomingStateRequest] | None:
         message = _new(ReadHomingStateRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_HOMING_STATE_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_HOMING_STATE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -7974,17 +8045,19 @@ class ReadMotorExcitationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_excited = self.excited
-            if station <= 15 and raw_excited <= 1:
-                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(5, station, part_status.raw, raw_excited)
+            if unit_address <= 15 and raw_excited <= 1:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(
+                    5, unit_address, part_status.raw, raw_excited,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_motor_excitation_response")
         )
@@ -7995,7 +8068,7 @@ class ReadMotorExcitationResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 raw_excited,
                 check,
@@ -8008,7 +8081,7 @@ class ReadMotorExcitationResponse(_Record):
             raise _no_boolean("excited", raw_excited, 3)
         message.excited = raw_excited == 1
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8053,16 +8126,16 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(4, station, 0x46)
+            if unit_address <= 15:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(4, unit_address, 0x46)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_motor_excitation_request")
         )
 
@@ -8070,13 +8143,13 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadMotorExcitationRequest] | None:
         message = _new(ReadMotorExcitationRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8144,18 +8217,18 @@ class ReadAlarmCodeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("alarm_code", self.alarm_code, 0, 255)
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
+            if unit_address <= 15:
                 data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, self._word_alarm_code,
+                    5, unit_address, part_status.raw, self._word_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_alarm_code_response")
         )
@@ -8166,7 +8239,7 @@ class ReadAlarmCodeResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message._word_alarm_code,
                 check,
@@ -8176,7 +8249,7 @@ class ReadAlarmCodeResponse(_Record):
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8221,16 +8294,16 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_ALARM_CODE_SERIAL_REQUEST(4, station, 0x47)
+            if unit_address <= 15:
+                data = _PACK_READ_ALARM_CODE_SERIAL_REQUEST(4, unit_address, 0x47)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_alarm_code_request")
         )
 
@@ -8238,13 +8311,13 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmCodeRequest] | None:
         message = _new(ReadAlarmCodeRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_ALARM_CODE_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_ALARM_CODE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8310,19 +8383,19 @@ class ReadAccumulatedTimeResponse(_Record):
             or _refused_number("minutes", self.minutes, 0, 255, ((0, 60),))
         )
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_minutes = self.minutes
-            if station <= 15 and raw_minutes <= 60:
+            if unit_address <= 15 and raw_minutes <= 60:
                 data = _PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self.hours, raw_minutes,
+                    7, unit_address, part_status.raw, self.hours, raw_minutes,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("read_accumulated_time_response")
         )
@@ -8333,7 +8406,7 @@ class ReadAccumulatedTimeResponse(_Record):
         try:
             (
                 part_length,
-                station,
+                unit_address,
                 part_status,
                 message.hours,
                 message.minutes,
@@ -8344,7 +8417,7 @@ class ReadAccumulatedTimeResponse(_Record):
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8389,16 +8462,16 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x48)
+            if unit_address <= 15:
+                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(4, unit_address, 0x48)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("read_accumulated_time_request")
         )
 
@@ -8406,13 +8479,13 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAccumulatedTimeRequest] | None:
         message = _new(ReadAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8457,16 +8530,16 @@ class ResetAlarmResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_RESET_ALARM_SERIAL_RESPONSE(4, station, part_status.raw)
+            if unit_address <= 15:
+                data = _PACK_RESET_ALARM_SERIAL_RESPONSE(4, unit_address, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _refused_flags("status", part_status, 255)
             or _unfit("reset_alarm_response")
         )
@@ -8475,13 +8548,13 @@ class ResetAlarmResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ResetAlarmResponse] | None:
         message = _new(ResetAlarmResponse)
         try:
-            part_length, station, part_status, check = _UNPACK_RESET_ALARM_SERIAL_RESPONSE(data)
+            part_length, unit_address, part_status, check = _UNPACK_RESET_ALARM_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(SerialResponse)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         frame.status = CommunicationStatus(part_status)
         return frame
@@ -8528,16 +8601,16 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, station: int) -> bytes:
+    def _to_serial(self, unit_address: int) -> bytes:
         try:
-            if station <= 15:
-                data = _PACK_RESET_ALARM_SERIAL_REQUEST(4, station, 0x4e)
+            if unit_address <= 15:
+                data = _PACK_RESET_ALARM_SERIAL_REQUEST(4, unit_address, 0x4e)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("address", station, 0, 255, ((0, 15),))
+            or _refused_number("address", unit_address, 0, 255, ((0, 15),))
             or _unfit("reset_alarm_request")
         )
 
@@ -8545,13 +8618,13 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
     def _from_serial(data: _Data) -> _Request[ResetAlarmRequest] | None:
         message = _new(ResetAlarmRequest)
         try:
-            part_length, station, _, check = _UNPACK_RESET_ALARM_SERIAL_REQUEST(data)
+            part_length, unit_address, _, check = _UNPACK_RESET_ALARM_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -8560,10 +8633,10 @@ class SerialResponse(_Response[_M]):
     """A response on this link, with all parts of its header."""
 
     __slots__ = ("status",)
-    __match_args__ = ("station", "message", "status",)
+    __match_args__ = ("unit_address", "message", "status",)
 
-    def __init__(self, station: int, message: _M, status: CommunicationStatus) -> None:
-        super().__init__(station, message)
+    def __init__(self, unit_address: int, message: _M, status: CommunicationStatus) -> None:
+        super().__init__(unit_address, message)
         self.status = status
 
 
@@ -8881,7 +8954,7 @@ class SerialLink:
     packet with its own address. Each packet begins with its length, which is the number of data bytes
     plus 4.
 
-    Stations 0..15.
+    Unit addresses 0..15.
 
     Note: A response carries a status byte where the request carries the command: which command it
     answers shows only in the order of the packets.
@@ -8899,16 +8972,16 @@ class SerialLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ((0, 15),)
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ((0, 15),)
     broadcast: _ClassVar[int | None] = None
 
-    def encode_request(self, station: int, message: AnySerialRequest) -> bytes:
+    def encode_request(self, unit_address: int, message: AnySerialRequest) -> bytes:
         """The frame of a request. Raises CodecError for values that are out of range."""
-        return message._to_serial(station)
+        return message._to_serial(unit_address)
 
-    def encode_response(self, station: int, message: AnySerialResponse, *, status: CommunicationStatus) -> bytes:
+    def encode_response(self, unit_address: int, message: AnySerialResponse, *, status: CommunicationStatus) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_serial(station, status)
+        return message._to_serial(unit_address, status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
@@ -9162,9 +9235,9 @@ class SerialLink:
             _SERIAL_REQUESTS,
             shortest=4,
             longest=244,
-            station_offset=1,
-            station_size=1,
-            stations=frozenset((*range(0, 16),)),
+            unit_address_offset=1,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(0, 16),)),
             length_size=1,
         )
 
@@ -9177,9 +9250,9 @@ class SerialLink:
             _SERIAL_RESPONSES,
             shortest=4,
             longest=244,
-            station_offset=1,
-            station_size=1,
-            stations=frozenset((*range(0, 16),)),
+            unit_address_offset=1,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(0, 16),)),
             length_size=1,
         )
 

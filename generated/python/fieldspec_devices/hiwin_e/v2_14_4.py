@@ -5676,7 +5676,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         if raw_attribute != 16:
             raise _wrong_const("attribute", raw_attribute, 16, 4)
         frame = _new(ParameterChannelRequest)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         frame.request_reference = part_request_reference
         return frame
@@ -5749,7 +5749,7 @@ class WriteParameterResponse(_Record):
         if part_do_id != 0 or part_parameter_count != 1:
             return None
         frame = _new(ParameterChannelResponse)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         frame.request_reference = part_request_reference
         return frame
@@ -6073,7 +6073,7 @@ class Telegram3Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -6266,7 +6266,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -6482,7 +6482,7 @@ class Telegram5Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -6741,7 +6741,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -6887,7 +6887,7 @@ class Telegram9Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -7179,7 +7179,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -7420,7 +7420,7 @@ class Telegram102Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -7668,7 +7668,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -7910,7 +7910,7 @@ class Telegram105Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -8180,7 +8180,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -8470,7 +8470,7 @@ class Telegram111Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -8802,7 +8802,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -8902,7 +8902,7 @@ class Telegram750Response(_Record):
         except _StructError:
             return None
         frame = _new(_Response)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -9087,7 +9087,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         except _StructError:
             return None
         frame = _new(_Request)
-        frame.station = 0
+        frame.unit_address = 0
         frame.message = message
         return frame
 
@@ -9225,7 +9225,7 @@ class CyclicLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ()
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ()
     broadcast: _ClassVar[int | None] = None
 
     def encode_request(self, message: AnyCyclicRequest) -> bytes:
@@ -9366,10 +9366,10 @@ class ParameterChannelRequest(_Request[_M]):
     """A request on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
-    __match_args__ = ("station", "message", "request_reference",)
+    __match_args__ = ("unit_address", "message", "request_reference",)
 
-    def __init__(self, station: int, message: _M, request_reference: int) -> None:
-        super().__init__(station, message)
+    def __init__(self, unit_address: int, message: _M, request_reference: int) -> None:
+        super().__init__(unit_address, message)
         self.request_reference = request_reference
 
 
@@ -9377,10 +9377,10 @@ class ParameterChannelResponse(_Response[_M]):
     """A response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
-    __match_args__ = ("station", "message", "request_reference",)
+    __match_args__ = ("unit_address", "message", "request_reference",)
 
-    def __init__(self, station: int, message: _M, request_reference: int) -> None:
-        super().__init__(station, message)
+    def __init__(self, unit_address: int, message: _M, request_reference: int) -> None:
+        super().__init__(unit_address, message)
         self.request_reference = request_reference
 
 
@@ -9388,10 +9388,10 @@ class ParameterChannelErrorReply(_ErrorReply[_M]):
     """An exception response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
-    __match_args__ = ("station", "code", "exception", "request_reference",)
+    __match_args__ = ("unit_address", "code", "exception", "request_reference",)
 
-    def __init__(self, station: int, code: int, exception: _M, request_reference: int) -> None:
-        super().__init__(station, code, exception)
+    def __init__(self, unit_address: int, code: int, exception: _M, request_reference: int) -> None:
+        super().__init__(unit_address, code, exception)
         self.request_reference = request_reference
 
 
@@ -9457,7 +9457,7 @@ class ParameterChannelLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ()
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ()
     broadcast: _ClassVar[int | None] = None
 
     def encode_request(self, message: AnyParameterChannelRequest, *, request_reference: int) -> bytes:

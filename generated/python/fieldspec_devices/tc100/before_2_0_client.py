@@ -422,7 +422,7 @@ class Client(_RegisterClient):
         transport: _Transport,
         *,
         link: _Literal["rtu", "ascii"] = "rtu",
-        station: int = 1,
+        unit_address: int = 1,
         timeout: float | None = None,
         pause: float | None = None,
         retries: int = 2,
@@ -431,7 +431,7 @@ class Client(_RegisterClient):
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
             known[link],
-            station,
+            unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
             pause=pause,
@@ -673,7 +673,7 @@ class AsyncClient(_AsyncRegisterClient):
         transport: _AsyncTransport,
         *,
         link: _Literal["rtu", "ascii"] = "rtu",
-        station: int = 1,
+        unit_address: int = 1,
         timeout: float | None = None,
         pause: float | None = None,
         retries: int = 2,
@@ -682,7 +682,7 @@ class AsyncClient(_AsyncRegisterClient):
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
             known[link],
-            station,
+            unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
             pause=pause,

@@ -2077,23 +2077,23 @@ class ReadRegistersResponse(_Record):
             or _refused_number("byte_count", len(self.values) * 2, 0, 255, ((2, 120),))
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _RTU_RESPONSES.joined([station, 0x03], body)
+        return _RTU_RESPONSES.joined([unit_address, 0x03], body)
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _ASCII_RESPONSES.joined([station, 0x03], body)
+        return _ASCII_RESPONSES.joined([unit_address, 0x03], body)
 
 
 _PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
 _PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
@@ -2155,24 +2155,26 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 60),))
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if station != 0 and 1 <= raw_word_count <= 60:
+            if unit_address != 0 and 1 <= raw_word_count <= 60:
                 check = (
-                    _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
+                    _UNIT_ADDRESSES_READ_REGISTERS_RTU_REQUEST[unit_address]
                     ^ _X3[raw_address >> 8]
                     ^ _X2[raw_address & 255]
                     ^ _X0[raw_word_count]
                 )
-                return _PACK_READ_REGISTERS_RTU_REQUEST(station, 0x03, raw_address, raw_word_count, check)
+                return _PACK_READ_REGISTERS_RTU_REQUEST(
+                    unit_address, 0x03, raw_address, raw_word_count, check,
+                )
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_broadcast("station", station, 0, "read_registers")
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_broadcast("station", unit_address, 0, "read_registers")
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("read_registers_request")
         )
 
@@ -2180,9 +2182,9 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_rtu(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            station, _, raw_address, raw_word_count, check = _UNPACK_READ_REGISTERS_RTU_REQUEST(data)
+            unit_address, _, raw_address, raw_word_count, check = _UNPACK_READ_REGISTERS_RTU_REQUEST(data)
             expected = (
-                _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
+                _UNIT_ADDRESSES_READ_REGISTERS_RTU_REQUEST[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X0[raw_word_count]
@@ -2194,22 +2196,22 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         message.address = raw_address
         message.word_count = raw_word_count
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if station <= 16 and station != 0 and 1 <= raw_word_count <= 60:
-                data = _PACK_READ_REGISTERS_ASCII_REQUEST(station, 0x03, self.address, raw_word_count)
+            if unit_address <= 16 and unit_address != 0 and 1 <= raw_word_count <= 60:
+                data = _PACK_READ_REGISTERS_ASCII_REQUEST(unit_address, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_broadcast("station", station, 0, "read_registers")
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_broadcast("station", unit_address, 0, "read_registers")
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("read_registers_request")
         )
 
@@ -2217,19 +2219,19 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_ascii(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            station, _, message.address, message.word_count = _UNPACK_READ_REGISTERS_ASCII_REQUEST(data)
+            unit_address, _, message.address, message.word_count = _UNPACK_READ_REGISTERS_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
@@ -2288,23 +2290,23 @@ class WriteRegisterResponse(_Record):
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
             check = (
-                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
                 ^ _X0[raw_value & 255]
             )
-            return _PACK_WRITE_REGISTER_RTU_RESPONSE(station, 0x06, raw_address, raw_value, check)
+            return _PACK_WRITE_REGISTER_RTU_RESPONSE(unit_address, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_response")
         )
 
@@ -2312,9 +2314,9 @@ class WriteRegisterResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_RESPONSE(data)
+            unit_address, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_RESPONSE(data)
             expected = (
-                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
@@ -2327,20 +2329,20 @@ class WriteRegisterResponse(_Record):
         message.address = raw_address
         message.value = raw_value
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16:
-                data = _PACK_WRITE_REGISTER_ASCII_RESPONSE(station, 0x06, self.address, self.value)
+            if unit_address <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_RESPONSE(unit_address, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_response")
         )
 
@@ -2348,19 +2350,19 @@ class WriteRegisterResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_RESPONSE(data)
+            unit_address, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
@@ -2421,23 +2423,23 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
             check = (
-                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_REQUEST[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
                 ^ _X0[raw_value & 255]
             )
-            return _PACK_WRITE_REGISTER_RTU_REQUEST(station, 0x06, raw_address, raw_value, check)
+            return _PACK_WRITE_REGISTER_RTU_REQUEST(unit_address, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_request")
         )
 
@@ -2445,9 +2447,9 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_rtu(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_REQUEST(data)
+            unit_address, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_REQUEST(data)
             expected = (
-                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                _UNIT_ADDRESSES_WRITE_REGISTER_RTU_REQUEST[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X1[raw_value >> 8]
@@ -2460,20 +2462,20 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         message.address = raw_address
         message.value = raw_value
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
-            if station <= 16:
-                data = _PACK_WRITE_REGISTER_ASCII_REQUEST(station, 0x06, self.address, self.value)
+            if unit_address <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_REQUEST(unit_address, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_register_request")
         )
 
@@ -2481,19 +2483,19 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_ascii(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_REQUEST(data)
+            unit_address, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Request)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
 
 _PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
+_UNIT_ADDRESSES_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
@@ -2555,23 +2557,25 @@ class WriteRegistersResponse(_Record):
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 59),))
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 59:
                 check = (
-                    _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                    _UNIT_ADDRESSES_WRITE_REGISTERS_RTU_RESPONSE[unit_address]
                     ^ _X3[raw_address >> 8]
                     ^ _X2[raw_address & 255]
                     ^ _X0[raw_word_count]
                 )
-                return _PACK_WRITE_REGISTERS_RTU_RESPONSE(station, 0x10, raw_address, raw_word_count, check)
+                return _PACK_WRITE_REGISTERS_RTU_RESPONSE(
+                    unit_address, 0x10, raw_address, raw_word_count, check,
+                )
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_registers_response")
         )
 
@@ -2579,9 +2583,9 @@ class WriteRegistersResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            station, _, raw_address, raw_word_count, check = _UNPACK_WRITE_REGISTERS_RTU_RESPONSE(data)
+            unit_address, _, raw_address, raw_word_count, check = _UNPACK_WRITE_REGISTERS_RTU_RESPONSE(data)
             expected = (
-                _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                _UNIT_ADDRESSES_WRITE_REGISTERS_RTU_RESPONSE[unit_address]
                 ^ _X3[raw_address >> 8]
                 ^ _X2[raw_address & 255]
                 ^ _X0[raw_word_count]
@@ -2593,21 +2597,21 @@ class WriteRegistersResponse(_Record):
         message.address = raw_address
         message.word_count = raw_word_count
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if station <= 16 and 1 <= raw_word_count <= 59:
-                data = _PACK_WRITE_REGISTERS_ASCII_RESPONSE(station, 0x10, self.address, raw_word_count)
+            if unit_address <= 16 and 1 <= raw_word_count <= 59:
+                data = _PACK_WRITE_REGISTERS_ASCII_RESPONSE(unit_address, 0x10, self.address, raw_word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
         raise (
             self._refused()
-            or _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            or _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _unfit("write_registers_response")
         )
 
@@ -2615,13 +2619,18 @@ class WriteRegistersResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            station, _, message.address, message.word_count = _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE(data)
+            (
+                unit_address,
+                _,
+                message.address,
+                message.word_count,
+            ) = _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
             return None
         frame = _new(_Response)
-        frame.station = station
+        frame.unit_address = unit_address
         frame.message = message
         return frame
 
@@ -2687,19 +2696,19 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
             or _refused_number("byte_count", len(self.values) * 2, 0, 255, ((2, 118),))
         )
 
-    def _to_rtu(self, station: int) -> bytes:
+    def _to_rtu(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _RTU_REQUESTS.joined([station, 0x10], body)
+        return _RTU_REQUESTS.joined([unit_address, 0x10], body)
 
-    def _to_ascii(self, station: int) -> bytes:
+    def _to_ascii(self, unit_address: int) -> bytes:
         body = self.encode()
-        error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+        error = _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
         if error is not None:
             raise error
-        return _ASCII_REQUESTS.joined([station, 0x10], body)
+        return _ASCII_REQUESTS.joined([unit_address, 0x10], body)
 
 
 AnyRtuRequest: _TypeAlias = ReadRegistersRequest | WriteRegisterRequest | WriteRegistersRequest
@@ -2741,7 +2750,7 @@ class RtuLink:
 
     RS-485 with two wires, half duplex.
 
-    Stations 1..16. A request to 0 is for all of them.
+    Unit addresses 1..16. A request to 0 is for all devices.
 
     Note: The parameter 0A04H chooses between ASCII, as delivered, and RTU. It is that of RS-485;
     whether USB follows it is not printed.
@@ -2753,16 +2762,16 @@ class RtuLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
     broadcast: _ClassVar[int | None] = 0
 
-    def encode_request(self, station: int, message: AnyRtuRequest) -> bytes:
+    def encode_request(self, unit_address: int, message: AnyRtuRequest) -> bytes:
         """The frame of a request. Raises CodecError for values that are out of range."""
-        return message._to_rtu(station)
+        return message._to_rtu(unit_address)
 
-    def encode_response(self, station: int, message: AnyRtuResponse) -> bytes:
+    def encode_response(self, unit_address: int, message: AnyRtuResponse) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_rtu(station)
+        return message._to_rtu(unit_address)
 
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
@@ -2809,16 +2818,16 @@ class RtuLink:
         message = _RTU_RESPONSES.message(_RTU_RESPONSE_CLASSES, code, body, wanted)
         return _Response(head[0], message)
 
-    def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
+    def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
-            _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _refused_number("function", code, 0, 255)
         )
         if error is not None:
             raise error
-        return _RTU_RESPONSES.joined([station, code | 0x80], body)
+        return _RTU_RESPONSES.joined([unit_address, code | 0x80], body)
 
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
@@ -2829,9 +2838,9 @@ class RtuLink:
             _RTU_REQUESTS,
             shortest=8,
             longest=127,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17), 0,)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17), 0,)),
             code_size=1,
             extents={
                 0x03: (8, 0, 0, 0),
@@ -2849,9 +2858,9 @@ class RtuLink:
             _RTU_RESPONSES,
             shortest=5,
             longest=125,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17),)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17),)),
             code_size=1,
             extents={
                 0x03: (5, 2, 1, 1),
@@ -2911,7 +2920,7 @@ class AsciiLink:
 
     RS-485 with two wires, half duplex, or USB.
 
-    Stations 1..16. A request to 0 is for all of them.
+    Unit addresses 1..16. A request to 0 is for all devices.
 
     Note: The vendor's software needs this mode.
 
@@ -2924,16 +2933,16 @@ class AsciiLink:
     """
 
     __slots__ = ()
-    stations: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
+    unit_addresses: _ClassVar[tuple[tuple[int, int], ...]] = ((1, 16),)
     broadcast: _ClassVar[int | None] = 0
 
-    def encode_request(self, station: int, message: AnyAsciiRequest) -> bytes:
+    def encode_request(self, unit_address: int, message: AnyAsciiRequest) -> bytes:
         """The frame of a request. Raises CodecError for values that are out of range."""
-        return message._to_ascii(station)
+        return message._to_ascii(unit_address)
 
-    def encode_response(self, station: int, message: AnyAsciiResponse) -> bytes:
+    def encode_response(self, unit_address: int, message: AnyAsciiResponse) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_ascii(station)
+        return message._to_ascii(unit_address)
 
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
@@ -2980,16 +2989,16 @@ class AsciiLink:
         message = _ASCII_RESPONSES.message(_ASCII_RESPONSE_CLASSES, code, body, wanted)
         return _Response(head[0], message)
 
-    def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
+    def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
-            _refused_number("station", station, 0, 255, ((1, 16),), (0,))
+            _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _refused_number("function", code, 0, 255)
         )
         if error is not None:
             raise error
-        return _ASCII_RESPONSES.joined([station, code | 0x80], body)
+        return _ASCII_RESPONSES.joined([unit_address, code | 0x80], body)
 
     def request_framer(self) -> _MarkFramer:
         """Finds the requests in a stream.
@@ -3000,9 +3009,9 @@ class AsciiLink:
             _ASCII_REQUESTS,
             shortest=17,
             longest=255,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17), 0,)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17), 0,)),
         )
 
     def response_framer(self) -> _MarkFramer:
@@ -3014,9 +3023,9 @@ class AsciiLink:
             _ASCII_RESPONSES,
             shortest=11,
             longest=251,
-            station_offset=0,
-            station_size=1,
-            stations=frozenset((*range(1, 17),)),
+            unit_address_offset=0,
+            unit_address_size=1,
+            unit_addresses=frozenset((*range(1, 17),)),
         )
 
 

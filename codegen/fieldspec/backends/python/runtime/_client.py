@@ -57,9 +57,9 @@ class Link:
         self.reason = reason
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
 
-    def is_answer(self, reply: Any, request: Any, station: int, head: dict[str, int]) -> bool:
+    def is_answer(self, reply: Any, request: Any, unit_address: int, head: dict[str, int]) -> bool:
         """Whether a frame from the device answers a request."""
-        if self.addressed and reply.station != station:
+        if self.addressed and reply.unit_address != unit_address:
             return False
         for name, number in head.items():
             if getattr(reply, name) != number:
@@ -83,7 +83,7 @@ class Session:
     def __init__(
         self,
         link: Link,
-        station: int,
+        unit_address: int,
         datagrams: bool,
         *,
         timeout: float | None,
@@ -91,7 +91,7 @@ class Session:
         retries: int,
         settle: float,
     ) -> None:
-        self.link, self.station, self.retries, self.settle = link, station, retries, settle
+        self.link, self.unit_address, self.retries, self.settle = link, unit_address, retries, settle
         self.timeout = link.timeout if timeout is None else timeout
         self.pause = link.pause if pause is None else pause
         self.now: Callable[[], float] = monotonic
@@ -118,20 +118,20 @@ class Session:
                     raise
             again -= 1
 
-    def send(self, request: Any, station: int | None = None) -> Work[None]:
+    def send(self, request: Any, unit_address: int | None = None) -> Work[None]:
         """Sends a request that nobody answers. Raises InvalidValueError and TransportError."""
-        frame = self._frame(request, self.station if station is None else station)
+        frame = self._frame(request, self.unit_address if unit_address is None else unit_address)
         yield from self._ready()
         yield WRITE, frame
         self._silent_until = self.now() + self.pause
 
-    def _frame(self, request: Any, station: int) -> bytes:
+    def _frame(self, request: Any, unit_address: int) -> bytes:
         link, head = self.link, self._head
         for name, low, high in link.counters:
             head[name] = head[name] + 1 if head[name] < high else low
         try:
             if link.addressed:
-                frame: bytes = link.codec.encode_request(station, request, **head)
+                frame: bytes = link.codec.encode_request(unit_address, request, **head)
             else:
                 frame = link.codec.encode_request(request, **head)
         except CodecError as error:
@@ -158,7 +158,7 @@ class Session:
         self._owed = 0
 
     def _exchanged(self, request: RequestOf[R]) -> Work[Any]:
-        frame = self._frame(request, self.station)
+        frame = self._frame(request, self.unit_address)
         yield from self._ready(request)
         framer = self._framer
         if framer is not None:
@@ -199,7 +199,7 @@ class Session:
             reply: Response[R] | ErrorReply[Any] = self.link.codec.decode_response(frame, request)
         except CodecError:
             return None
-        return reply if self.link.is_answer(reply, request, self.station, self._head) else None
+        return reply if self.link.is_answer(reply, request, self.unit_address, self._head) else None
 
 
 def refusal(exception: Any, reason: str = "") -> RefusedError:

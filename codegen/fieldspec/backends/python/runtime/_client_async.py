@@ -27,12 +27,12 @@ class AsyncBaseClient:
     async def _run(self, work: Work[T]) -> T:
         return await carry_out_async(work, self.transport)
 
-    async def send(self, request: Any, *, station: int | None = None) -> None:
-        """Sends a request that nobody answers, such as one to all stations.
+    async def send(self, request: Any, *, unit_address: int | None = None) -> None:
+        """Sends a request that nobody answers, such as one to the broadcast address.
 
         Raises InvalidValueError and TransportError.
         """
-        await self._run(self.session.send(request, station))
+        await self._run(self.session.send(request, unit_address))
 
 
 class AsyncRegisterClient(AsyncBaseClient):

@@ -29,12 +29,12 @@ class BlockingClient:
     def _run(self, work: Work[T]) -> T:
         return carry_out(work, self.transport)
 
-    def send(self, request: Any, *, station: int | None = None) -> None:
-        """Sends a request that nobody answers, such as one to all stations.
+    def send(self, request: Any, *, unit_address: int | None = None) -> None:
+        """Sends a request that nobody answers, such as one to the broadcast address.
 
         Raises InvalidValueError and TransportError.
         """
-        self._run(self.session.send(request, station))
+        self._run(self.session.send(request, unit_address))
 
 
 class RegisterClient(BlockingClient):

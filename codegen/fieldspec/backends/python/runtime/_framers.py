@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class Framer:
     """Takes bytes as they arrive and returns whole frames: all parts and the checksum are right, the address is valid.
 
-    `shortest` and `longest` are the sizes of frames in bytes. `stations` are the valid unit addresses; empty for
+    `shortest` and `longest` are the sizes of frames in bytes. `unit_addresses` are the valid unit addresses; empty for
     all. `dropped` counts the bytes that belong to no frame.
     """
 
@@ -32,13 +32,14 @@ class Framer:
         *,
         shortest: int,
         longest: int,
-        station_offset: int = 0,
-        station_size: int = 0,
-        stations: frozenset[int] = frozenset(),
+        unit_address_offset: int = 0,
+        unit_address_size: int = 0,
+        unit_addresses: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
         self.frames, self.shortest, self.longest = frames, shortest, longest
-        self.station_offset, self.station_size, self.stations = station_offset, station_size, stations
+        self.unit_address_offset, self.unit_address_size = unit_address_offset, unit_address_size
+        self.unit_addresses = unit_addresses
         self.little = order == "little"
         self.dropped = 0
         self._buffer = bytearray()
@@ -58,8 +59,8 @@ class Framer:
         """The possible values of single bytes at the beginning of a frame, by their place."""
         start = self.frames.start
         known = {place: frozenset((byte,)) for place, byte in enumerate(start)}
-        if self.stations and self.station_size == 1:
-            known[len(start) + self.station_offset] = self.stations
+        if self.unit_addresses and self.unit_address_size == 1:
+            known[len(start) + self.unit_address_offset] = self.unit_addresses
         return known
 
     def feed(self, data: Data) -> list[bytes]:
@@ -122,12 +123,12 @@ class Framer:
 
     def _foreign(self, buffer: bytearray, at: int) -> bool:
         """Whether the parts that begin at a byte have an invalid unit address."""
-        if not self.stations:
+        if not self.unit_addresses:
             return False
-        at += self.station_offset
+        at += self.unit_address_offset
         # Nearly all addresses are one byte; a call for each would take as long as all the rest.
-        number = buffer[at] if self.station_size == 1 else self._number(buffer, at, self.station_size)
-        return number not in self.stations
+        number = buffer[at] if self.unit_address_size == 1 else self._number(buffer, at, self.unit_address_size)
+        return number not in self.unit_addresses
 
     def _holds(self, frame: bytes) -> bool:
         """Whether the end delimiter and the checksum are right."""
@@ -149,9 +150,9 @@ class LengthFramer(Framer):
         shortest: int,
         longest: int,
         length_size: int,
-        station_offset: int = 0,
-        station_size: int = 0,
-        stations: frozenset[int] = frozenset(),
+        unit_address_offset: int = 0,
+        unit_address_size: int = 0,
+        unit_addresses: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
         self.length_offset, self.length_size = frames.length_offset, length_size
@@ -159,9 +160,9 @@ class LengthFramer(Framer):
             frames,
             shortest=shortest,
             longest=longest,
-            station_offset=station_offset,
-            station_size=station_size,
-            stations=stations,
+            unit_address_offset=unit_address_offset,
+            unit_address_size=unit_address_size,
+            unit_addresses=unit_addresses,
             order=order,
         )
 
@@ -207,9 +208,9 @@ class CodeFramer(Framer):
         extents: dict[int, tuple[int, int, int, int]],
         flag: int = 0,
         refusal: tuple[int, int, int, int] = (0, 0, 0, 0),
-        station_offset: int = 0,
-        station_size: int = 0,
-        stations: frozenset[int] = frozenset(),
+        unit_address_offset: int = 0,
+        unit_address_size: int = 0,
+        unit_addresses: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
         self.code_offset, self.code_size = frames.code_offset, code_size
@@ -218,9 +219,9 @@ class CodeFramer(Framer):
             frames,
             shortest=shortest,
             longest=longest,
-            station_offset=station_offset,
-            station_size=station_size,
-            stations=stations,
+            unit_address_offset=unit_address_offset,
+            unit_address_size=unit_address_size,
+            unit_addresses=unit_addresses,
             order=order,
         )
 
