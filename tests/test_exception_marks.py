@@ -78,3 +78,25 @@ def test_a_client_raises_what_an_exception_response_says(link: str, frame: bytes
     with pytest.raises(RefusedError) as refused:
         client.ask("read_state", {})
     assert (refused.value.number, refused.value.name) == (number, name)
+
+
+def test_a_part_marks_an_exception_response_where_responses_carry_no_code() -> None:
+    servo = newest(TEST_SPECS, "servo2")
+    module, line = module_of(servo), codec(servo).links["bus"]
+    refusal = module.bus.encode_error(1, module.NoData(), error=module.Error(4))
+    assert line.encode("response", "", {"id": 1, "error": 4}, error=True) == refusal
+    reply = module.bus.decode_response(refusal, module.ReadRequest(address=132, size=4))
+    assert (reply.code, reply.error.number, reply.exception) == (
+        2,
+        module.ErrorNumber.DATA_RANGE_ERROR,
+        module.NoData(),
+    )
+    decoded = line.decode(refusal, "response", "read")
+    assert (decoded.error, decoded.values) == (True, {})
+    assert explained(servo, "bus", "response", refusal, "read").error
+    with pytest.raises(codec_error()):
+        module.bus.encode_response(1, module.WriteResponse(), error=module.Error(4))
+    alert = module.bus.encode_response(1, module.WriteResponse(), error=module.Error(0x80))
+    assert not line.decode(alert, "response", "write").error
+    with pytest.raises(RefusedError):
+        Client(servo, "bus", Line(refusal), 1, Timing(timeout=0.2, retries=0)).ask("read", {"address": 132, "size": 4})

@@ -22,6 +22,8 @@ from simulators import Unit
 
 SERVOS: dict[float, DeviceLayout] = {1.0: newest(TEST_SPECS, "servo"), 2.0: newest(TEST_SPECS, "servo2")}
 MEMORY = 0x84
+BEHIND = 0x300
+NO_ACCESS = 7
 
 
 class Servo(threading.Thread):
@@ -43,6 +45,10 @@ class Servo(threading.Thread):
             for frame in self.framer.feed(data):
                 request = self.bus.decode_request(frame)
                 self.requests.append(request)
+                if getattr(request.message, "address", 0) >= BEHIND:
+                    refusal = self.bus.encode_error(1, self.module.NoData(), error=self.module.Error(NO_ACCESS))
+                    os.write(self.descriptor, refusal)
+                    continue
                 response = self.response(request.message)
                 if request.unit_address != 254:
                     error = self.module.Error(0)
@@ -89,6 +95,14 @@ def test_the_library_pings_writes_and_reads(line: tuple[float, Servo, Any]) -> N
     for number in (0xFDFFFF, 0xFDFFFFFD):
         servo.memory[MEMORY : MEMORY + 4] = number.to_bytes(4, "little")
         assert packets.read4ByteTxRx(port, 1, MEMORY) == (number, sdk.COMM_SUCCESS, 0)
+
+
+@pytest.mark.parametrize("line", [2.0], indirect=True)
+def test_the_library_reads_the_error_of_a_status(line: tuple[float, Servo, Any]) -> None:
+    _, _, port = line
+    packets = sdk.PacketHandler(2.0)
+    assert packets.write4ByteTxRx(port, 1, BEHIND, 5) == (sdk.COMM_SUCCESS, NO_ACCESS)
+    assert "not available to target address" in packets.getRxPacketError(NO_ACCESS)
 
 
 def test_a_synchronous_write_is_the_packet_of_the_library(line: tuple[float, Servo, Any]) -> None:

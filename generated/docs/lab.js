@@ -1818,10 +1818,12 @@ class ExplainedFrame {
     return this.result(this.message?.name ?? "", rows, registers, errata);
   }
 
-  /** Whether the data say that the frame is an exception response. */
+  /** Whether a part or the data say that a frame without a code is an exception response. */
   isMarked() {
-    const mark = this.direction === "response" ? this.link.exception?.mark : undefined;
-    if (!mark) return false;
+    const { exception } = this.link;
+    if (!exception || this.direction === "request" || this.shape.code) return false;
+    const { mark } = exception;
+    if (!mark) return isException(exception, 0, (name) => this.partNumber(name));
     const at = this.shape.headerSize + mark.offset;
     return sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
   }
@@ -2152,7 +2154,7 @@ function candidatesOf(link, direction, frame, close) {
   if (coded && (direction === "request" || !link.ambiguous)) return [""];
   const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
   // An exception response says what it is, and not which message it answers.
-  if (!coded) return direction === "response" && link.exception?.mark ? [...names, ""] : names;
+  if (!coded) return direction === "response" && link.exception ? [...names, ""] : names;
   const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
   return ["", ...several.filter((name) => names.includes(name))];
 }

@@ -4433,7 +4433,7 @@ end
 -- Whether parts with a code are an exception response: by a bit in the code, by the code, or by another part.
 local function is_marked(link, direction, code, parts)
     local exception = direction == "response" and link.exception
-    if not exception or not code then
+    if not exception then
         return false
     end
     if exception.part then
@@ -4444,23 +4444,29 @@ local function is_marked(link, direction, code, parts)
             end
         end
     end
+    if not code then
+        return false
+    end
     if exception.code then
         return code == exception.code
     end
     return numbers.band(code, exception.flag) ~= 0
 end
 
--- Whether the data of a response without a code have the mark of exception responses.
-local function has_mark(link, direction, body)
+-- Whether a response without a code is an exception response: by another part, or by bytes in its data.
+local function has_mark(link, direction, parts, body)
     local mark = direction == "response" and link.exception and link.exception.mark
-    return mark and body:sub(mark.offset + 1, mark.offset + #mark.bytes) == mark.bytes or false
+    if not mark then
+        return is_marked(link, direction, nil, parts)
+    end
+    return body:sub(mark.offset + 1, mark.offset + #mark.bytes) == mark.bytes
 end
 
 -- The message, or nil, whether it is refused, and its code, by the code of a frame and its parts, or by the request
 -- that it answers. `body` are the parts from the body on.
 function frames.message_of(link, direction, code, parts, body, asked, message)
     if code == nil then
-        return message or asked and asked.message, has_mark(link, direction, body)
+        return message or asked and asked.message, has_mark(link, direction, parts, body)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
@@ -4717,7 +4723,7 @@ function frames.show(link, direction, tvb, tree, asked, message)
     end
     local start, stop = shape.header, math.max(shape.header, #parts - shape.trailer)
     context.body_end = stop
-    if not with_role(shape, "code") and has_mark(link, direction, parts:sub(start + 1, stop)) then
+    if not with_role(shape, "code") and has_mark(link, direction, parts, parts:sub(start + 1, stop)) then
         context.is_refusal = true
         values.report(tree, "exception", "exception response")
     end

@@ -27,11 +27,11 @@ def link(draft: Draft, coded: bool) -> Spec:
     roles = {part.get("role") for part in (*line["request"], *line["response"])}
     if "unit_address" in roles and draft.chance(60):
         _unit_addresses(draft, line)
-    if coded and any(part.get("role") == "code" for part in line["response"]) and draft.chance(40):
-        record = next((record for record in draft.records if not record.apart), None)
-        if record is None:
-            return line
-        line["exception_response"] = {**_mark(draft, line["response"]), "record": record.name}
+    is_coded = any(part.get("role") == "code" for part in line["response"])
+    mark = _mark(draft, line["response"], is_coded) if coded and draft.chance(40) else {}
+    record = next((record for record in draft.records if not record.apart), None)
+    if mark and record is not None:
+        line["exception_response"] = {**mark, "record": record.name}
     if draft.chance(5):
         line["silence"] = {"milliseconds": 5}
     if draft.chance(5):
@@ -39,8 +39,11 @@ def link(draft: Draft, coded: bool) -> Spec:
     return line
 
 
-def _mark(draft: Draft, response: list[Spec]) -> Spec:
-    """What marks an exception response: a bit of the code, a code that no message has, or a part before the body."""
+def _mark(draft: Draft, response: list[Spec], is_coded: bool) -> Spec:
+    """What marks an exception response: a bit of the code, a code that no message has, or a part before the body.
+
+    Nothing does where responses carry no code and no other number.
+    """
     highest = 1 << (draft.code_bits - 1)
     before = response[: next(at for at, part in enumerate(response) if part.get("role") == "body")]
     bound = {"const", "reserved", "range", "unit_range"}
@@ -50,6 +53,8 @@ def _mark(draft: Draft, response: list[Spec]) -> Spec:
         low, high = bounds(part["type"])
         normal = draft.intervals(low + 1, high, 2)
         return {"part": part["name"], "normal": range_text(normal)}
+    if not is_coded:
+        return {}
     return {"code": highest + draft.number(0, 9)} if draft.chance(30) else {"flag": highest}
 
 

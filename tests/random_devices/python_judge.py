@@ -36,11 +36,6 @@ def module_of_device(layout: DeviceLayout, number: int) -> ModuleType:
     return module
 
 
-def _python_name(name: str) -> str:
-    """The name of a part of a header in Python, where words of the language get an underscore."""
-    return f"{name}_" if iskeyword(name) or name == "self" else name
-
-
 class Python:
     """The answers of generated Python."""
 
@@ -113,7 +108,7 @@ class Python:
             assert part.value is not None
             if part.value.flags:
                 value = class_of(self.module, part.value.flags, "Flags")(value)
-            named[_python_name(part.name)] = value
+            named[part.name + "_" * iskeyword(part.name)] = value
         return first, named
 
     def _frame_of(self, path: tuple[str, ...], head: dict[str, Any], content: Any, error: bool, code: Any) -> bytes:
@@ -143,8 +138,11 @@ class Python:
         head: dict[str, Any] = {}
         for part in shape.header:
             if part.is_argument:
-                name = _python_name(part.name)
-                head[part.name] = raw(decoded.unit_address if part.role == "unit_address" else getattr(decoded, name))
+                head[part.name] = raw(
+                    decoded.unit_address
+                    if part.role == "unit_address"
+                    else getattr(decoded, part.name + "_" * iskeyword(part.name))
+                )
         error = self.layout.links[link].link.exception_response
         refusal = error is not None and hasattr(decoded, "exception")
         content = decoded.exception if refusal else decoded.message

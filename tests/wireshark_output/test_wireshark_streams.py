@@ -135,8 +135,8 @@ def test_process_data_of_profinet_are_read_by_the_numbers_of_their_frames() -> N
 def test_units_that_are_not_chosen_are_left_to_others() -> None:
     packets = [Packet(40000, PORT, "request", READ_REQUEST)]
     options = ("-o", f"tc100.rtu_udp:{PORT}", "-o")
-    assert columns(TC100, pcap(packets), ["rtu.unit_address"], *options, "tc100.units:1-2") == [["1"]]
-    assert columns(TC100, pcap(packets), ["rtu.unit_address"], *options, "tc100.units:2-5,7") == [[""]]
+    assert columns(TC100, pcap(packets), ["rtu.station"], *options, "tc100.units:1-2") == [["1"]]
+    assert columns(TC100, pcap(packets), ["rtu.station"], *options, "tc100.units:2-5,7") == [[""]]
 
 
 def test_packets_are_filtered_by_the_name_of_a_register_and_by_the_name_of_a_value() -> None:

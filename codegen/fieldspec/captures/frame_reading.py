@@ -231,9 +231,13 @@ class FrameReader:
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused, UNKNOWN_CODE)
 
     def _find_marks(self, frames: ReadFrames) -> None:
-        """Finds the exception responses among frames without a code, by their data."""
-        mark = self.link.mark if self.direction == "response" else None
-        if mark is not None:
+        """Finds the exception responses among frames without a code, by another part or by their data."""
+        refusal, mark = self.link.link.exception_response, self.link.mark
+        if refusal is None or self.direction == "request":
+            return
+        if mark is None:
+            frames.is_refused[:] = self._refused(frames, frames.code, refusal)
+        else:
             rows = np.flatnonzero(frames.body_size >= mark.end)
             number = number_at(frames.buffer, frames.body[rows] + mark.offset, mark.size, mark.order)
             frames.is_refused[rows] = number == mark.number

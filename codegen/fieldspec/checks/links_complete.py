@@ -41,9 +41,10 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _escapable(link)
         yield from _marked(link)
         error = link.exception_response
-        if error is not None and not error.field and not any(part.role == "code" for part in link.response):
+        is_coded = any(part.role == "code" for part in link.response)
+        if error is not None and not (error.field or error.part) and not is_coded:
             text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
-            help = "add the role `code` to the part with the code, or state `field`"
+            help = "add the role `code` to the part with the code, or state `part` or `field`"
             yield finding(_CODE, link.place, "exception_response", text, help)
 
 

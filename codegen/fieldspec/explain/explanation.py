@@ -126,9 +126,14 @@ class _Frame:
         )
 
     def _is_marked(self) -> bool:
-        """Whether the data say that the frame is an exception response."""
-        mark = self.layout.links[self.link.name].mark if self.direction == "response" else None
-        return mark is not None and mark.is_in(self.data[self.shape.header_size :])
+        """Whether a part or the data say that a frame without a code is an exception response."""
+        link = self.layout.links[self.link.name]
+        refusal = link.link.exception_response
+        if refusal is None or self.direction == "request" or not link.has_uncoded_exceptions:
+            return False
+        if link.mark is not None:
+            return link.mark.is_in(self.data[self.shape.header_size :])
+        return refusal.is_marked(0, self.shape.numbers(self.data))
 
     def _original(self, sent: bytes) -> bytes:
         """The bytes of the parts before they were escaped; finds out where they are in the frame."""

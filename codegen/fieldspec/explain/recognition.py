@@ -41,7 +41,7 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
             if link.frame(direction).role("code") is not None:
                 several = link.ambiguous_codes(direction).values()
                 names = ["", *(message.name for messages in several for message in messages if message.name in names)]
-            elif direction == "response" and link.mark is not None:
+            elif direction == "response" and link.has_uncoded_exceptions:
                 names.append("")  # an exception response says what it is, and not which message it answers
             for message in names:
                 explanation = explained(layout, link.name, direction, frame, message)

@@ -256,6 +256,11 @@ class LinkLayout:
         arguments = (part for part in self.request.header if part.role == "plain" and part.is_argument)
         return next((part.name for part in arguments if part.part.bits is not None), "")
 
+    @property
+    def has_uncoded_exceptions(self) -> bool:
+        """Whether a part or the data mark exception responses, as no response carries a code."""
+        return self.link.exception_response is not None and self.response.role("code") is None
+
     def barred_address(self, message: MessageLayout) -> int | None:
         """The broadcast address, where the spec says that a request cannot be sent to it; None where it may be sent."""
         addresses, part = self.link.unit_addresses, self.request.role("unit_address")

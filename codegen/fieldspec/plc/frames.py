@@ -34,8 +34,8 @@ def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
         yield link.link, "can", f"{link.name} is a CAN bus"
     elif link.link.escape is not None:
         yield link.link, "escape", f"{link.name} escapes bytes"
-    if link.mark is not None:
-        yield link.link, "exception_response", f"{link.name} marks exception responses in their data"
+    if link.has_uncoded_exceptions:
+        yield link.link, "exception_response", f"{link.name} marks exception responses that carry no code"
     for frame in (link.request, link.response):
         checks = frame.checksums
         for check in checks:

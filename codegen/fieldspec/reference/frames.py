@@ -161,7 +161,7 @@ class FrameCodec:
                 if message in self.link.messages:
                     raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
-            if error is not None and shape.direction == "response" and self._is_marked(inner):
+            if error is not None and shape.direction == "response" and self._is_marked(head, inner):
                 return announced, self.layout.records[error.record], True
             return announced, announced.data(shape.direction), False
         code = head[part.name]
@@ -184,9 +184,12 @@ class FrameCodec:
             )
         return announced, announced.data(shape.direction), False
 
-    def _is_marked(self, inner: bytes) -> bool:
-        """Whether the data of a response without a code are those of an exception response."""
-        return self.link.mark is not None and self.link.mark.is_in(inner)
+    def _is_marked(self, head: Values, inner: bytes) -> bool:
+        """Whether a response without a code is an exception response, by a part or by its data."""
+        if self.link.mark is not None:
+            return self.link.mark.is_in(inner)
+        error = self.link.link.exception_response
+        return error is not None and error.is_marked(0, head)
 
     def encode(
         self, direction: str, message: str, values: Mapping[str, Any], *, error: bool = False, code: int | None = None
@@ -197,7 +200,7 @@ class FrameCodec:
         """
         shape = self.link.frame(direction)
         announced = self.link.messages.get(message)
-        if announced is None and not (error and (code is not None or self.link.mark is not None)):
+        if announced is None and not (error and (code is not None or self.link.has_uncoded_exceptions)):
             raise CodecError("unknown_code", f"there is no message {message!r}")
         if not error and announced is not None and message not in self.link.carried(direction):
             raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")

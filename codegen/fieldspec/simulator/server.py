@@ -315,7 +315,8 @@ class Server:
                 values[field.name] = asked.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number
         code = part.get("code", code) if record.code is None else record.code
-        known = frames.link.message_with_code(code) if code is not None and not record.field else None
+        is_uncoded = frames.link.has_uncoded_exceptions
+        known = frames.link.message_with_code(code) if code is not None and not is_uncoded else None
         flagged = code is not None and (code & record.flag or code == record.code)
         try:
             frame = frames.encode(

@@ -19,7 +19,7 @@ export function frames({ name, hex, request, response, unitAddresses }) {
 
 /**
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
- * exception response, or is null; its `mark` are bytes at a place in the data, where frames carry no code. `unanswered` are the messages to which the device sends no response. `subcodes` has
+ * exception response, or is null; its `mark` are bytes at a place in the data, where responses carry no code. `unanswered` are the messages to which the device sends no response. `subcodes` has
  * for each direction the number in the data that tells messages with one code apart, by this code; or the messages whose
  * `answers` nothing in the data tells apart, so that only the request does. `barred` are the messages whose requests
  * cannot be broadcast.
@@ -214,7 +214,7 @@ function decoded(context, shape, bytes, entry, direction) {
     }
     if (direction === "response") expectAnswer(context, entry);
     const { exception } = context;
-    if (exception !== null && direction === "response" && hasMark(exception.mark, shape, data)) {
+    if (exception !== null && direction === "response" && isUncodedException(exception, shape, data)) {
       const record = exception.record.read(data, shape.headerSize, end);
       return { kind: "exception", name: entry.name, header, message: entry, code: entry.code ?? 0, data: record };
     }
@@ -239,8 +239,11 @@ function decoded(context, shape, bytes, entry, direction) {
   return { kind: direction, name: known.name, header, message: known, data: known[direction].read(data, shape.headerSize, end) };
 }
 
-/** Whether the data of a response have the mark of exception responses. */
-function hasMark({ offset, bytes }, { headerSize, trailerSize }, data) {
+/** Whether a response without a code is an exception response: by another part, or by bytes in its data. */
+function isUncodedException(exception, shape, data) {
+  if (exception.mark === undefined) return isMarked(exception, shape, 0, data);
+  const { headerSize, trailerSize } = shape;
+  const { offset, bytes } = exception.mark;
   const at = headerSize + offset;
   return at + bytes.length <= data.length - trailerSize && matches(data, at, bytes);
 }

@@ -245,8 +245,12 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     part = frame.role("code")
     code, error = PointerMember(OUT, "code"), PointerMember(OUT, "error")
     if part is None:
-        is_marked = link.mark is not None and frame.direction == "response"
-        return (assign(error, mark_in_data(link.mark, frame)),) if link.mark is not None and is_marked else ()
+        exception = link.link.exception_response
+        if exception is None or frame.direction == "request":
+            return ()
+        if link.mark is not None:
+            return (assign(error, mark_in_data(link.mark, frame)),)
+        return read_mark(exception, frame, code, error)
     body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
     guard: list[Expression] = []
     if link.link.exception_response is not None and frame.direction == "response":

@@ -91,7 +91,7 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     assert error is not None
     function = naming.function("link", link.name, "encode", "error")
     record = layout.records[error.record]
-    if link.mark is not None:
+    if link.has_uncoded_exceptions:
         about = comment("Writes the whole frame of an exception response.")
         return [about, _encode_frame(naming, link, "response", record, function, [], (), True)]
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]

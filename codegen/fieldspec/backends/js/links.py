@@ -59,8 +59,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     name = names.scope.take(Name.of(link.name).camel(), f"{Name.of(link.name).camel()}Link")
     pascal = Name.of(link.name).pascal()
     carried = [message for message in names.layout.messages.values() if carries(link, message)]
-    is_marked = link.mark is not None or link.response.role("code") is not None
-    exception = link.link.exception_response if is_marked else None
+    exception = link.link.exception_response
     addresses = link.link.unit_addresses
     frames = f"framesOf{pascal}"
     code = [f"const {frames} = /* @__PURE__ */ frames({{"]
@@ -253,7 +252,7 @@ def _intervals(ranges: Ranges | None) -> str:
 def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], names: Names, frames: str) -> str | None:
     """The call that makes a framer; None where nothing in a frame tells where it ends."""
     frame = link.frame(direction)
-    refusal = link.link.exception_response if direction == "response" and frame.role("code") is not None else None
+    refusal = link.link.exception_response if direction == "response" else None
     bodies = [message.data(direction) for message in carried]
     refused = names.layout.records[refusal.record] if refusal is not None else None
     bodies += [refused] if refused is not None else []

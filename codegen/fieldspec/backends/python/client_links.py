@@ -64,7 +64,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"pause={pause!r}"] if pause else []
     refusal = link.link.exception_response
     arguments += [f"refusal_code={refusal.code}"] if refusal is not None and refusal.code is not None else []
-    arguments += ["refusal_code=0"] if link.mark is not None and link.request.role("code") is None else []
+    arguments += ["refusal_code=0"] if link.has_uncoded_exceptions and link.request.role("code") is None else []
     arguments += _reason(layout.records[refusal.record], names) if refusal is not None else []
     repeated, value_counts = [], []
     for message in link.carried("response").values():

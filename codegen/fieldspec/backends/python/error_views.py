@@ -35,15 +35,20 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
     if error is None:
         return None
     arguments = argument_views(frame, words)
-    if link.mark is not None:
+    place = next((at for at, part in enumerate(frame.header) if part.name == error.part), 0)
+    condition = "" if error.normal is None else f"not ({within(f'head[{place}]', error.normal)})"
+    if link.has_uncoded_exceptions:
+        if link.mark is not None:
+            condition = f"body[{link.mark.offset}:{link.mark.end}] == {link.mark.pattern!r}"
+        refusals = head_refusals(link, frame, is_exception=True)
         return ErrorView(
             wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
-            condition=f"body[{link.mark.offset}:{link.mark.end}] == {link.mark.pattern!r}",
+            condition=condition,
             code="kind.CODE or 0",
             record=words.records[error.record],
             head=f"[{', '.join(head_value(part, '0') for part in frame.header)}]",
             bind=[f"{part.variable} = {part.name}" for part in arguments],
-            refusals=chained("error = ", refusals, "or", "None", 8) if (refusals := head_refusals(link, frame)) else [],
+            refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
             coded=False,
         )
     if code is None or code.value is None:
@@ -53,10 +58,8 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
     limit = f"_refused_number({literal(code.name)}, code, {limits[0]}, {limits[1]})"
     if error.code is not None:
         limit = f"_refused_code(code, {error.code:#04x})"
-    place = next((at for at, part in enumerate(frame.header) if part.name == error.part), 0)
-    condition = f"code & {error.flag:#x}" if error.flag else f"code == {error.code}"
-    if error.normal is not None:
-        condition = f"not ({within(f'head[{place}]', error.normal)})"
+    if error.normal is None:
+        condition = f"code & {error.flag:#x}" if error.flag else f"code == {error.code}"
     return ErrorView(
         wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
         condition=condition,

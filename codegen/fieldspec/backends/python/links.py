@@ -160,7 +160,7 @@ def link_view(
         for direction in ("request", "response")
         if direction == "request" or link.carried(direction) or not link.messages
     }
-    marked = coded or link.mark is not None
+    marked = coded or link.has_uncoded_exceptions
     error = error_view(link, words, pascal, scope) if marked and "response" in views else None
     wrappers = [
         _wrapper(view.wrapper, direction, ["message: _M"], view.head_parts)

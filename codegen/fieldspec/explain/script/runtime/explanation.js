@@ -53,10 +53,12 @@ class ExplainedFrame {
     return this.result(this.message?.name ?? "", rows, registers, errata);
   }
 
-  /** Whether the data say that the frame is an exception response. */
+  /** Whether a part or the data say that a frame without a code is an exception response. */
   isMarked() {
-    const mark = this.direction === "response" ? this.link.exception?.mark : undefined;
-    if (!mark) return false;
+    const { exception } = this.link;
+    if (!exception || this.direction === "request" || this.shape.code) return false;
+    const { mark } = exception;
+    if (!mark) return isException(exception, 0, (name) => this.partNumber(name));
     const at = this.shape.headerSize + mark.offset;
     return sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
   }

@@ -47,7 +47,7 @@ function candidatesOf(link, direction, frame, close) {
   if (coded && (direction === "request" || !link.ambiguous)) return [""];
   const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
   // An exception response says what it is, and not which message it answers.
-  if (!coded) return direction === "response" && link.exception?.mark ? [...names, ""] : names;
+  if (!coded) return direction === "response" && link.exception ? [...names, ""] : names;
   const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
   return ["", ...several.filter((name) => names.includes(name))];
 }
