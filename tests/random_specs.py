@@ -94,6 +94,8 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
     kind = kinds if isinstance(kinds, str) else chance.choice(kinds)
     if kind == "object":
         return _mapping(part, key, chance, depth)
+    if kind == "string" and "then" in part:
+        return _of(part["then"], key, chance, depth)
     if kind == "array":
         count = chance.choice((0, 1, 1, 2, 3)) if depth > 0 else 0
         return [_of(part.get("items", {}), key, chance, depth - 1) for _ in range(max(count, part.get("minItems", 0)))]

@@ -40,6 +40,10 @@ class Diagnostic:
         return self.span.order(), self.code, self.message
 
 
+LEAVE_OUT = "leave this output out for the device: name the others after --to"
+"""The help of a finding that an output does not express a fact."""
+
+
 def in_order(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Findings by file and place, each once."""
     unique = {(d.code, d.message, d.span.file.path, d.span.start): d for d in findings}

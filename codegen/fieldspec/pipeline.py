@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from fieldspec.backends import OUTPUTS, Files, PageLink
 from fieldspec.classes import replace
-from fieldspec.diagnostics import Diagnostic, in_order
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.proofs.equal_lines import equal_versions
 from fieldspec.proofs.running import Outcome, proven
@@ -49,8 +49,27 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
-    """The reasons why some outputs cannot express a device, to be asked before any is built."""
-    return [finding for name in names for finding in OUTPUTS[name].refusals(versions)]
+    """The reasons why some outputs cannot express a device, to be asked before any is built: one for each fact."""
+    by_output = {name: OUTPUTS[name].refusals(versions) for name in names}
+    refusing: dict[tuple[str, str, int], list[str]] = {}
+    for name, findings in by_output.items():
+        for key in dict.fromkeys(_key(finding) for finding in findings if finding.help == LEAVE_OUT):
+            refusing.setdefault(key, []).append(name)
+    all_refusing = {name for outputs in refusing.values() for name in outputs}
+    others = ",".join(name for name in by_output if name not in all_refusing)
+    cure = f"build the others: `fieldspec build {versions[0].device.id} --to {others}`" if others else LEAVE_OUT
+    result: list[Diagnostic] = []
+    for name, findings in by_output.items():
+        for finding in findings:
+            outputs = refusing.get(_key(finding), [name])
+            if name == outputs[0]:
+                help = f"{', '.join(outputs)} cannot express it; {cure}" if finding.help == LEAVE_OUT else finding.help
+                result.append(replace(finding, help=help))
+    return result
+
+
+def _key(finding: Diagnostic) -> tuple[str, str, int]:
+    return finding.code, finding.span.file.path, finding.span.start
 
 
 def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, bytes]:

@@ -125,9 +125,9 @@ class _Resolution:
         members = {
             member.name
             for link in self.device.links.values()
-            if link.exception_response is not None
+            if link.exception_response is not None and link.exception_response.record in self.device.records
             for field in self.device.records[link.exception_response.record].fields
-            if field.value is not None and field.value.enum and field.value.const is None
+            if field.value is not None and field.value.enum in self.device.enums and field.value.const is None
             for member in self.device.enums[field.value.enum].members
         }
         if part["with"] not in members:

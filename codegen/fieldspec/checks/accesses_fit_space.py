@@ -1,10 +1,12 @@
 """A message that accesses a space carries its units: words as `u16`, bytes as `u8`, bits packed into a repeated `u8`,
-or a single bit as a number of which `set` states when it is 1.
+or a single bit as a number of which `set` states when it is 1. The number of words or bytes in a request that writes
+follows from them.
 
 Why: outputs take the value of a register out of what the message carries. They need to know where each word or bit
 is, and which number stands for a bit that is 1.
 
-Example: a message that writes one coil with a `u16` and does not state `set: 0xFF00`.
+Example: a message that writes one coil with a `u16` and does not state `set: 0xFF00`; a `word_count` of a request that
+writes `values`, without `measures: {items: values}`.
 
 Cure: Correct the field, or the keys of `accesses`. Packed bits need `count`, as the last byte may have bits to spare.
 """
@@ -41,6 +43,11 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
 
 
 def _words(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+    count = message.request.named(access.count) if access.count and access.operation == "write" else None
+    if count is not None and count.measures is None and field.repeat is not None:
+        text = f"{count.name} may differ from the number of {field.name} in {message.name}"
+        help = f"add `measures: {{items: {field.name}}}`: encoders compute it, and decoders compare it"
+        yield finding(_CODE, count.place, "name", text, help, label(field.place, "name", field.name))
     if access.set is not None:
         text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)

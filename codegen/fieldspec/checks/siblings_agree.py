@@ -1,5 +1,6 @@
 """Fields with the same name and type have the same range, scale and unit. The rule measures_match_repeats
-covers fields that carry the size of another field, because their range follows from what they measure.
+covers fields that carry the size of another field, because their range follows from what they measure. The number of
+registers or bits that a message `accesses` follows from its longest frame.
 
 Why: a manual describes the same quantity in many places. If one place differs from all others, it is usually
 misprinted, and a reader of that place alone cannot see it.
@@ -28,8 +29,11 @@ _SMALL = 4
 
 def siblings_agree(device: Device) -> Iterator[Diagnostic]:
     families: dict[tuple[str, str], list[tuple[Field, Value]]] = {}
+    counts = {
+        id(message.request.named(message.accesses.count)) for message in device.messages.values() if message.accesses
+    }
     for field in fields(device):
-        meant = not field.reserved and field.measures is None
+        meant = not field.reserved and field.measures is None and id(field) not in counts
         if field.value is not None and meant and field.value.parameter is None:
             families.setdefault((field.name, field.value.type.name), []).append((field, field.value))
     for family in families.values():

@@ -34,9 +34,18 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
     for what, place, sources, needed in cited_places(device):
         if not sources and needed:
             text = f"{what} has no source"
-            yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
+            yield finding("sources_present", place, "source", text, _cure(what, place, device))
         for citation in sources:
             yield from _wrong(device, what, place, citation)
+
+
+def _cure(what: str, place: Place, device: Device) -> str:
+    """Where the source belongs: that of a shared protocol is a fact of the device."""
+    own = device.place.whole.file.path.rpartition("/")[0]
+    if place.whole.file.path.startswith(own):
+        return "add `source: <section> L<line>`"
+    section = place.path.partition("/")[0]
+    return f"add `{section}: [{{name: {what}, source: <section> L<line>}}]` to the spec of the device"
 
 
 def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:

@@ -42,5 +42,8 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
     for fact, unit in stated:
         if unit and unit not in known:
             standard = standard_unit(unit)
-            help = f"write it as `{standard.symbol}`" if standard is not None else near(unit, known)
+            titled = standard or next(
+                (own for own in standard_units().values() if own.title.lower() == unit.lower()), None
+            )
+            help = f"write it as `{titled.symbol}`" if titled is not None else near(unit, known)
             yield finding(_CODE, fact.place, "unit", f"`unit` cannot be `{unit}`", help)

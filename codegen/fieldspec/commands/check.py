@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands import specs
+from fieldspec.commands import spec_files, specs
 from fieldspec.commands.terminal import print_findings
 from fieldspec.diagnostics import has_errors
 
@@ -18,5 +18,6 @@ def run(arguments: argparse.Namespace) -> int:
     project = specs.project(arguments.specs, frozenset(arguments.devices))
     findings = pipeline.checked(project)
     checked = ", ".join(sorted(project.devices)) or "nothing"
-    print_findings(findings, arguments.format, f"no findings in {checked}")
+    origin = "" if spec_files.is_own(arguments.specs) else " (the installed specs, as there is no folder specs here)"
+    print_findings(findings, arguments.format, f"no findings in {checked}{origin}")
     return 1 if has_errors(findings) else 0

@@ -33,14 +33,23 @@ def run(arguments: argparse.Namespace) -> int:
     dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:
         with connected(layout, arguments, dry) as client:
-            if not dry and _writes(arguments) and not _fits(client, spec, arguments.any_version):
-                return 1
-            return VERBS[arguments.verb_of_device](client, access_of(client), spec, arguments)
-    except (NoAnswerError, RefusedError) as error:
-        print(f"fieldspec: {layout.device.id}: {error}", file=sys.stderr)
-        return 1
+            return _carried_out(client, spec, arguments, dry)
     except CodecError as error:
         raise unsent(error) from None
+
+
+def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace, dry: bool) -> int:
+    try:
+        if not dry and _writes(arguments) and not _fits(client, spec, arguments.any_version):
+            return 1
+        return VERBS[arguments.verb_of_device](client, access_of(client), spec, arguments)
+    except RefusedError as error:
+        text = str(error)
+    except NoAnswerError as error:
+        unit = f"unit {client.unit_address} on " if client.head else ""
+        text = f"{error} from {unit}{client.frames.link.name}"
+    print(f"fieldspec: {client.layout.device.id}: {text}", file=sys.stderr)
+    return 1
 
 
 def _writes(arguments: argparse.Namespace) -> bool:

@@ -189,6 +189,8 @@ def _print_assumptions(layout: DeviceLayout, behaviour: Behaviour) -> None:
     rows = tuple((part.name, part.assumed) for part in behaviour.assumptions())
     if not behaviour.parts:
         text = f"{layout.device.id} has no behaviour: it answers with what is written, and nothing happens over time."
+        if any(link.link.exception_response is not None for link in layout.links.values()):
+            text += " It is silent where it refuses a request: no `refuse` says with which exception it answers."
         print_blocks([Line(text)])
         return
     print_blocks([Table(("part", "assumption"), rows)])

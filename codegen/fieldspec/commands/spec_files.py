@@ -246,3 +246,8 @@ def split(text: str) -> tuple[str, str]:
     """`drive@2.0` as device and version; the version is empty in `drive`."""
     device, _, version = text.partition("@")
     return device, version
+
+
+def is_own(specs_option: str | None) -> bool:
+    """Whether specs are read from a folder of the user. Raises UsageError where there is none."""
+    return folder(specs_option) != INSTALLED

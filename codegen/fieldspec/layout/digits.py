@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
-
-_HELP = "leave this output out for the device: name the others after --to"
 
 
 def digits_refusals(versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False) -> list[Diagnostic]:
@@ -25,7 +23,7 @@ def digits_refusals(versions: Sequence[DeviceLayout], reader: str, for_controlle
             "plc_numbers_binary" if for_controllers else "output_numbers_binary",
             f"{fact.name} is sent as digits, which {reader} does not convert",
             fact.place["digits"],
-            help=_HELP,
+            help=LEAVE_OUT,
         )
         for fact in facts.values()
     ]

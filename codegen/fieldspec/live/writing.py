@@ -79,6 +79,9 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
     if client.layout.device.bit_access(message) is None:
         is_list = (field := message.request.named(access.values)) is not None and field.repeat is not None
         values[access.values] = list(chosen.words) if is_list else chosen.words[0]
+        count_field = message.request.named(access.count) if access.count else None
+        if count_field is not None and count_field.measures is None:
+            values[access.count] = len(chosen.words)
     elif access.set is None:
         values |= {access.count: len(chosen.words), access.values: list(packed_bits(chosen.words))}
     else:

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.routines.world import every_record
-
-_HELP = "leave this output out for the device: name the others after --to"
 
 
 def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
@@ -23,7 +21,7 @@ def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
         if sentinel is not None and id(fact) not in seen:
             seen.add(id(fact))
             text = f"the sentinel {sentinel.name} of {fact.name} is a NaN, which {dialect.title} refuses as no number"
-            findings.append(Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=_HELP))
+            findings.append(Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=LEAVE_OUT))
     return findings
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.digits import digits_refusals
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
@@ -323,5 +323,5 @@ def _too_long(dialect: Dialect, fact: Fact, size: int) -> Diagnostic:
         "plc_telegrams_fit",
         f"{fact.name} has {size} bytes of process data; {dialect.title} takes {dialect.longest_image}",
         fact.place["name"],
-        help="leave this output out for the device: name the others after --to",
+        help=LEAVE_OUT,
     )

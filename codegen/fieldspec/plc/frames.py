@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.classes import replace
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.fact import Fact
 from fieldspec.plc.dialects import Dialect
-
-_HELP = "leave this output out for the device: name the others after --to"
 
 
 def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list[Diagnostic]]:
@@ -22,7 +20,7 @@ def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[Device
         reasons = list(_unsupported(link))
         for fact, key, what in reasons[:1]:
             text = f"{what}, which {dialect.title} has no functions for"
-            findings.append(Diagnostic("plc_frames_supported", text, fact.place[key], help=_HELP))
+            findings.append(Diagnostic("plc_frames_supported", text, fact.place[key], help=LEAVE_OUT))
         if not reasons:
             links[name] = link
     return (replace(layout, links=links), findings) if findings else (layout, [])

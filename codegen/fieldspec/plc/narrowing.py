@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.classes import replace
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
@@ -94,7 +94,7 @@ def _unknown(fact: Fact, value: Value, dialect: Dialect) -> Diagnostic:
         "plc_reals_fit" if value.type.kind is Kind.FLOAT else "plc_numbers_fit",
         f"{fact.name} is {value.type.name}, a number that the functions for {dialect.title} cannot convert",
         fact.place["type"],
-        help="leave this output out for the device: name the others after --to",
+        help=LEAVE_OUT,
     )
 
 
@@ -181,7 +181,7 @@ def _refused(field: FieldLayout, dialect: Dialect) -> Diagnostic:
         "plc_numbers_fit",
         f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split",
         field.field.place["type"],
-        help="leave this output out for the device: name the others after --to",
+        help=LEAVE_OUT,
     )
 
 
@@ -190,5 +190,5 @@ def _nested(field: FieldLayout, dialect: Dialect) -> Diagnostic:
         "plc_arrays_flat",
         f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays",
         field.field.place["type"],
-        help="leave this output out for the device: name the others after --to",
+        help=LEAVE_OUT,
     )

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from fieldspec.classes import replace
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.address_space import BYTE
 from fieldspec.plc.dialects import Dialect
-
-_HELP = "leave this output out for the device: name the others after --to"
 
 
 def with_supported_spaces(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list[Diagnostic]]:
@@ -17,7 +15,7 @@ def with_supported_spaces(layout: DeviceLayout, dialect: Dialect) -> tuple[Devic
     for group in device.groups:
         if device.space(group.space).unit == BYTE:
             text = f"an address of the registers in {group.name} is a byte, which {dialect.title} has no functions for"
-            findings.append(Diagnostic("plc_spaces_supported", text, group.place["group"], help=_HELP))
+            findings.append(Diagnostic("plc_spaces_supported", text, group.place["group"], help=LEAVE_OUT))
     if not findings:
         return layout, []
     groups = tuple(group for group in device.groups if device.space(group.space).unit != BYTE)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.enums import coded
 from fieldspec.plc.routines.world import has_common_type, raw_bounds
 
 _MOST = (1 << 63) - 1
-_HELP = "leave this output out for the device: name the others after --to"
 
 
 def wide_enums(layout: DeviceLayout, dialect: Dialect) -> Iterator[Diagnostic]:
@@ -19,10 +18,10 @@ def wide_enums(layout: DeviceLayout, dialect: Dialect) -> Iterator[Diagnostic]:
     for name, (low, high) in raw_bounds(layout).items():
         if not has_common_type(low, high):
             text = f"values with {name} may be negative, or 2^63 and more; {dialect.title} has no type for both"
-            yield Diagnostic("plc_enums_fit", text, layout.device.enums[name].place["name"], help=_HELP)
+            yield Diagnostic("plc_enums_fit", text, layout.device.enums[name].place["name"], help=LEAVE_OUT)
     if not dialect.texts:
         return
     for enum, texts in coded(layout.device):
         if max(text.code for text in texts) > _MOST:
             text = f"{enum.name} has codes from 2^63 on with texts; lists of texts have a signed column of codes"
-            yield Diagnostic("plc_enums_fit", text, enum.place["name"], help=_HELP)
+            yield Diagnostic("plc_enums_fit", text, enum.place["name"], help=LEAVE_OUT)

@@ -84,6 +84,7 @@ SYNONYMS = {
 
 _LONGEST = 60
 _SEARCHED = 2000
+_SHORTEST = 2
 
 
 def bounded(findings: list[Diagnostic]) -> list[Diagnostic]:
@@ -109,6 +110,12 @@ def near(word: str, known: Collection[str]) -> str:
     """The help for an unknown word: the known word that is probably meant, or all known words."""
     from difflib import get_close_matches
 
+    letters = sorted(word)
+    swapped = [name for name in known if sorted(name) == letters] if len(known) <= _SEARCHED else []
+    if swapped:
+        return f"did you mean `{swapped[0]}`?"
+    if len(word) < _SHORTEST and len(known) <= _LONGEST:
+        return "it can be " + ", ".join(f"`{name}`" for name in sorted(known)) if known else "there is none"
     close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []
     if close:
         return f"did you mean `{close[0]}`?"

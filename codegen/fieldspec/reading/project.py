@@ -198,6 +198,8 @@ class _Reader:
         self.findings: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
         self.uses: dict[str, set[str]] = {}
+        self.incomplete: set[str] = set()
+        """The protocols that lack one that they use; the empty name is that of the last device."""
 
     def project(self, only: frozenset[str]) -> Project:
         folders: dict[str, list[str]] = {}
@@ -266,6 +268,7 @@ class _Reader:
             self.findings.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
             return None
         self.uses[""] = set()
+        self.incomplete.discard("")
         files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
         if len(files) > MOST_OVERLAYS:
             text = f"the device has {len(files)} files of versions; the limit is {MOST_OVERLAYS}"
@@ -273,7 +276,10 @@ class _Reader:
             span = Span([*files.values()][MOST_OVERLAYS].file, 0, 1)
             self.findings.append(Diagnostic("versions_bounded", text, span, help=help))
             return None
-        versions, whole = overlays(files, self._with_protocols(whole, ()))
+        whole = self._with_protocols(whole, ())
+        if "" in self.incomplete:
+            return None  # all that the protocol states would seem to be missing
+        versions, whole = overlays(files, whole)
         self.findings += bounded(versions.findings)
         lines = Lines(whole)
         self.findings += bounded(lines.findings) + bounded(lines.unknown(whole))
@@ -336,6 +342,8 @@ class _Reader:
             if name.text not in within:
                 self.uses.setdefault(within[-1] if within else "", set()).add(name.text)
             protocol = self._protocol(name, within)
+            if protocol is None or name.text in self.incomplete:
+                self.incomplete.add(within[-1] if within else "")
             if protocol is not None:
                 tree, findings = merged_over(tree, protocol, use)
                 self.findings += bounded(findings)

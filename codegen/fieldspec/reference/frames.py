@@ -336,7 +336,10 @@ def _checksum(part: PartLayout, data: bytes) -> int | bytes:
 
 
 def _checksum_text(value: int | bytes, part: PartLayout) -> str:
-    return value.decode("latin-1") if isinstance(value, bytes) else f"{value:0{2 * part.size}X}"
+    """A checksum as it is on the wire: its digits, or its bytes in their order."""
+    if isinstance(value, bytes):
+        return value.decode("latin-1")
+    return value.to_bytes(part.size, "little" if part.order == "little" else "big").hex(" ").upper()
 
 
 def _is_visible(part: PartLayout) -> bool:

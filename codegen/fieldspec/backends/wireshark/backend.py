@@ -12,7 +12,7 @@ from fieldspec.backends.wireshark.records import DIRECTIONS, message_data, recor
 from fieldspec.backends.wireshark.registers import parameter_sets, register_data, table_data
 from fieldspec.backends.wireshark.text import Data, comment, line_text, table
 from fieldspec.backends.wireshark.values import enum_data, word_data
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.digits import digits_refusals
 from fieldspec.names import Name, stem
@@ -42,7 +42,6 @@ def shared() -> dict[str, str]:
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Links whose bytes are escaped and values of digits: a dissector would show the values of other bytes."""
     links = {link.name: link.link for layout in versions for link in layout.links.values()}
-    help_text = "leave this output out for the device: name the others after --to"
     return [
         Diagnostic(
             "wireshark_frames_unescaped",
@@ -50,7 +49,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
             if link.is_can
             else f"{name} escapes bytes, which the dissector does not undo",
             link.place["can" if link.is_can else "escape"],
-            help=help_text,
+            help=LEAVE_OUT,
         )
         for name, link in links.items()
         if link.escape is not None
