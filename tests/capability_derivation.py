@@ -15,6 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from capability_projects import MANUALS, PROJECTS
 from fieldspec.audit.manual_lines import index_of
 from fieldspec.audit.report import report
 from fieldspec.audit.section import Subject
@@ -34,20 +35,11 @@ from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import Schema, resolved, schema
 from fieldspec.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR
 from fieldspec.source import SourceFile, Span
-from layouts import SPECS, TEST_SPECS
 
 Key = tuple[str, str]
 Way = tuple[str | int, ...]
 
 WITNESSES = Path(__file__).with_name("capability_witnesses.json")
-CASES = Path(__file__).with_name("cases")
-AUDITED = Path(__file__).with_name("audit") / "right"
-KEYS = Path(__file__).with_name("capability_devices") / "keys"
-"""A device with the keys of values at every place that has them, which is quick to build."""
-MANUALS = {"audit/right": AUDITED.parent / "pump.txt", "keys": KEYS.with_name("keys.txt")}
-"""The texts of the manuals of projects, which audits compare with their specs."""
-LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
-"""The made-up devices that take the longest to build, tried behind all others."""
 
 
 class Witness(NamedTuple):
@@ -67,32 +59,6 @@ class Place(NamedTuple):
     way: Way
     node: Node
     part: Schema
-
-
-def _files(folder: Path, root: Path) -> dict[str, bytes]:
-    return {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.yaml"))}
-
-
-def _projects() -> dict[str, dict[str, bytes]]:
-    """The files of made-up devices, of cases that pass and of some real devices, the quickest to build first."""
-    shared = _files(SPECS / "protocols", SPECS) | _files(TEST_SPECS / "protocols", TEST_SPECS)
-    devices = {path.parent.name: _files(path.parent, TEST_SPECS) for path in TEST_SPECS.glob("*/device.yaml")}
-    cases = {}
-    for folder in sorted(CASES.glob("*/passing*")):
-        flat = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))}
-        cases[folder.relative_to(CASES).as_posix()] = flat or _files(folder, folder)
-    order = sorted(devices, key=lambda name: (LAST.index(name) + 1 if name in LAST else 0, name))
-    early = {name: devices[name] for name in order if name not in LAST}
-    late = {name: devices[name] for name in order if name in LAST}
-    late |= {name: _files(SPECS / name, SPECS) for name in ("esc11", "ck10", "tc100")}
-    early |= {"audit/right": _files(AUDITED / "pump", AUDITED), "keys": _files(KEYS, KEYS.parent)}
-    return {
-        name: shared | files if any(b"\nuses:" in data for data in files.values()) else files
-        for name, files in (early | cases | late).items()
-    }
-
-
-PROJECTS = _projects()
 
 
 def name_of(part: Schema, name: str) -> str:
