@@ -198,3 +198,9 @@ def test_an_unknown_item_or_device_is_wrong_use(run: CommandLine, arguments: lis
     result = run(*arguments)
     assert (result.code, result.out) == (2, "")
     assert message in result.err
+
+
+def test_an_item_is_shown_by_the_number_that_the_manual_prints_for_its_address(run: CommandLine) -> None:
+    result = run("show", "station", "40001", "--specs", str(TEST_SPECS))
+    assert (result.code, result.lines[:1]) == (0, ["filter_time"])
+    assert run("show", "station", "40999", "--specs", str(TEST_SPECS)).code == 2

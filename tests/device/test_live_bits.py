@@ -80,3 +80,13 @@ def test_a_dump_names_the_spaces(station: SimulatedDevice, tmp_path: Path) -> No
 def test_a_scan_asks_for_bits(station: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     assert live(station, "scan", "0..0x1F", "--format", "json") == 0
     assert json.loads(capsys.readouterr().out)["spaces"][0]["silent"] == []
+
+
+def test_the_numbers_that_a_manual_prints_are_names(
+    station: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert live(station, "write", "40001=7", "--yes") == 0
+    capsys.readouterr()
+    assert live(station, "read", "40001", "10017", "--format", "json") == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert [(row["name"], row["words"]) for row in rows] == [("filter_time", [7]), ("fault", [0])]

@@ -8,7 +8,8 @@ from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.model.registers import Register, Table
 from fieldspec.render.item import Item, fact_of, handles, items, numbered, unnamed
 from fieldspec.render.item_blocks import blocks
 from fieldspec.render.overview import overview
@@ -43,11 +44,21 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
             if matches:
                 return matches
     matches = [item for item in known if number is not None and numbered(item, number)]
+    matches = matches or [item for item in known if number is not None and _has_printed_number(layout, item, number)]
     matches = matches or list(unnamed(layout, text, number))
     if not matches:
         names = {handle for item in known for handle in handles(item) if handle}
         raise unknown(f"item of {layout.device.id}", text, names)
     return matches
+
+
+def _has_printed_number(layout: DeviceLayout, item: Item, number: int) -> bool:
+    """Whether an item is at the address for which the manual prints a number, such as 40003."""
+    fact = item.table if isinstance(item, TableLayout) else item
+    if not isinstance(fact, (Register, Table)):
+        return False
+    address = layout.device.space(fact.space).address_of(number)
+    return address is not None and numbered(item, address)
 
 
 def _called(item: Item, text: str, place: int, exact: bool) -> bool:

@@ -71,7 +71,13 @@ class RegisterAccess:
 
     def named(self, name: str) -> list[Placed]:
         """The register with a name, the elements of an array, the fields of a record, a role, an address."""
-        return [pair for pair in self._items if writing.means(name, pair[1])]
+        pairs = [pair for pair in self._items if writing.means(name, pair[1])]
+        return pairs or [pair for pair in self._items if self._has_printed_number(pair, name)]
+
+    def _has_printed_number(self, pair: Placed, text: str) -> bool:
+        """Whether a text is the number that the manual prints for the address of an item, such as 40003."""
+        space, occupant = pair
+        return text.isdecimal() and self.layout.device.space(space).address_of(int(text)) == occupant.address
 
     def harmless(self) -> list[Placed]:
         """Everything that the read plan reads."""

@@ -38,6 +38,11 @@ class AddressSpace(Fact):
         """The bytes of a value at one address: 2 in words, and 1 in bytes. A bit counts as a word."""
         return 1 if self.unit == BYTE else 2
 
+    def address_of(self, number: int) -> int | None:
+        """The address for which the manual prints a number, such as 40003; None for numbers that may be addresses."""
+        address = number - self.first_number
+        return address if self.bounds.high < self.first_number and address in self.bounds else None
+
 
 WORDS = AddressSpace(
     name="",
