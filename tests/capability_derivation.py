@@ -15,6 +15,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from capability_projects import MANUALS, PROJECTS
+from fieldspec.audit.manual_lines import index_of
 from fieldspec.audit.report import report
 from fieldspec.audit.section import Subject
 from fieldspec.backends import BUILT_IN, OUTPUTS
@@ -33,15 +35,11 @@ from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import Schema, resolved, schema
 from fieldspec.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR
 from fieldspec.source import SourceFile, Span
-from layouts import SPECS, TEST_SPECS
 
 Key = tuple[str, str]
 Way = tuple[str | int, ...]
 
 WITNESSES = Path(__file__).with_name("capability_witnesses.json")
-CASES = Path(__file__).with_name("cases")
-LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
-"""The made-up devices that take the longest to build, tried behind all others."""
 
 
 class Witness(NamedTuple):
@@ -61,31 +59,6 @@ class Place(NamedTuple):
     way: Way
     node: Node
     part: Schema
-
-
-def _files(folder: Path, root: Path) -> dict[str, bytes]:
-    return {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.yaml"))}
-
-
-def _projects() -> dict[str, dict[str, bytes]]:
-    """The files of made-up devices, of cases that pass and of some real devices, the quickest to build first."""
-    shared = _files(SPECS / "protocols", SPECS) | _files(TEST_SPECS / "protocols", TEST_SPECS)
-    devices = {path.parent.name: _files(path.parent, TEST_SPECS) for path in TEST_SPECS.glob("*/device.yaml")}
-    cases = {}
-    for folder in sorted(CASES.glob("*/passing*")):
-        flat = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))}
-        cases[folder.relative_to(CASES).as_posix()] = flat or _files(folder, folder)
-    order = sorted(devices, key=lambda name: (LAST.index(name) + 1 if name in LAST else 0, name))
-    early = {name: devices[name] for name in order if name not in LAST}
-    late = {name: devices[name] for name in order if name in LAST}
-    late |= {name: _files(SPECS / name, SPECS) for name in ("esc11", "ck10", "tc100")}
-    return {
-        name: shared | files if any(b"\nuses:" in data for data in files.values()) else files
-        for name, files in (early | cases | late).items()
-    }
-
-
-PROJECTS = _projects()
 
 
 def name_of(part: Schema, name: str) -> str:
@@ -188,11 +161,15 @@ def put(node: Node, way: Way, new: Node | None) -> Node:
     return Sequence(node.file, node.start, node.end, tuple(inner))
 
 
-def audit_text(spec: DeviceSpec, versions: list[DeviceLayout]) -> str:
-    """The audit of the newest version, without the places in the files of the spec."""
-    subject = Subject(spec, versions[-1], versions, of_versions(versions), errata_proofs(spec))
+def audit_text(project: str, spec: DeviceSpec, versions: list[DeviceLayout]) -> str:
+    """The audit of the newest version, without places in the files of the spec; with its manual, also the findings."""
+    path = MANUALS.get(project)
+    manual = index_of(path.name, path.read_bytes()) if path is not None else None
+    subject = Subject(spec, versions[-1], versions, of_versions(versions), errata_proofs(spec), manual=manual)
     sections = report(subject).sections
-    rows = [
+    findings = [finding.message for section in sections for finding in section.findings] if manual is not None else []
+    rows: list[object] = [findings] if findings else []
+    rows += [
         [*(table.columns for table in section.tables), section.paragraphs, section.figures, section.questions]
         + [["" if isinstance(cell, Span) else cell for cell in row] for table in section.tables for row in table.rows]
         for section in sections
@@ -215,18 +192,23 @@ def _placeless(value: object) -> object:
     return [_placeless(inner) for inner in value] if isinstance(value, tuple) else value
 
 
-def spec_of(project: str, changed: dict[str, bytes]) -> DeviceSpec | None:
-    """The device of a project with other texts of some files; None if they cannot be read."""
-    result = read(PROJECTS[project] | changed)
+def spec_of(project: str, changed: dict[str, bytes], folders: tuple[str, str] = ("", "")) -> DeviceSpec | None:
+    """The device of a project with other texts of some files; None if they cannot be read.
+
+    `folders` are the old and the new name of the folder of a device with another identifier.
+    """
+    old, new = folders
+    files = PROJECTS[project] | changed
+    result = read({re.sub(rf"^{old}/", f"{new}/", path) if old else path: data for path, data in files.items()})
     return None if has_errors(result.findings) else next(iter(result.devices.values()), None)
 
 
-def outputs_of(spec: DeviceSpec) -> dict[str, str]:
-    """Everything that is made of a device, by output, without the identity."""
+def outputs_of(project: str, spec: DeviceSpec) -> dict[str, str]:
+    """Everything that is made of the device of a project, by output, without the identity."""
     versions = layouts(spec)
     contents = {
         EXPORT: "".join(as_csv(items(layout)) for layout in versions),
-        AUDIT: audit_text(spec, versions),
+        AUDIT: audit_text(project, spec, versions),
         SIMULATOR: behaviour_text(spec),
     }
     for name in sorted(BUILT_IN):
@@ -247,7 +229,22 @@ def findings_of(spec: DeviceSpec) -> set[tuple[str, str]]:
 def unchanged(project: str, path: str) -> tuple[DeviceSpec, dict[str, str]] | None:
     """A device as it is, with one of its files in the form in which changes are written, and its outputs."""
     spec = spec_of(project, {path: yaml_text(trees(project)[path]).encode()})
-    return None if spec is None else (spec, outputs_of(spec))
+    return None if spec is None else (spec, outputs_of(project, spec))
+
+
+def _changed_spec(witness: Witness, text: str) -> DeviceSpec | None:
+    """The device of a changed file; the folder follows where its identifier changes."""
+    folder = witness.path.partition("/")[0]
+    folders = (folder, witness.text or "") if witness.way == ("device", "id") else ("", "")
+    return spec_of(witness.project, {witness.path: text.encode()}, folders)
+
+
+def is_refused(witness: Witness) -> bool:
+    """Whether the findings refuse a change of a device that they do not refuse as it is."""
+    new = None if witness.text is None else parsed_text(witness.text)
+    present = unchanged(witness.project, witness.path)
+    spec = _changed_spec(witness, yaml_text(put(trees(witness.project)[witness.path], witness.way, new)))
+    return present is not None and (spec is None or (has_errors(proven(spec)) and not has_errors(proven(present[0]))))
 
 
 def changed_outputs(witness: Witness) -> set[str] | None:
@@ -256,11 +253,11 @@ def changed_outputs(witness: Witness) -> set[str] | None:
     text = yaml_text(put(trees(witness.project)[witness.path], witness.way, new))
     try:
         present = unchanged(witness.project, witness.path)
-        spec = spec_of(witness.project, {witness.path: text.encode()})
+        spec = _changed_spec(witness, text)
         if spec is None or present is None:
             return None
         original, before = present
-        changed = {name for name, text in outputs_of(spec).items() if text != before[name]}
+        changed = {name for name, text in outputs_of(witness.project, spec).items() if text != before[name]}
     except (AssertionError, KeyError, IndexError, TypeError, ValueError, AttributeError):
         return None  # a device with findings may have no layout
     return changed or ({CHECK} if findings_of(spec) != findings_of(original) else set())

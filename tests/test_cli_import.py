@@ -10,7 +10,7 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from command_line import SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from example_counts import examples
 from fieldspec.diagnostics import Severity
 from fieldspec.lists.listing import listing
@@ -219,3 +219,52 @@ def test_any_cells_give_a_spec_that_passes_or_a_refusal(cells: list[tuple[object
 
 def test_a_text_without_a_word_gives_no_name() -> None:
     assert snake("…") == ""
+
+
+POWERS = """
+| Address | Name   | Words | Type   | R/W | Scale    | Min | Max | Unit |
+|---------|--------|-------|--------|-----|----------|-----|-----|------|
+| 9C88    | A      | 1     | uint16 | R   | {scale}  |     |     | A    |
+| 9C89    | Total  | 2     | uint32 | R   | {scale}  |     |     | Wh   |
+| 9C8B    | A_SF   | 1     | int16  | R   |          | {bounds} |      |
+"""
+
+
+@pytest.mark.parametrize("scale", ["A_SF", "10^A_SF", "10 ^ a_sf", "10**A_SF"])
+@pytest.mark.parametrize("bounds", [" | ", "-3 | 3"])
+def test_a_scale_that_names_another_row_is_read_from_that_register(scale: str, bounds: str) -> None:
+    current, total, exponent = rows(POWERS.format(scale=scale, bounds=bounds))
+    assert current["scale_by"] == total["scale_by"] == exponent["name"] == "a_sf"
+    assert exponent["range"] == ("-10..10" if bounds == " | " else "-3..3")
+    assert ("range" in exponent.get("inferred", {})) == (bounds == " | ")  # type: ignore[operator]
+    assert "notes" not in current
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("| A_SF   | 1     | int16  | R ", "| A_SF   | 2     | float  | R "),
+        ("| A_SF   | 1     | int16  | R ", "| A_SF   | 1     | int16  |   "),
+        ("| 9C89    | Total ", "| 9C89    | A_SF  "),
+        ("  -3 | 3 ", "  -30 | 3 "),
+    ],
+)
+def test_a_scale_that_names_no_exponent_becomes_a_note(old: str, new: str) -> None:
+    text = POWERS.format(scale="A_SF", bounds="-3 | 3").replace("| -3 | 3", "|  -3 | 3").replace(old, new)
+    assert new in text
+    assert rows(text)[0]["notes"] == ["Scale in the list: A_SF."]
+
+
+def test_an_exported_list_gives_back_the_exponents_of_its_scales(run: CommandLine, tmp_path: Path) -> None:
+    path = tmp_path / "inverter.csv"
+    own, run.folder = run.folder, TEST_SPECS
+    assert run("export", "inverter", "--out", str(path)).code == 0
+    run.folder = own
+    names = ("name", "power", "power_sf", "modules.current", "module_current_sf")
+    lines = path.read_text("utf-8").splitlines(keepends=True)
+    path.write_text("".join(line for line in lines if any(f",{name}," in line for name in names)), "utf-8")
+    spec = own / "again" / "device.yaml"
+    assert run("import", str(path), "--to", str(spec)).code == 0
+    (group,) = yaml.safe_load(spec.read_text("utf-8"))["registers"]
+    scaled = {row["name"]: row["scale_by"] for row in group["rows"] if "scale_by" in row}
+    assert (scaled["power"], scaled["modules_current"]) == ("power_sf", "module_current_sf")

@@ -6,6 +6,7 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
+from inspect import signature
 from typing import Any
 
 import pytest
@@ -25,11 +26,14 @@ ESC11 = module_of(newest(SPECS, "esc11"))
 
 
 def quantities_of(record: type[Any]) -> list[str]:
-    """The properties of a class that have a field in its unit."""
+    """The properties of a class that have a field in its unit, and that its constructor takes.
+
+    It takes none whose scale depends on another field.
+    """
     return [
         name
         for name, member in vars(record).items()
-        if isinstance(member, property) and member.fset is not None and name not in record.__match_args__
+        if isinstance(member, property) and name not in record.__match_args__ and name in signature(record).parameters
     ]
 
 

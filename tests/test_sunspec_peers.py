@@ -6,9 +6,9 @@ The models of the made-up inverter are compared with the model definitions that 
 from __future__ import annotations
 
 import csv
-import importlib
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -18,18 +18,15 @@ from sunspec2.modbus.client import SunSpecModbusClientDeviceTCP
 
 from command_line import CommandLine
 from fieldspec.cli import main
-from fieldspec.explain.registers import Occupant, Span, occupants
-from fieldspec.layout.record import RegisterLayout
-from fieldspec.testing import SimulatedDevice, simulation
-from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of, runtime
+from fieldspec.explain.registers import Occupant
+from fieldspec.model.value import Value
+from fieldspec.testing import SimulatedDevice
+from layouts import TEST_SPECS
+from python_package import codec_error, runtime
+from sunspec import CLIENT, INVERTER, LAYOUT, SECONDS, address, occupant, put, simulated_inverter
 
-LAYOUT = newest(TEST_SPECS, "inverter")
-INVERTER = module_of(LAYOUT)
-CLIENT = importlib.import_module(f"{INVERTER.__name__.rpartition('.')[0]}.client")
 CodecError = codec_error()
 MODELS = {"inverter": 103, "trackers": 160}
-SECONDS = 5
 # Raw values at bounds of their types and at usual places; the last one of each type stands for "not implemented".
 RAW = {
     "u16": (0, 1, 2304, 65534, 65535),
@@ -40,12 +37,8 @@ RAW = {
 
 @pytest.fixture(scope="module")
 def device() -> Iterator[SimulatedDevice]:
-    with simulation("inverter", ports={"tcp": "tcp://127.0.0.1:0"}, folder=str(TEST_SPECS)) as running:
+    with simulated_inverter() as running:
         yield running
-
-
-def address(device: SimulatedDevice) -> tuple[str, int]:
-    return "127.0.0.1", int(device.place.rpartition(":")[2])
 
 
 @pytest.fixture(scope="module")
@@ -65,27 +58,58 @@ def client(device: SimulatedDevice) -> Iterator[Any]:
         yield CLIENT.Client(transport, link="tcp", timeout=SECONDS)
 
 
-def group_of(name: str) -> list[RegisterLayout]:
-    names = {register.name for group in LAYOUT.device.groups if group.name == name for register in group.registers}
-    return [register for register in LAYOUT.registers if register.name in names]
+@dataclass(frozen=True)
+class Point:
+    """A value of a register or a field, and the point of pysunspec2. `unit` converts counts, `read` asks the device."""
+
+    occupant: Occupant
+    peer: Any
+    unit: Any
+    read: Callable[[Any], Any]
+
+    @property
+    def value(self) -> Value:
+        return self.occupant.value
+
+    @property
+    def exponent(self) -> str:
+        """The register with the exponent of the scale."""
+        return self.value.scale_by
 
 
-def points(peer: Any, group: str, register: RegisterLayout) -> list[tuple[str, Any, Any]]:
-    """The path, the constant of the generated code, and the point of pysunspec2, of each element of a register."""
-    model, own = peer.models[MODELS[group]][0], register.register
-    constant = getattr(INVERTER, register.name.upper())
-    if register.count == 1:
-        return [(f"registers/{register.name}", constant, model.points[own.printed_name])]
-    numbers = range(own.index_from, own.index_from + register.count)
-    modules = model.groups["module"]
+def points(peer: Any, group: str) -> list[Point]:
+    """The registers of a group, and the fields of the modules behind it."""
+    model = peer.models[MODELS[group]][0]
+    rows = [
+        Point(
+            occupant(register.name),
+            model.points[register.printed_name],
+            getattr(INVERTER, register.name.upper()),
+            lambda client, name=register.name: client.read(getattr(INVERTER, name.upper())),
+        )
+        for own in LAYOUT.device.groups
+        if own.name == group
+        for register in own.registers
+        if register.count == 1
+    ]
+    return rows + (module_points(model.groups["module"]) if group == "trackers" else [])
+
+
+def module_points(modules: Any) -> list[Point]:
     return [
-        (f"registers/{register.name}[{number}]", constant[number], module.points[own.printed_name])
-        for number, module in zip(numbers, modules, strict=True)
+        Point(
+            occupant(f"modules[{number}].{field.name}"),
+            module.points[field.field.printed_name],
+            getattr(INVERTER.Module, f"{field.name.upper()}_UNIT", None),
+            lambda client, number=number, name=field.name: getattr(client.read(INVERTER.modules[number]), name),
+        )
+        for number, module in enumerate(modules, 1)
+        for field in LAYOUT.records["module"].fields
     ]
 
 
-def scaled(group: str) -> list[RegisterLayout]:
-    return [register for register in group_of(group) if register.register.value.scale_by]
+def scaled(rows: Iterable[Point]) -> list[Point]:
+    return [row for row in rows if row.exponent]
 
 
 def test_pysunspec2_knows_the_models_and_where_they_end(peer: Any) -> None:
@@ -97,20 +121,20 @@ def test_pysunspec2_knows_the_models_and_where_they_end(peer: Any) -> None:
 
 @pytest.mark.parametrize("group", MODELS)
 def test_every_point_has_the_type_the_place_and_the_unit_of_the_public_model(peer: Any, group: str) -> None:
-    units = {None: "", "C": "°C", "Pct": "%"}
-    kinds = {"i16": ("int16", "sunssf"), "u16": ("uint16", "enum16", "count"), "u32": ("acc32", "uint32", "bitfield32")}
-    for register in group_of(group):
-        value = register.register.value
-        for _, constant, point in (
-            points(peer, group, register) if "EvtVnd" not in register.register.printed_name else ()
-        ):
-            place = point.model.model_addr + point.offset
-            assert constant.address == place, register.name
-            assert point.pdef["type"] in kinds.get(value.type.name, ("string",)), register.name
-            assert (value.scale_by != "") == (point.sf is not None), register.name
-            if value.scale_by:
-                assert LAYOUT.device.register(value.scale_by).printed_name == point.sf  # type: ignore[union-attr]
-                assert value.quantity_unit in (units.get(point.pdef.get("units"), point.pdef.get("units")), "V")
+    units = {None: "", "C": "°C", "Pct": "%", "Secs": "s"}
+    kinds = {
+        "i16": ("int16", "sunssf"),
+        "u16": ("uint16", "enum16", "count"),
+        "u32": ("acc32", "uint32", "bitfield32"),
+    }
+    for row in points(peer, group):
+        value, point = row.value, row.peer
+        assert row.occupant.address == point.model.model_addr + point.offset, row.occupant.path
+        assert point.pdef["type"] in kinds.get(value.type.name, ("string",)), row.occupant.path
+        assert (row.exponent != "") == (point.sf is not None), row.occupant.path
+        if row.exponent:
+            assert LAYOUT.device.register(row.exponent).printed_name == point.sf  # type: ignore[union-attr]
+            assert value.quantity_unit in (units.get(point.pdef.get("units"), point.pdef.get("units")), "V")
 
 
 @pytest.mark.parametrize("power", [-10, -2, 0, 3, 10])
@@ -118,43 +142,40 @@ def test_every_point_has_the_type_the_place_and_the_unit_of_the_public_model(pee
 def test_what_pysunspec2_reads_is_what_the_codec_and_the_client_read(
     device: SimulatedDevice, peer: Any, client: Any, group: str, power: int
 ) -> None:
-    rows = [
-        (register, path, constant, point)
-        for register in scaled(group)
-        for path, constant, point in points(peer, group, register)
-    ]
-    raws = {path: RAW[register.register.value.type.name] for register, path, _, _ in rows}
+    rows = scaled(points(peer, group))
     for turn in range(5):
-        device.set(**{f"registers/{register.register.value.scale_by}": power for register, *_ in rows})
-        device.set(**{path: numbers[(at + turn) % len(numbers)] for at, (path, numbers) in enumerate(raws.items())})
+        raws = [RAW[row.value.type.name][(at + turn) % len(RAW[row.value.type.name])] for at, row in enumerate(rows)]
+        for row, raw in zip(rows, raws, strict=True):
+            put(device, row.exponent, power)
+            put(device, row.occupant.path, raw)
         peer.models[MODELS[group]][0].read()
-        for at, (_, path, constant, point) in enumerate(rows):
-            raw = raws[path][(at + turn) % len(raws[path])]
-            quantity = constant.in_unit(raw, power)
-            assert point.cvalue == (None if quantity is None else pytest.approx(quantity, rel=1e-9)), path
+        for at, (row, raw) in enumerate(zip(rows, raws, strict=True)):
+            quantity = row.unit.in_unit(raw, power)
+            assert row.peer.cvalue == (None if quantity is None else pytest.approx(quantity, rel=1e-9)), row.occupant
             if at == turn:
-                assert client.read_in_unit(constant) == quantity
-                assert client.read(constant) == raw
+                assert row.read(client) == raw
+                if isinstance(row.unit, runtime("_registers").Register):
+                    assert client.read_in_unit(row.unit) == quantity
 
 
 @pytest.mark.parametrize("group", MODELS)
 def test_the_client_reads_what_pysunspec2_encodes(device: SimulatedDevice, peer: Any, client: Any, group: str) -> None:
     model, exponents = peer.models[MODELS[group]][0], {-2: 12.34, 0: 210, 2: 45600}
+    rows = scaled(points(peer, group))
     for power, quantity in exponents.items():
-        rows = [row for register in scaled(group) for row in points(peer, group, register)]
-        for register in scaled(group):
-            model.points[LAYOUT.device.register(register.register.value.scale_by).printed_name].value = power  # type: ignore[union-attr]
-        for path, _, point in rows:
-            point.sf_value = None
-            point.cvalue = quantity
-            assert point.value is not None, path
+        for row in rows:
+            name = LAYOUT.device.register(row.exponent).printed_name  # type: ignore[union-attr]
+            model.points[name].value = power
+            row.peer.sf_value = None
+            row.peer.cvalue = quantity
+            assert row.peer.value is not None, row.occupant.path
         memory = device.simulation.engine.memory
         data = model.get_mb()
         for at in range(4, len(data), 2):
             memory.words["", model.model_addr + at // 2] = int.from_bytes(data[at : at + 2], "big")
-        for path, constant, point in rows[::4]:
-            assert client.read_in_unit(constant) == pytest.approx(quantity), path
-            assert constant.from_unit(quantity, power) == point.value, path
+        for row in rows[::4]:
+            assert row.read(client) == row.peer.value == row.unit.from_unit(quantity, power), row.occupant.path
+            assert row.unit.in_unit(row.peer.value, power) == pytest.approx(quantity), row.occupant.path
 
 
 def test_an_exponent_that_is_not_implemented_leaves_no_quantity(device: SimulatedDevice, client: Any) -> None:
@@ -245,9 +266,65 @@ def test_an_exponent_that_is_none_is_refused(register: str, arguments: tuple[Any
         assert refused.value.reason == reason
 
 
-def occupant(name: str) -> Occupant:
-    every = occupants(LAYOUT, Span("", 0, 0x10000, 0, b""))
-    return next(own for own in every if own.path == name)
+def test_a_record_has_quantities_where_it_has_the_exponent() -> None:
+    phase = INVERTER.Phase(current=-123, phase_sf=-1)
+    assert phase.current_a == -12.3
+    phase.current_a = 4.56
+    assert phase.current == 46
+    phase.phase_sf = phase.PHASE_SF_NOT_IMPLEMENTED
+    assert phase.current_a is None
+    phase.phase_sf = 11
+    with pytest.raises(CodecError, match=r"phase_sf is 11, not an exponent in -10\.\.10"):
+        phase.current_a  # noqa: B018
+    snapshot = INVERTER.ReadSnapshotResponse(7, 0xFFFF, [1, 2], 3, [phase])
+    assert (snapshot.limit_w, snapshot.limits_w) == (None, [1000.0, 2000.0])
+    snapshot.limits_w = [5000, Decimal("6499.5")]
+    assert snapshot.limits == [5, 6]
+    assert snapshot.ENERGY_UNIT.in_unit(snapshot.energy, 2) == 700.0
+
+
+def test_a_message_explains_quantities_by_the_exponents_in_it(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    data = bytes.fromhex("00000007 0019 0001 FFFF FE 007B FF 007B 80")
+    frame = f"0001 0000 {len(data) + 2:04X} 01 41 {data.hex()}"
+    code, output, _ = run("decode", "inverter", frame, "--link", "tcp", "--direction", "response", "--format", "json")
+    texts = {row["path"]: row["value"] for row in json.loads(output)["rows"]}
+    times = "\N{MULTIPLICATION SIGN}10^"
+    assert code == 0
+    assert [texts[name] for name in ("energy", "limit", "limits[1]", "phases[0].current", "phases[1].current")] == [
+        f"7 {times}energy_sf Wh",
+        "0.25 W",
+        "655.35 W",
+        "12.3 A",
+        f"123 {times}phase_sf A",
+    ]
+
+
+def test_a_frame_explains_the_fields_of_a_table_by_the_exponent_in_a_register(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    words = [0] * (40152 - 40124)
+    words[0], words[40141 - 40124] = 0xFFFE, 123
+    data = b"".join(word.to_bytes(2, "big") for word in words)
+    request = f"0001 0000 0006 01 03 {40124:04X} {len(words):04X}"
+    frame = f"0001 0000 {len(data) + 3:04X} 01 03 {len(data):02X} {data.hex()}"
+    options = ("--request", request, "--link", "tcp", "--direction", "response", "--format", "json")
+    rows = json.loads(run("decode", "inverter", frame, *options)[1])["registers"]
+    assert next(row["value"] for row in rows if row["path"] == "modules[1].current") == "1.23 A"
+
+
+def test_live_reads_the_fields_of_a_table_as_quantities(
+    device: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    put(device, "modules[2].voltage", 4012)
+    put(device, "module_voltage_sf", -1)
+    place = ("--port", device.place, "--link", "tcp", "--unit", "1", "--timeout", "1", "--specs", str(TEST_SPECS))
+    assert main(["live", "inverter", "read", "modules[2].voltage", "--format", "json", *place]) == 0
+    (row,) = json.loads(capsys.readouterr().out)
+    assert (row["value"], row["meaning"]) == (4012, "401.2 V")
 
 
 def test_an_exported_list_names_the_exponent_and_is_compared_without_a_difference(

@@ -1003,7 +1003,14 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that an exponent makes of it, where `scaleBy` names the register of the exponent. */
+/** A value with the scale that the bytes of its exponent make; unchanged where they are no exponent. */
+function exponentApplied(value, exponent, bytes) {
+  const number = numberOfBytes(exponent, bytes, exponent.order ?? "big", exponent.swapped);
+  const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
+  return isExponent ? scaledBy(value, Number(number)) : value;
+}
+
+/** A value with the scale that an exponent makes of it, where `scaleBy` names what has the exponent. */
 function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
   const scale = exponent < 0 ? `0.${"1".padStart(-exponent, "0")}` : "1".padEnd(exponent + 1, "0");
   return { ...value, ...(exponent === 0 ? {} : { scale, offset: "0" }), ...(quantityUnit ? { unit: quantityUnit } : {}) };
@@ -1749,9 +1756,14 @@ function addElements(occupants, register, span) {
 
 function addFields(occupants, device, table, span) {
   const [start, last] = nearElements(table.base, table, span);
+  const record = device.records.get(table.record);
   for (let number = start; number < last; number++) {
     const base = table.base + number * table.stride;
-    for (const field of device.records.get(table.record).fields) {
+    const beside = (name) => {
+      const field = record.named.get(name);
+      return field && { address: base + (field.offset >> 1), skip: field.offset & 1, value: field.value };
+    };
+    for (const field of record.fields) {
       if (!field.value) continue;
       for (let item = 0; item < (field.count ?? 0); item++) {
         const first = field.offset + item * field.size;
@@ -1766,6 +1778,8 @@ function addFields(occupants, device, table, span) {
           outer: table,
           value: field.value,
           skip: first & 1,
+          beside,
+          element: number,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -1786,7 +1800,8 @@ function registerRow(device, span, occupant, spot, operation) {
   const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
-    const value = byExponent(device, span, operation === "write" ? forWriting(occupant.value) : occupant.value);
+    const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
+    const value = byExponent(device, span, occupant, own);
     read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
@@ -1797,19 +1812,26 @@ function registerRow(device, span, occupant, spot, operation) {
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
-  return { ...row, ...place, offset: piece ? row.offset : 0 };
+  const notes = [...row.notes, ...absence(device, span, occupant)];
+  return { ...row, ...place, notes, offset: piece ? row.offset : 0 };
 }
 
-/** A value with its scale, where the exponent is in another register, and the span has that one, too. */
-function byExponent(device, span, value) {
+/** The note of a field in an element that the device has not got, where the span has the count, too. */
+function absence(device, span, { outer, element }) {
+  const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
+  const piece = count && span.piece(count.address, count.value.size);
+  if (!piece) return [];
+  const number = numberOfBytes(count.value, piece.content, count.value.order ?? "big", count.value.swapped);
+  return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
+}
+
+/** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */
+function byExponent(device, span, occupant, value) {
   if (!value.scaleBy) return value;
-  const exponent = device.data.registers.find(({ name }) => name === value.scaleBy);
-  const own = exponent.value;
-  const piece = span.piece(exponent.address, own.size);
-  if (!piece) return value;
-  const number = numberOfBytes(own, piece.content, own.order ?? "big", own.swapped);
-  const isExponent = isWhole(number) && isWithin(own.ranges ?? [], number) && !sentinelOf(own, number);
-  return isExponent ? scaledBy(value, Number(number)) : value;
+  const beside = occupant.beside?.(value.scaleBy);
+  const exponent = beside ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
+  const piece = span.piece(exponent.address, exponent.value.size, exponent.skip);
+  return piece ? exponentApplied(value, exponent.value, piece.content) : value;
 }
 
 /** The row of words that no register has, with the reasons of the gaps there. */
@@ -1890,7 +1912,7 @@ class ExplainedBody {
       if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
       else {
         const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
-        this.values.set(field.name, this.explainValue(field, field.name, at, 0, true, varying));
+        this.values.set(field.name, this.explainValue(field, field.value, field.name, at, 0, true, varying));
       }
       at = this.start + stop;
     }
@@ -1942,7 +1964,7 @@ class ExplainedBody {
 
   explainElement(field, path, at, index) {
     if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
-    return this.explainValue(field, path, at, index, true);
+    return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
@@ -1955,16 +1977,26 @@ class ExplainedBody {
         const place = at + field.offset + index * field.size;
         elements.push(field.record
           ? this.explainRecord(this.device.records.get(field.record), inner, place)
-          : this.explainValue(field, inner, place, index, false));
+          : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
     }
     return values;
   }
 
-  /** Adds the row of a value. Of one that varies in width, `varying` has the bytes, those in the image, and its form. */
-  explainValue(field, path, at, index, isTop, varying) {
-    const { value } = field;
+  /** The value of a field of a record, with its scale where another field beside it has the exponent. */
+  byExponent({ value }, record, start) {
+    const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
+    const at = start + (exponent?.offset ?? 0);
+    if (!exponent || at + exponent.size > this.end) return value;
+    return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
+  }
+
+  /**
+   * Adds the row of a field, whose `value` has its scale. Of one that varies in width, `varying` has the bytes, those in
+   * the image, and its form.
+   */
+  explainValue(field, value, path, at, index, isTop, varying) {
     const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
     const image = varying ? varying.image : raw;
     let read = image === null

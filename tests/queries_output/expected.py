@@ -13,10 +13,17 @@ from fieldspec.model.device import Device
 from fieldspec.model.value import Kind, Value
 
 Columns = dict[str, Any]
+Exponent = tuple[Value, Any]
+"""The value with the exponent of a scale, and its number."""
 
 
-def record_columns(device: Device, record: RecordLayout, values: Mapping[str, Any]) -> Columns:
-    """The columns of a record. What another choice would have is null and left out."""
+def record_columns(
+    device: Device, record: RecordLayout, values: Mapping[str, Any], registers: Mapping[str, Exponent] | None = None
+) -> Columns:
+    """The columns of a record. What another choice would have is null and left out.
+
+    `registers` has the registers with exponents that a payload has, too.
+    """
     chosen = record
     suffix = ""
     if record.selector is not None:
@@ -27,7 +34,8 @@ def record_columns(device: Device, record: RecordLayout, values: Mapping[str, An
     for place, field in enumerate(chosen.fields):
         is_choice = record.selector is not None and place == len(chosen.fields) - 1
         name = field.name + (suffix if is_choice else "")
-        for key, value in field_columns(device, name, field, values[field.name]):
+        power = exponent_of(chosen, field, values, registers)
+        for key, value in field_columns(device, name, field, values[field.name], power):
             while key in columns:
                 key += "_"
             columns[key] = value
@@ -40,14 +48,31 @@ def first_of(record: RecordLayout, numbers: frozenset[int]) -> frozenset[int]:
     return frozenset(number for number, other in record.chosen.items() if other is shape)
 
 
-def field_columns(device: Device, name: str, field: FieldLayout, value: Any) -> Iterator[tuple[str, Any]]:
-    """The columns of a field."""
+def exponent_of(
+    record: RecordLayout,
+    field: FieldLayout,
+    values: Mapping[str, Any],
+    registers: Mapping[str, Exponent] | None = None,
+) -> Exponent | None:
+    """The exponent of a field in another field of its record, or in a register; None without one, and for a list."""
+    if field.value is not None and field.value.scale_by in (registers or {}) and not field.is_list:
+        return (registers or {})[field.value.scale_by]
+    beside = record.named(field.value.scale_by) if field.value is not None and field.value.scale_by else None
+    if beside is None or beside.value is None or field.is_list:
+        return None
+    return beside.value, values[beside.name]
+
+
+def field_columns(
+    device: Device, name: str, field: FieldLayout, value: Any, power: Exponent | None = None
+) -> Iterator[tuple[str, Any]]:
+    """The columns of a field, and its quantity where `power` has the exponent of its scale."""
     if field.field.reserved:
         return
     if field.record is not None:
         yield from _inner_columns(device, name, field, value)
     elif not field.is_list:
-        yield from value_columns(device, name, field.value, value)
+        yield from value_columns(device, name, field.value, value, power)
     else:
         rows = [dict(value_columns(device, name, field.value, item)) for item in value]
         for key in dict(value_columns(device, name, field.value, _any_of(field.value))):
@@ -58,11 +83,13 @@ def _inner_columns(device: Device, name: str, field: FieldLayout, value: Any) ->
     assert field.record is not None
     if not field.is_list:
         for inner in field.record.fields:
-            yield from field_columns(device, f"{name}_{inner.name}", inner, value[inner.name])
+            power = exponent_of(field.record, inner, value)
+            yield from field_columns(device, f"{name}_{inner.name}", inner, value[inner.name], power)
     elif field.count is not None:
         for place, item in enumerate(value):
             for inner in field.record.fields:
-                yield from field_columns(device, f"{name}_{place}_{inner.name}", inner, item[inner.name])
+                power = exponent_of(field.record, inner, item)
+                yield from field_columns(device, f"{name}_{place}_{inner.name}", inner, item[inner.name], power)
     else:
         yield from _repeated_columns(device, name, field.record, value)
 
@@ -86,7 +113,7 @@ def _flat(device: Device, name: str, record: RecordLayout, item: Mapping[str, An
             for place, element in enumerate(elements):
                 yield from _flat(device, f"{own}_{place}" if inner.is_list else own, inner.record, element)
         else:
-            yield from value_columns(device, own, inner.value, item[inner.name])
+            yield from value_columns(device, own, inner.value, item[inner.name], exponent_of(record, inner, item))
 
 
 def _any_of(value: Value | None) -> Any:
@@ -94,7 +121,9 @@ def _any_of(value: Value | None) -> Any:
     return {Kind.TEXT: "", Kind.BYTES: b"", Kind.FLOAT: 0.0}.get(value.type.kind, 0)
 
 
-def value_columns(device: Device, name: str, value: Value | None, raw: Any) -> Iterator[tuple[str, Any]]:
+def value_columns(
+    device: Device, name: str, value: Value | None, raw: Any, power: Exponent | None = None
+) -> Iterator[tuple[str, Any]]:
     """The columns of a value by its raw value."""
     assert value is not None
     kind = value.type.kind
@@ -107,6 +136,11 @@ def value_columns(device: Device, name: str, value: Value | None, raw: Any) -> I
         word = raw % (1 << 8 * value.size)
         yield name, word
         yield from _bit_columns(device, name, value, word)
+    elif power is not None:
+        exponent, number = power
+        is_known = sentinel is None and exponent.ranges is not None and number in exponent.ranges
+        yield f"{name}_{unit_word(value.quantity_unit)}", _share(value.scaled_by(number), raw) if is_known else None
+        yield f"{name}_raw", raw
     elif kind is Kind.INTEGER and value.scaled:
         quantity = value.in_unit(raw) if isinstance(value.scale, Decimal) else _share(value, raw)
         yield f"{name}_{unit_word(value.unit)}", None if sentinel else quantity

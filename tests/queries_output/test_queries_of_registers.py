@@ -19,7 +19,7 @@ from fieldspec.reference import CodecError
 from fieldspec.reference.records import decoded, value_construct
 from layouts import SPECS, TEST_SPECS, newest
 from queries_output.engines import ENGINES, engine_of
-from queries_output.expected import Columns, is_equal, record_columns, value_columns
+from queries_output.expected import Columns, Exponent, is_equal, record_columns, value_columns
 
 WORDS = ("tc100", "widget", "hostile", "meter", "wattmeter", "counter", "inverter")
 PARAMETERS = ("hiwin-e", "widget", "mover", "esc11")
@@ -114,7 +114,7 @@ def test_a_register_has_a_quantity_where_the_payload_has_the_exponent_of_its_sca
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("device", ["tc100", "ck10", "widget"])
+@pytest.mark.parametrize("device", ["tc100", "ck10", "widget", "inverter"])
 def test_each_element_of_a_table_within_a_payload_is_a_row(device: str, engine: str) -> None:
     layout, dice = layout_of(device), random.Random(device)
     for name, table in layout.tables.items():
@@ -132,16 +132,33 @@ def test_each_element_of_a_table_within_a_payload_is_a_row(device: str, engine: 
                     continue
                 count += 1
                 row = rows[place, index]
-                refusal, wanted = answer_of(layout, table.record, data)
+                refusal, wanted = answer_of(layout, table.record, data, exponents_of(layout, payload, start))
                 assert row["refusal"] == refusal
                 assert all(is_equal(value, row[column]) for column, value in wanted.items())
         assert count == len(rows)
 
 
-def answer_of(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[str | None, Columns]:
+def exponents_of(layout: DeviceLayout, payload: bytes, start: int) -> dict[str, Exponent]:
+    """The exponents of scales in a payload, None where it does not have them."""
+    names = {field.value.scale_by for table in layout.tables.values() for field in table.record.fields if field.value}
+    registers = [register for register in layout.device.registers() if register.name in names]
+    places = {register.name: 2 * (register.address - start) for register in registers}
+    words = {name: payload[at : at + 2] if at >= 0 else b"" for name, at in places.items()}
+    return {
+        register.name: (
+            register.value,
+            int.from_bytes(words[register.name], "big", signed=True) if len(words[register.name]) == 2 else None,
+        )
+        for register in registers
+    }
+
+
+def answer_of(
+    layout: DeviceLayout, record: RecordLayout, data: bytes, exponents: dict[str, Exponent]
+) -> tuple[str | None, Columns]:
     """The reason for which the reference refuses some data, and the columns of data that it decodes."""
     try:
-        return None, record_columns(layout.device, record, decoded(record, data, layout.device))
+        return None, record_columns(layout.device, record, decoded(record, data, layout.device), exponents)
     except CodecError as error:
         return error.reason, {}
 

@@ -7,10 +7,14 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.exponents import exponent_of
 from fieldspec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.model.record import Message
 from fieldspec.model.value import Kind, Value
+from fieldspec.names import Name
 from python_package import built, link_of, record_class, runtime
 from random_devices.inputs import is_computed, record_values
 from random_devices.python_judge import Python
@@ -60,6 +64,8 @@ class Access(Python):
             self._assert_writable(register)
         for table in self.layout.tables.values():
             self._assert_table(table)
+        for record in self.layout.records.values():
+            self._assert_quantities(record)
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
@@ -165,6 +171,19 @@ class Access(Python):
                 quantity is not None and exact is not None and abs(quantity - exact) <= abs(exact) * 1e-12 + 1e-9
             )
             assert same, f"{query.path}: the count {count} is {quantity} in its unit, not {exact}"
+
+    def _assert_quantities(self, record: RecordLayout) -> None:
+        """A count of a field is exact in its unit, by an exponent in a field beside it or in a register."""
+        for field in record.fields:
+            exponent = exponent_of(field.value, self.layout.registers, record) if field.value is not None else None
+            if field.value is None or exponent is None or exponent.value.ranges is None:
+                continue
+            unit = getattr(record_class(self.module, record), f"{Name.of(field.name).upper()}_UNIT")
+            for power in (exponent.value.ranges.low, exponent.value.ranges.high):
+                for count in (field.value.low, field.value.high, 1):
+                    exact = float(field.value.scaled_by(power).in_unit(count))
+                    wanted = None if field.value.sentinel(count) is not None else pytest.approx(exact, rel=1e-12)
+                    assert unit.in_unit(count, power) == wanted, f"{record.name}.{field.name}: {count} by {power}"
 
     def _assert_columns(self, query: Query) -> None:
         """Many records at once are read or refused as one is."""

@@ -96,6 +96,8 @@ class Draft:
     flags: dict[str, str] = field(default_factory=dict)
     records: list[RecordDraft] = field(default_factory=list)
     signals: dict[str, Spec] = field(default_factory=dict)
+    exponents: dict[str, str] = field(default_factory=dict)
+    """A register with the exponent of scales by the space that it is in."""
     versions: tuple[str, ...] = ()
     names: int = 0
     code_bits: int = 8

@@ -19,6 +19,8 @@ def _record(draft: Draft, words: bool) -> Spec:
         record["fields"].append(field)
         size += bytes_of_field
     if draft.chance(20):
+        size += add_exponent(draft, record["fields"], "i16" if words else "i8")
+    if draft.chance(20):
         record["size"] = size
     elif draft.chance(20) and words:
         record["words"] = size // 2
@@ -51,6 +53,35 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
     return {**fact, **keys}, size_of(keys) * count
 
 
+_FIXED = {"scale", "offset", "enum", "flags", "const", "parameter", "unit_range", "unit_default", "reserved", "record"}
+"""The keys that a value with its scale elsewhere does not have."""
+
+
+def may_be_scaled(row: Spec) -> bool:
+    """Whether a register or a field may have its scale elsewhere: a whole number that has none of its own."""
+    return row.get("type", "").lstrip("iu").isdigit() and _FIXED.isdisjoint(row) and "measures" not in row
+
+
+def exponent_keys(draft: Draft, kind: str) -> Spec:
+    """The keys of a value with the exponent of a scale."""
+    keys: Spec = {"type": kind, "range": draft.pick(("-10..10", "-22..22", "-3..-1, 2..5"))}
+    if draft.chance(60):
+        keys["sentinels"] = [{"value": -0x8000 if kind == "i16" else -0x80, "name": "not_implemented"}]
+    return keys
+
+
+def add_exponent(draft: Draft, fields: list[Spec], kind: str) -> int:
+    """Adds a field with the exponent of others, somewhere between them; its size, 0 where no field can have one."""
+    scaled = [field for field in fields if may_be_scaled(field)]
+    if not scaled:
+        return 0
+    exponent = draft.fact(**exponent_keys(draft, kind))
+    for field in scaled:
+        field["scale_by"] = exponent["name"]
+    fields.insert(draft.number(0, len(fields)), exponent)
+    return 2 if kind == "i16" else 1
+
+
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
     form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line"))
@@ -61,6 +92,8 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     if form == "line":
         return _line(draft)
     fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
+    if form in ("fixed", "repeat") and draft.chance(20):
+        add_exponent(draft, fields, draft.pick(("i8", "i16")))
     if form == "repeat":
         return [*fields, _repeated(draft, fields)]
     if form == "measured":

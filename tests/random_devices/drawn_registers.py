@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import Draft, Spec
+from random_devices.drawn_records import exponent_keys, may_be_scaled
 from random_devices.drawn_values import size_of, value
 
 ACCESSES = ("rw", "ro", "rw", "wo")
@@ -90,29 +91,19 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
         row, words = _register(draft, at)
         group["rows"].append(row)
         at += words
-    scaled = [row for row in group["rows"] if _may_be_scaled(row)]
+    scaled = [row for row in group["rows"] if may_be_scaled(row)]
     if scaled and draft.chance(40):
-        exponent = {"at": at, **draft.fact(type="i16"), "words": 1, "access": draft.pick(("ro", "rw"))}
-        exponent["range"] = draft.pick(("-10..10", "-22..22", "-3..-1, 2..5"))
-        if draft.chance(60):
-            exponent["sentinels"] = [{"value": -0x8000, "name": "not_implemented"}]
+        exponent = {"at": at, **draft.fact(**exponent_keys(draft, "i16")), "words": 1}
+        exponent["access"] = draft.pick(("ro", "rw"))
         for row in scaled:
             row["scale_by"] = exponent["name"]
         group["rows"].append(exponent)
+        draft.exponents.setdefault(space, exponent["name"])
         at += 1
     if gaps:
         group["gaps"] = [{"at": gap, "reason": "The manual leaves them out."} for gap in gaps]
     free[space] = at
     return group
-
-
-_FIXED = {"scale", "offset", "enum", "flags", "const", "parameter", "unit_range", "unit_default"}
-"""The keys that a register with its scale in another one does not have."""
-
-
-def _may_be_scaled(row: Spec) -> bool:
-    """Whether a register may have its scale in another one: a whole number that has none of its own."""
-    return row["type"].lstrip("iu").isdigit() and _FIXED.isdisjoint(row)
 
 
 def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
@@ -158,9 +149,25 @@ def tables(draft: Draft) -> list[Spec]:
             table["index_from"] = draft.number(0, 2)
         if spaces_of_words:
             table["space"] = draft.pick(spaces_of_words)
+        exponent = draft.exponents.get(table.get("space", ""))
+        if exponent and draft.chance(60):
+            fields = next(own["fields"] for own in draft.spec["records"] if own["name"] == record.name)
+            for field in fields:
+                if may_be_scaled(field) and "scale_by" not in field and all(exponent != own["name"] for own in fields):
+                    field["scale_by"] = exponent
+        if draft.chance(40):
+            table["count_by"] = _add_count(draft, at - 4, count, table.get("space", ""))
         drawn.append(table)
         at += table["stride"] * count + 8
     return drawn
+
+
+def _add_count(draft: Draft, at: int, count: int, space: str) -> str:
+    """Adds a register with the number of elements of a table, in a group of its own."""
+    row = {"at": at, **draft.fact(type="u16", words=1, range=f"0..{count}", default=count), "access": "rw"}
+    group: Spec = {"group": draft.name(), "source": draft.source(), "rows": [row]}
+    draft.spec.setdefault("registers", []).append(group | ({"space": space} if space else {}))
+    return str(row["name"])
 
 
 def parameters(draft: Draft) -> list[Spec]:

@@ -76,6 +76,6 @@ def _has(value: Value, key: str) -> bool:
         "word_order": value.word_order,
         "range": value.ranges is not None,
         "sentinels": value.sentinels,
-        "unit": value.unit,
+        "unit": value.quantity_unit,
     }
     return bool(values[key])

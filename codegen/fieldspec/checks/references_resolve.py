@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from fieldspec.checks.facts import cases, facts, values
+from fieldspec.checks.facts import cases, facts, layers, values
 from fieldspec.checks.finding import finding, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -77,6 +77,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             yield from _named(register.place, "same_as", "register", register.same_as, registers)
             yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
         yield from _named(register.place, "scale_by", "register", register.value.scale_by, registers)
+    for table in device.tables.values():
+        yield from _named(table.place, "count_by", "register", table.count_by, registers)
+    for layer in layers(device):
+        yield from _of_exponents(layer, registers)
     for parameter_set in device.parameters.values():
         for parameter in parameter_set.parameters:
             yield from _check_names(parameter.place, "messages", "message", parameter.messages, device.messages)
@@ -109,6 +113,14 @@ def _named(place: Place, key: str, what: str, name: str, known: Collection[str])
     if name and name not in known:
         text = f"there is no {what} `{name}`"
         yield finding("references_resolve", place, key, text, near(name, known))
+
+
+def _of_exponents(layer: Record, registers: Collection[str]) -> Iterator[Diagnostic]:
+    """The exponents of the scales of fields, each of which is a field beside them or a register."""
+    for field in layer.fields:
+        if field.value is not None and field.value.scale_by:
+            known = [*(other.name for other in layer.fields), *registers]
+            yield from _named(field.place, "scale_by", "field or register", field.value.scale_by, known)
 
 
 def _holder(path: str) -> str:

@@ -26,6 +26,7 @@ from fieldspec.checks.codes_fit_link import codes_fit_link
 from fieldspec.checks.commands_are_triggers import commands_are_triggers
 from fieldspec.checks.conversions_match_signals import conversions_match_signals
 from fieldspec.checks.copies_agree import copies_agree
+from fieldspec.checks.counts_apply import counts_apply
 from fieldspec.checks.counts_match_repeats import counts_match_repeats
 from fieldspec.checks.data_words_match import data_words_match
 from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
@@ -137,6 +138,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("commands_are_triggers", commands_are_triggers),
     ("conversions_match_signals", conversions_match_signals),
     ("copies_agree", copies_agree),
+    ("counts_apply", counts_apply),
     ("counts_match_repeats", counts_match_repeats),
     ("data_words_match", data_words_match),
     ("decimal_equals_hex", decimal_equals_hex),

@@ -132,7 +132,7 @@ def _dump(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
             Path(arguments.arguments[0]).write_text(text, "utf-8", newline="\n")
         except OSError as error:
             raise UsageError(f"cannot write {arguments.arguments[0]}: {error.strerror}") from None
-    refused = [value.path for value in values if value.refusal]
+    refused = [value.path for value in values if value.refusal and not value.is_absent]
     note = f", {len(refused)} values refused: {', '.join(refused[:5])}" if refused else ""
     print(f"{len(rows)} {'words' if access.heading == 'address' else 'parameters'}{note}", file=sys.stderr)
     return int(bool(refused))

@@ -92,7 +92,7 @@ def _save(client: Client, access: Access, path: Path, verb: str, arguments: argp
     if not chosen:
         raise UsageError(f"{client.layout.device.id} has no values that can be both read and written")
     with progress(access.size(chosen), "reading") as done:
-        values = list(access.read(client, chosen, done))
+        values = [value for value in access.read(client, chosen, done) if not value.is_absent]
     content = file_content(path.name, table_list(access, table, values) if table else settings_list(access, values))
     storage.write(path, content)
     refused = [value.path for value in values if value.refusal]

@@ -7,8 +7,9 @@ from decimal import Context, Decimal
 
 from fieldspec.classes import replace
 from fieldspec.explain.parameters import with_parameter
+from fieldspec.explain.registers import exponent_applied
 from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
-from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit
+from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.values import Raw
@@ -118,7 +119,8 @@ class Body:
                 yield from self._field(field, at, field.count or 0)
             else:
                 sent = self.data[at : self.start + extent.stop]
-                rows, self.values[field.name] = self._value(field, field.name, at, 0, True, (sent, extent.image))
+                both = (sent, extent.image)
+                rows, self.values[field.name] = self._value(field, field.name, at, 0, span.value, True, both)
                 yield from rows
             at = self.start + extent.stop
         if len(known) < len(fields):
@@ -177,7 +179,7 @@ class Body:
         """The rows and the value of one element of a field of the message."""
         if field.record is not None:
             return self._inner(field.record, path, at)
-        return self._value(field, path, at, index, top=True)
+        return self._value(field, path, at, index, self._by_exponent(field, self.record, self.start), top=True)
 
     def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the values of a record within the body. All of its bytes are there."""
@@ -191,11 +193,24 @@ class Body:
                 if field.record is not None:
                     more, value = self._inner(field.record, inner, place)
                 else:
-                    more, value = self._value(field, inner, place, index, top=False)
+                    own = self._by_exponent(field, record, at)
+                    more, value = self._value(field, inner, place, index, own, top=False)
                 rows += more
                 elements.append(value)
             values[field.name] = elements if field.is_list else elements[0]
         return rows, values
+
+    def _by_exponent(self, field: FieldLayout, record: RecordLayout, start: int) -> Value:
+        """The value of a field of a record, with its scale where another field beside it has the exponent."""
+        assert field.value is not None
+        exponent = record.named(field.value.scale_by) if field.value.scale_by and not record.spans else None
+        if exponent is None or exponent.value is None:
+            return field.value
+        at = start + exponent.offset
+        if at + exponent.size > self.end:
+            return field.value
+        number = number_of(exponent.value, self.data[at : at + exponent.size], exponent.order, exponent.swapped)
+        return exponent_applied(field.value, exponent.value, number)
 
     def _value(
         self,
@@ -203,17 +218,20 @@ class Body:
         path: str,
         at: int,
         index: int,
+        value: Value,
         top: bool,
         varying: tuple[bytes, bytes | None] | None = None,
     ) -> tuple[list[ExplanationRow], Raw]:
-        """The rows of one value; `varying` are the bytes of one that varies in width: as sent, and in the image."""
-        assert field.value is not None
+        """The row of a field, and its number; `value` is its value with its scale.
+
+        `varying` are the bytes of one that varies in width: as sent, and in the image.
+        """
         raw, image = varying or (self.data[at : at + field.size], self.data[at : at + field.size])
         device = self.layout.device
         if image is None:
-            read = DecodedValue(raw).judged(False, value_form(field.value), "unknown_value")
+            read = DecodedValue(raw).judged(False, value_form(value), "unknown_value")
         else:
-            read = decode_value(device, field.value, image, field.order, field.swapped, field.field.reserved)
+            read = decode_value(device, value, image, field.order, field.swapped, field.field.reserved)
         number = read.number
         assert number is not None
         if top:

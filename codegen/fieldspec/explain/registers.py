@@ -14,6 +14,7 @@ from fieldspec.layout.values import Raw
 from fieldspec.model.address_space import BIT, BYTE, WORD
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
+from fieldspec.model.registers import Table
 from fieldspec.model.value import Value
 
 _PARTIAL = {
@@ -267,7 +268,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     at, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value
-        value = _by_exponent(layout, span, value)
+        value = _by_exponent(layout, span, occupant, value)
         read = decode_value(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
@@ -277,19 +278,65 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
     if not piece:
         row = replace(row, offset=0)
+    row = replace(row, notes=(*row.notes, *_absence(layout, span, occupant)))
     return replace(row, address=occupant.address, words=occupant.words, unit=span.unit, access=occupant.access)
 
 
-def _by_exponent(layout: DeviceLayout, span: Span, value: Value) -> Value:
-    """A value with its scale, where the exponent is in another register, and the span has that one, too."""
-    if not value.scale_by:
+def exponent_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | None:
+    """What has the exponent of the scale of a value: a field of the same element, or a register; None without one."""
+    name = occupant.value.scale_by
+    if not name:
+        return None
+    table = occupant.outer
+    if isinstance(table, Table):
+        table_layout = layout.tables[table.name]
+        field = table_layout.record.named(name)
+        if field is not None:
+            number = element_number(occupant)
+            path = f"{table.name}[{table.index_from + number}].{name}"
+            return _field(table_layout, field, table.base + number * table.stride, 0, path)
+    register = next(row for row in layout.registers if row.name == name)
+    return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+
+
+def element_number(occupant: Occupant) -> int:
+    """How many elements of its table are before that of a field; 0 for a register."""
+    table = occupant.outer
+    return (occupant.address - table.base) // table.stride if isinstance(table, Table) else 0
+
+
+def count_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | None:
+    """The register with the number of elements that the table of a field has; None where all are there."""
+    table = occupant.outer
+    if not isinstance(table, Table) or not table.count_by:
+        return None
+    register = next(row for row in layout.registers if row.name == table.count_by)
+    return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+
+
+def absent_text(count: Occupant, number: int) -> str:
+    """Why a device has not got an element: what its register of the count says."""
+    return f"The device has no such element: {count.path} is {number}."
+
+
+def _absence(layout: DeviceLayout, span: Span, occupant: Occupant) -> tuple[str, ...]:
+    """The note of a field in an element that the device has not got, where the span has the count, too."""
+    count = count_of_occupant(layout, occupant)
+    piece = span.piece(count.address, count.value.size) if count is not None else None
+    if count is None or piece is None:
+        return ()
+    number = number_of(count.value, piece.content, count.order, count.swapped)
+    return (absent_text(count, number),) if isinstance(number, int) and element_number(occupant) >= number else ()
+
+
+def _by_exponent(layout: DeviceLayout, span: Span, occupant: Occupant, value: Value) -> Value:
+    """A value with its scale, where the exponent is elsewhere, and the span has it, too."""
+    exponent = exponent_of_occupant(layout, occupant)
+    piece = span.piece(exponent.address, exponent.value.size, exponent.skip) if exponent is not None else None
+    if exponent is None or piece is None:
         return value
-    exponent = next(register for register in layout.registers if register.name == value.scale_by)
-    own = exponent.register.value
-    piece = span.piece(exponent.address, own.size)
-    if piece is None:
-        return value
-    return exponent_applied(value, own, number_of(own, piece.content, exponent.order, exponent.swapped))
+    number = number_of(exponent.value, piece.content, exponent.order, exponent.swapped)
+    return exponent_applied(value, exponent.value, number)
 
 
 def exponent_applied(value: Value, exponent: Value, number: Raw | None) -> Value:

@@ -208,6 +208,8 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
 def _tables(device: Device) -> Iterator[Words]:
     for table in device.tables.values():
         yield "table", table.name, table.base, table.stride, table.count, table.index_from, table.record, table.access
+        if table.count_by:
+            yield "elements of table", table.count_by
         for field in device.records[table.record].fields:
             access = narrowed(table.access, field.access)
             if access in ("ro", "wo") and access != table.access:

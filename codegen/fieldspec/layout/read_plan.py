@@ -1,7 +1,8 @@
 """The read plan: blocks of registers that one request each may read, from the limits of messages, gaps and hazards.
 
 A block has readable values, and reserved words between them. It leaves out values that can only be written, that a
-read clears, or of which the spec does not say whether they can be read. Two requests never divide a value.
+read clears, or of which the spec does not say whether they can be read. Two requests never divide a value. Each element
+of a table whose count the device has is read by itself.
 """
 
 from __future__ import annotations
@@ -48,7 +49,11 @@ class ReadLimit:
 
 @dataclass(frozen=True, slots=True)
 class ReadUnit:
-    """Words that are read together or not at all; `refused` is why they cannot be read."""
+    """Words that are read together or not at all; `refused` is why they cannot be read.
+
+    `element` is the element of a table whose count the device has: what is not in it may be there where it is not.
+    It is empty for everything else.
+    """
 
     space: str
     first: int
@@ -56,6 +61,7 @@ class ReadUnit:
     name: str
     refused: str
     reserved: bool = False
+    element: str = ""
 
     @property
     def end(self) -> int:
@@ -206,7 +212,8 @@ def _of_table(device: Device, table_layout: TableLayout) -> Iterator[ReadUnit]:
         at = table.base + number * table.stride
         for first, words, name, refused, reserved in runs:
             full_name = f"{table.name}[{table.index_from + number}].{name}"
-            yield ReadUnit(space, at + first, words, full_name, refused, reserved)
+            element = f"{table.name}[{table.index_from + number}]" if table.count_by else ""
+            yield ReadUnit(space, at + first, words, full_name, refused, reserved, element)
 
 
 def _field_name(field: FieldLayout) -> str:
@@ -242,7 +249,7 @@ def _together(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator
     for unit in usable:
         if any(address in closed for address in range(unit.first, unit.end)):
             continue
-        if run and unit.first > end:
+        if run and (unit.first > end or unit.element != run[-1].element):
             yield run
             run = []
         end = max(end, unit.end) if run else unit.end

@@ -103,9 +103,13 @@ def base_of_heading(heading: str) -> str:
 
 _TYPES: dict[str, str] = {
     **{name: name for name in PRIMITIVES},
-    **dict.fromkeys(("uint16", "ushort", "unsignedshort", "word", "uint", "unsigned16", "uint16t"), "u16"),
-    **dict.fromkeys(("int16", "short", "sint16", "s16", "signed16", "int16t"), "i16"),
-    **dict.fromkeys(("uint32", "dword", "udint", "ulong", "unsignedlong", "unsigned32", "uint32t"), "u32"),
+    **dict.fromkeys(
+        ("uint16", "ushort", "unsignedshort", "word", "uint", "unsigned16", "uint16t", "enum16", "bitfield16"), "u16"
+    ),
+    **dict.fromkeys(("int16", "short", "sint16", "s16", "signed16", "int16t", "sunssf"), "i16"),
+    **dict.fromkeys(
+        ("uint32", "dword", "udint", "ulong", "unsignedlong", "unsigned32", "uint32t", "acc32", "bitfield32"), "u32"
+    ),
     **dict.fromkeys(("int32", "dint", "long", "sint32", "s32", "signed32", "int32t"), "i32"),
     **dict.fromkeys(("uint64", "ulint", "qword", "lword", "uint64t"), "u64"),
     **dict.fromkeys(("int64", "lint", "s64", "int64t"), "i64"),

@@ -8,8 +8,9 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.lists.columns import folded
+from fieldspec.lists.exponents import bounds, exponents, is_open
 from fieldspec.lists.item import REGISTERS
 from fieldspec.lists.listing import ListRow
 from fieldspec.lists.sheet import ListError
@@ -100,9 +101,13 @@ def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
     else:
         lines.append("    order: as_listed")
     lines.append("    rows:")
-    names: set[str] = set()
+    taken: set[str] = set()
+    names = [_fresh(named(row.names, row.address), row.address, taken) for row in rows]
+    scaled = exponents(rows, [shape.type for shape in shapes])
     labels: set[str] = set()
-    lines += [_row(row, shape, names, labels) for row, shape in zip(rows, shapes, strict=True)]
+    for place, (row, shape) in enumerate(zip(rows, shapes, strict=True)):
+        scale_by = names[scaled[place]] if place in scaled else ""
+        lines.append(_row(row, shape, names[place], scale_by, place in scaled.values(), labels))
     return "\n".join(lines) + "\n"
 
 
@@ -154,11 +159,16 @@ def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
         yield f"      - {{at: {at}, reason: The list leaves them out.}}"
 
 
-def _row(row: ListRow, shape: _Shape, names: set[str], labels: set[str]) -> str:
+def _row(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: bool, labels: set[str]) -> str:
+    """The line of a register; `scale_by` is the name of the register with the exponent of its scale, or empty."""
     texts = row.texts
     doubts = list(shape.doubts)
     kind = PRIMITIVES[shape.type]
-    name = _fresh(named(row.names, row.address), row.address, names)
+    inferred = {"type": "The list does not say it."} if shape.inferred else {}
+    if is_exponent and is_open(row):
+        low, high = bounds(row)
+        row = replace(row, low=low, high=high)
+        inferred["range"] = "The list does not say it; that of SunSpec is taken."
     parts = [f"at: 0x{row.address:04X}", f"name: {_quoted(name)}", f"type: {shape.type}", f"words: {shape.words}"]
     if row.count > 1:
         parts += [f"count: {row.count}", f"stride: {row.stride or shape.words}"]
@@ -171,23 +181,28 @@ def _row(row: ListRow, shape: _Shape, names: set[str], labels: set[str]) -> str:
         known = _UNITS.get(folded(unit) or unit)
         parts += [f"unit: {_quoted(known)}"] if known else []
         doubts += [] if known else [f"Unit in the list: {unit}."]
-    parts += _numbers(row, kind.kind is Kind.INTEGER, kind.low, kind.high, doubts)
+    parts += [f"scale_by: {_quoted(scale_by)}"] if scale_by else []
+    parts += _numbers(row, kind.kind is Kind.INTEGER, kind.low, kind.high, bool(scale_by), doubts)
     parts += _words(row, name, labels)
     if "type" in texts and row.type is None:
         doubts.append(f"Type in the list: {texts['type']}.")
-    if shape.inferred:
-        parts.append("inferred: {type: The list does not say it.}")
+    if inferred:
+        parts.append(f"inferred: {{{', '.join(f'{key}: {why}' for key, why in inferred.items())}}}")
     if doubts:
         parts.append(f"notes: [{', '.join(map(_quoted, doubts))}]")
     parts += [f"source: L{row.row}", "unverified: true"]
     return f"      - {{{', '.join(parts)}}}"
 
 
-def _numbers(row: ListRow, is_integer: bool, lowest: int, highest: int, doubts: list[str]) -> list[str]:
+def _numbers(
+    row: ListRow, is_integer: bool, lowest: int, highest: int, has_exponent: bool, doubts: list[str]
+) -> list[str]:
     """Scale, range and default, if they are whole counts of the type; else they become doubts."""
     texts, parts = row.texts, []
     scale = _decimal(texts.get("scale", ""))
-    if scale is not None and scale > 0 and is_integer:
+    if has_exponent:
+        pass
+    elif scale is not None and scale > 0 and is_integer:
         parts += [f"scale: {scale:f}"] if scale != 1 else []
     elif "scale" in texts:
         doubts.append(f"Scale in the list: {texts['scale']}.")

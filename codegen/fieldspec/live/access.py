@@ -47,6 +47,10 @@ if TYPE_CHECKING:
         def refusal(self) -> str:
             """Why the device refused it, or empty."""
 
+        @property
+        def is_absent(self) -> bool:
+            """Whether it was not asked for, as the device says that it has not got it."""
+
     class Assignment(Protocol):
         """A value that is to be written, and what a person should know before."""
 

@@ -58,6 +58,7 @@ class SignalReading:
     words: tuple[int, ...]
     decoded: DecodedValue | None
     refusal: str = ""
+    is_absent: bool = False
 
     @property
     def path(self) -> str:

@@ -21,12 +21,16 @@ _LAST = 0x10000
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A value that was read, or the reason why the device refused it. `words` are those on the wire."""
+    """A value that was read, or the reason why the device refused it. `words` are those on the wire.
+
+    One that `is_absent` was not asked for: it is in an element of a table that the device says it has not got.
+    """
 
     occupant: Occupant
     words: tuple[int, ...]
     decoded: DecodedValue | None
     refusal: str = ""
+    is_absent: bool = False
 
     @property
     def path(self) -> str:

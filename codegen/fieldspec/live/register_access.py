@@ -6,7 +6,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import replace
-from fieldspec.explain.registers import exponent_applied
+from fieldspec.explain.registers import (
+    absent_text,
+    count_of_occupant,
+    element_number,
+    exponent_applied,
+    exponent_of_occupant,
+)
 from fieldspec.live import writing
 from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
@@ -103,20 +109,47 @@ class RegisterAccess:
         self, client: Client, items: Sequence[Placed], done: Callable[[int], None] | None = None
     ) -> Iterator[Reading]:
         """Reads items in as few requests as the device permits. Raises NoAnswerError and CarrierError."""
-        values = read(client, blocks(self.layout, self._with_exponents(items)), done)
-        by_path = {value.path: value for value in values}
+        by_path = self._counts(client, items)
+        rest = [item for item in self._with_exponents(items) if self.path(item) not in by_path]
+        for item in rest:
+            absence = self._absence(item, by_path)
+            if absence:
+                by_path[self.path(item)] = Reading(item[1], (), None, absence, is_absent=True)
+        present = [item for item in rest if self.path(item) not in by_path]
+        by_path |= {value.path: value for value in read(client, blocks(self.layout, present), done)}
         return (self._scaled(item, by_path) for item in items)
 
+    def _counts(self, client: Client, items: Sequence[Placed]) -> dict[str, Reading]:
+        """The numbers of elements of the tables in which items are, as far as the device has them in registers."""
+        counts: dict[str, Placed] = {}
+        for space, occupant in items:
+            count = count_of_occupant(self.layout, occupant)
+            if count is not None:
+                counts.setdefault(count.path, (space, count))
+        return {value.path: value for value in read(client, blocks(self.layout, list(counts.values())))}
+
+    def _absence(self, item: Placed, counts: Mapping[str, Reading]) -> str:
+        """Why an item is not read: the device says that it has not got the element; empty where it may have it."""
+        count = count_of_occupant(self.layout, item[1])
+        decoded = counts[count.path].decoded if count is not None else None
+        if count is None or decoded is None or not isinstance(decoded.number, int):
+            return ""
+        return absent_text(count, decoded.number) if element_number(item[1]) >= decoded.number else ""
+
     def _with_exponents(self, items: Iterable[Placed]) -> list[Placed]:
-        """Items and the registers with the exponents of their scales, each once."""
+        """Items and what has the exponents of their scales, each once."""
         every = {self.path(item): item for item in items}
-        names = {occupant.value.scale_by for _, occupant in every.values()} - {"", *every}
-        return [*every.values(), *(item for item in self._items if self.path(item) in names)]
+        for space, occupant in list(every.values()):
+            exponent = exponent_of_occupant(self.layout, occupant)
+            if exponent is not None:
+                every.setdefault(exponent.path, (space, exponent))
+        return list(every.values())
 
     def _scaled(self, item: Placed, by_path: Mapping[str, Reading]) -> Reading:
         """What was read of an item, as a quantity where the exponent of its scale was read, too."""
         own, (space, occupant) = by_path[self.path(item)], item
-        exponent = by_path.get(occupant.value.scale_by)
+        place = exponent_of_occupant(self.layout, occupant)
+        exponent = by_path.get(place.path) if place is not None else None
         if exponent is None or exponent.decoded is None or own.decoded is None:
             return own
         value = exponent_applied(occupant.value, exponent.occupant.value, exponent.decoded.number)

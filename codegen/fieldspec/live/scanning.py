@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.registers import Occupant, count_of_occupant, element_number
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
 from fieldspec.layout.record import FieldLayout
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.messages import parameter_message
-from fieldspec.live.reading import all_occupants, message_for, read_words
+from fieldspec.live.reading import all_occupants, message_for, read_words, reading
 from fieldspec.model.registers import ParameterSet
 from fieldspec.reference.parameters import stated_bytes, value_of_bytes
 from fieldspec.simulator.memory import element_value
@@ -25,12 +26,16 @@ _PAGE = 0x100
 
 @dataclass(frozen=True, slots=True)
 class ScannedItem:
-    """A value that a version has at some addresses. `spared` values are not read by a scan."""
+    """A value that a version has at some addresses. `spared` values are not read by a scan.
+
+    `occupant` is what is there; None for a parameter.
+    """
 
     path: str
     addresses: range
     readable: bool
     spared: bool
+    occupant: Occupant | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +107,7 @@ def scanned_items(layout: DeviceLayout, space: ScanSpace) -> Iterator[ScannedIte
                 spared = any(handling is not None and handling.clears_on_read for handling in handlings)
                 addresses = range(occupant.address, occupant.address + occupant.words)
                 readable = occupant.access != "wo" and not occupant.reserved
-                yield ScannedItem(occupant.path, addresses, readable, spared)
+                yield ScannedItem(occupant.path, addresses, readable, spared, occupant)
         return
     for parameter_set in layout.device.sets(space.name):
         for row in parameter_set.parameters:
@@ -232,7 +237,12 @@ def compared(layout: DeviceLayout, result: Scan) -> ScanComparison:
     for item in scanned_items(layout, result.space):
         known.update(item.addresses)
         lacking = any(address not in result.words for address in item.addresses)
-        if item.readable and result.asked.issuperset(item.addresses) and lacking:
+        if (
+            item.readable
+            and result.asked.issuperset(item.addresses)
+            and lacking
+            and not _is_absent(layout, result, item)
+        ):
             silent.append(item.path)
     unknown: list[tuple[int, int]] = []
     for address in sorted(address for address in result.words if address not in known):
@@ -241,3 +251,15 @@ def compared(layout: DeviceLayout, result: Scan) -> ScanComparison:
         else:
             unknown.append((address, address))
     return ScanComparison(tuple(unknown), tuple(silent))
+
+
+def _is_absent(layout: DeviceLayout, result: Scan, item: ScannedItem) -> bool:
+    """Whether an item is in an element of a table that the device has not got, as the count says that it answered."""
+    count = count_of_occupant(layout, item.occupant) if item.occupant is not None else None
+    if item.occupant is None or count is None:
+        return False
+    addresses = range(count.address, count.address + count.words)
+    words = [word for address in addresses for word in result.words.get(address, ())]
+    decoded = reading(layout, result.space.name, count, words).decoded if len(words) == count.words else None
+    number = decoded.number if decoded is not None else None
+    return isinstance(number, int) and element_number(item.occupant) >= number

@@ -95,7 +95,8 @@ class PrintedElement:
 class Table(Fact):
     """`count` records, the first at `base`, `stride` words apart, numbered from `index_from`.
 
-    `space` is empty where the spec names none, which means the first one of the device.
+    `space` is empty where the spec names none, which means the first one of the device. `count_by` names the register
+    with the number of elements that the device has; `count` is then the greatest one. It is empty where all are there.
     """
 
     title: str
@@ -110,6 +111,7 @@ class Table(Fact):
     access: str
     handling: Handling
     elements: tuple[PrintedElement, ...]
+    count_by: str = ""
 
     def address(self, index: int) -> int:
         """The address of an element by its number."""

@@ -43,7 +43,7 @@ CONSTRUCTS = {
     "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",
     "orders": "byte and word orders",
     "scales": "scales, offsets and units",
-    "powers": "scales that are read from another register",
+    "powers": "scales that are read from another register or field",
     "conversions": "shares of a reference",
     "ranges": "ranges, sentinels and constants",
     "constants": "addresses, codes, masks and limits as constants",
@@ -102,7 +102,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         "them compares it with the ranges and the enum"
     )
     capabilities["bit_numbers"] = lossy("are masks with the sign and the scale in a comment")
-    capabilities["powers"] = lossy("are counts, with the register of the exponent in a comment")
+    capabilities["powers"] = lossy("are counts, with the name of the exponent in a comment")
     if dialect.bits == "packed":
         capabilities["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
         capabilities["images"] = refused("a gap would move every value behind it: plc_images_exact")

@@ -89,7 +89,10 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             ("count", table_model.count),
             ("first_index", table_model.index_from),
         ):
-            yield Draft(f"{table_model.name}_{word}", UINT, number, _OF_SEVERAL[word], table_model, derived=True)
+            beside = _OF_SEVERAL[word]
+            if word == "count" and table_model.count_by:
+                beside = f"at most; {table_model.count_by} has how many there are"
+            yield Draft(f"{table_model.name}_{word}", UINT, number, beside, table_model, derived=True)
 
 
 def _space(layout: DeviceLayout, name: str) -> str:

@@ -36,8 +36,9 @@ The outputs that change when the key changes in a spec, apart from the identity,
 that a row does not name has no place for what the key states: the lists for operator panels have no registers, and a
 codec has no use for the line of a manual. A key of which only `docs` is named is documentation. `export` are the
 lists of `fieldspec export`, `audit` is the report of `fieldspec audit`, `simulate` is what `fieldspec simulate` does,
-and `check` are the findings, which stand only at keys that change nothing else. Tests verify the lines: they change a
-key in made-up devices and compare everything that is built from them. Keys without a line have not been derived yet.
+and `check` are the findings, which stand only at keys that change nothing else: the findings compare them with other
+facts, or refuse them where they stand. `none` means that nothing which is built has the key: it is for readers of the
+spec. Tests verify the lines: they change a key in made-up devices and compare everything that is built from them.
 """
 
 _ALL = "all outputs"
@@ -68,7 +69,7 @@ def _rows(keys: Mapping[str, tuple[str, ...]]) -> Iterator[str]:
 
 def _outputs_text(outputs: tuple[str, ...]) -> str:
     ordered = [name for name in (*OUTPUTS, EXPORT, AUDIT, SIMULATOR, CHECK) if name in outputs]
-    return _ALL if set(outputs) >= BUILT_IN else ", ".join(ordered)
+    return _ALL if set(outputs) >= BUILT_IN else ", ".join(ordered) or "none"
 
 
 def capabilities(name: str) -> Mapping[str, Capability]:

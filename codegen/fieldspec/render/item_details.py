@@ -127,6 +127,7 @@ def _table(layout: DeviceLayout, table_layout: TableLayout, address: int | None)
     yield "space", _space(layout.device, table.space)
     formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
     yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
+    yield "how many", f"as {table.count_by} says" if table.count_by else ""
     yield "access", table.access or "not printed"
     if address is not None:
         steps, offset = divmod(address - table.base, table.stride)

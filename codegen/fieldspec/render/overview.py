@@ -179,10 +179,17 @@ def _signals(device: Device) -> Table:
 
 def _tables(device: Device) -> Table:
     rows = tuple(
-        (f"0x{table.base:04X}", table.name, table.label, f"{table.indexes[0]}..{table.indexes[-1]}", f"{table.stride}")
+        (
+            f"0x{table.base:04X}",
+            table.name,
+            table.label,
+            f"{table.indexes[0]}..{table.indexes[-1]}",
+            table.count_by,
+            f"{table.stride}",
+        )
         for table in device.tables.values()
     )
-    return narrowed(Table(("address", "table", "label", "elements", "words apart"), rows))
+    return narrowed(Table(("address", "table", "label", "elements", "how many", "words apart"), rows))
 
 
 def _messages(device: Device) -> Table:

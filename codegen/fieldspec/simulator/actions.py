@@ -10,6 +10,7 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.values import Raw
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.simulator.refusal import Refusal
+from fieldspec.simulator.registers import is_absent
 
 if TYPE_CHECKING:
     from fieldspec.simulator.engine import Engine
@@ -84,12 +85,15 @@ def _element(engine: Engine, name: str, number: int) -> dict[str, Raw]:
         raise Refusal("value_invalid", f"{name} has no record {number}")
     first = table.table.address(number)
     space = engine.layout.device.space_name(table.table.space)
-    return {
-        field.name: engine.memory.read(space, occupant)
+    occupants = [
+        (field.name, occupant)
         for field in table.record.fields
         for occupant in engine.memory.at(space, first + field.offset // 2)
         if occupant.fact is field.field and occupant.address == first + field.offset // 2
-    }
+    ]
+    if any(is_absent(engine, occupant) for _, occupant in occupants):
+        raise Refusal("value_invalid", f"{name} has no record {number} now")
+    return {field: engine.memory.read(space, occupant) for field, occupant in occupants}
 
 
 def _copy(engine: Engine, action: Part) -> None:

@@ -186,8 +186,12 @@ export interface RecordTable<T> {
   readonly stride: number;
   readonly length: number;
   readonly record: RecordCodec<T>;
+  /** The register with the number of records that the device has; null where it has all of them. */
+  readonly countBy: Register<unknown> | null;
   /** The record with a number, as a register. Throws RangeError. */
   at(number: number): Register<T, null>;
+  /** The records of a device that has so many. Throws RangeError for more than there can be. */
+  present(number: number | bigint): Register<T, null>[];
 }
 
 /** A numbered parameter. */

@@ -9,6 +9,7 @@ from struct import pack, unpack
 
 from ._carried import RecordValue
 from ._error import CodecError
+from ._quantities import Ratio, power_of_ten
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import Value
 
@@ -136,23 +137,15 @@ class Register(Generic[T]):
             return self.value.from_unit(self.name, value)
         return self.value.from_unit(self.name, value, self._power(exponent))
 
-    def _power(self, exponent: int | None) -> tuple[int, int, int]:
+    def _power(self, exponent: int | None) -> Ratio:
         """The scale of a power of ten as a `Value` has it. Raises CodecError."""
-        if not isinstance(exponent, int) or isinstance(exponent, bool):
+        scale_by = self.scale_by
+        if scale_by is None:
             raise self._exponent_error(exponent)
-        limits = self.scale_by.ranges if self.scale_by is not None else ()
-        if not any(low <= exponent <= high for low, high in limits):
-            raise self._exponent_error(exponent)
-        return (10**exponent, 0, 1) if exponent > 0 else (1, 0, 10**-exponent)
+        return power_of_ten(self.name, scale_by.name, scale_by.ranges, exponent)
 
     def _exponent_error(self, exponent: int | None) -> CodecError:
-        if self.scale_by is None:
-            return CodecError("wrong_type", f"the scale of {self.name} has no exponent, and {exponent!r} is one")
-        name = self.scale_by.name
-        if exponent is None:
-            return CodecError("wrong_type", f"the scale of {self.name} has an exponent, which is the value of {name}")
-        allowed = ", ".join(f"{low}..{high}" for low, high in self.scale_by.ranges)
-        return CodecError("out_of_range", f"{name} is {exponent!r}, not an exponent in {allowed}")
+        return CodecError("wrong_type", f"the scale of {self.name} has no exponent, and {exponent!r} is one")
 
 
 class RegisterArray(Generic[T]):
@@ -205,9 +198,26 @@ class RegisterArray(Generic[T]):
 
 
 class Table(Generic[T]):
-    """Records in an address space, `stride` words apart, by their numbers in the manual."""
+    """Records in an address space, `stride` words apart, by their numbers in the manual.
 
-    __slots__ = ("_order", "_value", "access", "base", "count", "first", "name", "record", "space", "stride", "words")
+    `count_by` is the register with the number of records that the device has, of which `count` is the greatest; it is
+    None where the device has all of them.
+    """
+
+    __slots__ = (
+        "_order",
+        "_value",
+        "access",
+        "base",
+        "count",
+        "count_by",
+        "first",
+        "name",
+        "record",
+        "space",
+        "stride",
+        "words",
+    )
 
     def __init__(
         self,
@@ -222,8 +232,9 @@ class Table(Generic[T]):
         access: str = "",
         order: str = ">",
         space: str = "",
+        count_by: Register[int] | None = None,
     ) -> None:
-        self.name, self.record, self.access, self.space = name, record, access, space
+        self.name, self.record, self.access, self.space, self.count_by = name, record, access, space, count_by
         self.base, self.words, self.stride, self.count, self.first = base, words, stride, count, first
         self._value, self._order = RecordValue(record, 2 * words), order
 
@@ -242,6 +253,14 @@ class Table(Generic[T]):
         address = self.base + (number - self.first) * self.stride
         more: dict[str, Any] = {"order": self._order, "space": self.space}
         return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **more)
+
+    def present(self, count: int) -> list[Register[T]]:
+        """The records that a device has whose `count_by` is `count`. Raises CodecError for more than there can be."""
+        if not isinstance(count, int) or isinstance(count, bool):
+            raise CodecError("wrong_type", f"the number of records of {self.name} is a whole number, not {count!r}")
+        if not 0 <= count <= self.count:
+            raise CodecError("out_of_range", f"{self.name} has 0..{self.count} records, not {count}")
+        return [self[self.first + number] for number in range(count)]
 
     def at(self, address: int) -> Register[T] | None:
         """The element that begins at an address."""

@@ -16,7 +16,7 @@ from fieldspec.backends.c.messages import declare_messages
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.parameters import declare_parameters
 from fieldspec.backends.c.printer import Printer
-from fieldspec.backends.c.quantities import declare_quantity, scaled_by_register
+from fieldspec.backends.c.quantities import declare_quantity, scaled_values
 from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
@@ -79,7 +79,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
             naming,
             algorithms,
             bool(code_tables(device)),
-            bool(device.conversions or scaled_by_register(layout)),
+            bool(device.conversions or scaled_values(layout)),
         ),
         sections=_print_sections(naming, layout),
     )
@@ -152,13 +152,13 @@ def _print_block(printer: Printer, block: Block) -> str:
 
 
 def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
-    conversions, scaled = layout.device.conversions.values(), scaled_by_register(layout)
+    conversions, scaled = layout.device.conversions.values(), scaled_values(layout)
     if conversions or scaled:
         yield [Directive("ifndef", naming.own_macro("without_double"))]
         yield from (declare_conversion(naming, layout.device, conversion) for conversion in conversions)
         if scaled:
             yield [copy_runtime(naming, "powers.h")]
-        yield from (declare_quantity(naming, register, exponent) for register, exponent in scaled)
+        yield from (declare_quantity(naming, value) for value in scaled)
         yield [Directive("endif")]
 
 

@@ -1,4 +1,4 @@
-"""Conversions between the counts of registers and quantities whose scale is read from the device, in double."""
+"""Conversions of counts to quantities and back, in double, for registers and fields whose scale is elsewhere."""
 
 from __future__ import annotations
 
@@ -20,31 +20,62 @@ from fieldspec.backends.c.expressions import (
     integer,
     negate,
 )
-from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.statements import Body, Variable, assign
 from fieldspec.backends.c.values import out_of_range_test, refuse, return_ok, status_type, type_name
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RegisterLayout
+from fieldspec.layout.exponents import ExponentLayout, exponent_of
 from fieldspec.model.ranges import Ranges
-from fieldspec.model.registers import Register
 from fieldspec.model.value import Value
 
 _DOUBLE = Type("double")
 _QUANTITY, _EXPONENT = Identifier("quantity"), Identifier("exponent")
 
 
-def scaled_by_register(layout: DeviceLayout) -> list[tuple[RegisterLayout, Register]]:
-    """The registers whose scale is read from the device, each with the register of the exponent."""
-    registers = {row.name: row.register for row in layout.registers}
-    return [(row, registers[row.register.value.scale_by]) for row in layout.registers if row.register.value.scale_by]
+@dataclass(frozen=True, slots=True)
+class ScaledValue:
+    """A value whose scale is elsewhere: what it is to `Naming`, its names, and its exponent."""
+
+    noun: Noun
+    names: tuple[str, ...]
+    value: Value
+    exponent: ExponentLayout
+
+    @property
+    def title(self) -> str:
+        """The value in comments: `power`, `module.current`."""
+        return ".".join(self.names)
+
+    def function(self, naming: Naming, end: str) -> str:
+        """The name of the function `from_raw` or `to_raw`."""
+        return naming.function(self.noun, *self.names, end)
 
 
-def declare_quantity(naming: Naming, layout: RegisterLayout, exponent: Register) -> list[Declaration]:
-    """The functions from the count of a register to its quantity and back, by the value of the exponent's register.
+def scaled_values(layout: DeviceLayout) -> list[ScaledValue]:
+    """The registers and the fields whose scale is read from the device."""
+    records = [*layout.records.values(), *(body for message in layout.messages.values() for body in message.bodies)]
+    return [
+        *(
+            ScaledValue("register", (row.name,), row.register.value, exponent)
+            for row in layout.registers
+            if (exponent := exponent_of(row.register.value, layout.registers)) is not None
+        ),
+        *(
+            ScaledValue("record", (record.name, field.name), field.value, exponent)
+            for record in records
+            for field in record.fields
+            if field.value is not None and (exponent := exponent_of(field.value, layout.registers, record)) is not None
+        ),
+    ]
+
+
+def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
+    """The functions from the count of a value to its quantity and back, by the exponent.
 
     `codec_status reg_power_from_raw(int16_t raw, int16_t exponent, double *quantity)`, `reg_power_to_raw(...)`
     """
-    value = layout.register.value
+    value, exponent = scaled.value, scaled.exponent
     kind, signed_exponent = Type(type_name(value)), Cast("int32_t", _EXPONENT)
     unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
     ranges = _writable(value)
@@ -52,12 +83,12 @@ def declare_quantity(naming: Naming, layout: RegisterLayout, exponent: Register)
     valid = refuse(naming, negate(Group(_is_in(exponent.value, exponent.value.ranges, _EXPONENT))), "err_out_of_range")
     return [
         comment(
-            f"{layout.name} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
+            f"{scaled.title} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
             f"and for an exponent that {exponent.name} may not have.",
         ),
         Function(
             status_type(naming),
-            naming.function("register", layout.name, "from_raw"),
+            scaled.function(naming, "from_raw"),
             (Variable(kind, "raw"), parameter, Variable(Type("double", pointer=True), "quantity")),
             (
                 *valid,
@@ -76,7 +107,7 @@ def declare_quantity(naming: Naming, layout: RegisterLayout, exponent: Register)
         ),
         Function(
             status_type(naming),
-            naming.function("register", layout.name, "to_raw"),
+            scaled.function(naming, "to_raw"),
             (Variable(_DOUBLE, "quantity"), parameter, Variable(Type(kind.name, pointer=True), "raw")),
             count_of_share(
                 naming,

@@ -202,6 +202,7 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
     if device.several_spaces:
         access = f"In the address space {device.space_name(table.space)}. {access}".strip()
     read_only = f"Read only: {', '.join(layout.read_only)}." if layout.read_only else ""
+    most = f"The register {table.count_by} has how many there are, at most so many." if table.count_by else ""
     constants = [
         ("address", hexadecimal(table.base, 2)),
         ("words", unsigned(layout.words)),
@@ -210,7 +211,7 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
         ("first", unsigned(table.index_from)),
     ]
     return [
-        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", access, read_only),
+        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", most, access, read_only),
         *(Define(naming.macro("table", layout.name, name), number) for name, number in constants),
         BLANK,
         *_address_function(naming, "table", layout.name, f"an element of {table.name} by its number"),

@@ -19,12 +19,11 @@ from fieldspec.backends.c.expressions import (
     whole_double,
 )
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.quantities import scaled_by_register
+from fieldspec.backends.c.quantities import ScaledValue, scaled_values
 from fieldspec.backends.c.sample_values import legal_numbers
 from fieldspec.backends.c.statements import CompileIf, Statement, Variable
 from fieldspec.backends.c.values import type_name
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.registers import Register
 from fieldspec.model.value import Value
 
 _GREATEST = 1e38
@@ -34,19 +33,15 @@ _RAW, _QUANTITY = Identifier("raw"), Identifier("quantity")
 
 
 def test_quantities(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
-    """Each register at its bounds, by the least and the greatest exponent and by 0, and what is refused."""
-    for row, exponent in scaled_by_register(layout):
-        names = tuple(naming.function("register", row.name, end) for end in ("from_raw", "to_raw"))
-        numbers = sorted(set(legal_numbers(layout.device, row.register.value)))
-        value = row.register.value
-        body = _of_register(naming, row.name, value, exponent, (names[0], names[1]), numbers)
-        yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(body))]
+    """Each value at its bounds, by the least and the greatest exponent and by 0, and what is refused."""
+    for scaled in scaled_values(layout):
+        numbers = sorted(set(legal_numbers(layout.device, scaled.value)))
+        yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(_of_value(naming, scaled, numbers)))]
 
 
-def _of_register(
-    naming: Naming, name: str, value: Value, exponent: Register, functions: tuple[str, str], numbers: list[int]
-) -> Iterator[Statement]:
-    from_raw, to_raw = functions
+def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterator[Statement]:
+    name, value, exponent = scaled.title, scaled.value, scaled.exponent
+    from_raw, to_raw = scaled.function(naming, "from_raw"), scaled.function(naming, "to_raw")
     ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
     ranges = exponent.value.ranges
     assert ranges is not None

@@ -89,7 +89,7 @@ def _facts(context: Context, table_layout: TableLayout) -> list[tuple[str, tuple
     return [
         ("Name", ((code(model.name),),)),
         *_space(context, model),
-        ("Elements", ((text_piece(f"{model.count}, numbered {first} to {last}"),),)),
+        ("Elements", (_elements_text(context, model, f"{model.count}, numbered {first} to {last}"),)),
         ("Address of element n", ((code(formula),),)),
         (
             "Words of an element",
@@ -98,6 +98,14 @@ def _facts(context: Context, table_layout: TableLayout) -> list[tuple[str, tuple
         ("Addresses", ((code(f"{address(model.base)}..{address(model.address(last) + table_layout.words - 1)}"),),)),
         ("Record", ((code(record.name, f"#{record.place.path}"), text_piece(" "), *printed),)),
     ]
+
+
+def _elements_text(context: Context, table: TableOfRecords, text: str) -> Line:
+    """How many elements there are, or can be where a register has their number."""
+    register = context.device.register(table.count_by) if table.count_by else None
+    if register is None:
+        return (text_piece(text),)
+    return text_piece(f"up to {text}; the number is in "), code(register.name, f"#{register.place.path}")
 
 
 def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple[Line, ...]]]:

@@ -18,7 +18,7 @@ class Declaration:
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """The names in a module: of enums, words of flags, records and messages by their names in the spec."""
+    """The names in a module: of enums, words of flags, records, messages and registers by their names in the spec."""
 
     layout: DeviceLayout
     scope: Scope
@@ -26,6 +26,7 @@ class Names:
     flags: dict[str, str] = field(default_factory=dict)
     records: dict[str, str] = field(default_factory=dict)
     messages: dict[str, str] = field(default_factory=dict)
+    registers: dict[str, str] = field(default_factory=dict)
 
     def type_of(self, value: Value, size: int) -> str:
         """The type of a value in TypeScript, in `size` bytes."""

@@ -10,9 +10,10 @@ from fieldspec.backends.js.members import Member, members_of, most_bytes
 from fieldspec.backends.js.record_reading import checked_read, read_functions
 from fieldspec.backends.js.record_writing import write_functions
 from fieldspec.backends.js.text import comment, literal, object_of
-from fieldspec.backends.js.units import unit_of
+from fieldspec.backends.js.units import POWER_UNIT, power_unit_of, unit_of
 from fieldspec.backends.js.widths import width_table
-from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.exponents import exponent_of
+from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Value
 from fieldspec.names import Name
 
@@ -20,11 +21,7 @@ from fieldspec.names import Name
 def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> Declaration:
     """The codec of a record, `name`, and the interface of its values; `head` begins its documentation."""
     members = [member for member in members_of(record) if member.key]
-    units = {
-        member.key: text
-        for member in members
-        if member.field.value is not None and (text := unit_of(member.field.value, member.field.size))
-    }
+    units = {member.key: unit for member in members if (unit := _unit(record, member.field, names)) is not None}
     code = [
         *width_table(record, name),
         *read_functions(record, name, names),
@@ -38,11 +35,12 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
         f"  write: write{name},",
         f"  size: {'null' if record.size is not None else f'size{name}'},",
         f"  keys: {{ __proto__: null{''.join(f', {member.key}: 0' for member in members)} }},",
-        f"  units: {object_of(units)},",
+        f"  units: {object_of({key: call for key, (call, _) in units.items()})},",
         "});",
         "",
     ]
-    unit_type = f"{{ {' '.join(f'readonly {key}: Unit;' for key in units)} }}" if units else "Record<string, never>"
+    unit_types = " ".join(f"readonly {key}: {kind};" for key, (_, kind) in units.items())
+    unit_type = f"{{ {unit_types} }}" if units else "Record<string, never>"
     types = [
         *comment([head, sentence(record.record.doc), cited(record.record.sources)]),
         f"export interface {name} {{",
@@ -52,6 +50,17 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
         "",
     ]
     return Declaration(code, types)
+
+
+def _unit(record: RecordLayout, field: FieldLayout, names: Names) -> tuple[str, str] | None:
+    """The call that makes the unit of a field, and its type; None where its counts have neither scale nor unit."""
+    if field.value is None:
+        return None
+    exponent = exponent_of(field.value, names.layout.registers, record)
+    if exponent is not None:
+        return power_unit_of(field.value, exponent.value, field.size), POWER_UNIT
+    call = unit_of(field.value, field.size)
+    return (call, "Unit") if call else None
 
 
 def _property(member: Member, names: Names) -> Iterator[str]:

@@ -10,7 +10,7 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.links import carries
 from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.text import comment, flag, literal, object_of
-from fieldspec.backends.js.units import power_unit_of, unit_of
+from fieldspec.backends.js.units import POWER_UNIT, power_unit_of, unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
@@ -21,14 +21,11 @@ from fieldspec.model.device import Device
 from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name
 
-POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
-"""The type of units with an exponent, which few modules need."""
-
 
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     """A register, or an array of them."""
     register, device = layout.register, names.layout.device
-    name = names.scope.take(Name.of(layout.name).upper())
+    name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
     size = layout.size
     request = Slot(layout.name, register.value, size, layout.order, layout.swapped, device)
     answer = register.answer
@@ -81,14 +78,14 @@ def declare_table(layout: TableLayout, names: Names) -> Declaration:
     name = names.scope.take(Name.of(layout.name).upper())
     record = names.records[table.record]
     more = f", {{ space: {literal(device.space_name(table.space))} }}" if device.several_spaces else ""
+    more = f"{more or ', {}'}, {names.registers[table.count_by]}" if table.count_by else more
     access = table.access if layout.writable else "ro"
     call = (
         f"table({table.count}, {table.index_from}, {table.stride}, {literal(layout.name)}, 0x{table.base:04X},"
         f" {literal(access)}, {record}{more})"
     )
-    facts = (
-        f"{table.count} records of {layout.words} words, {table.stride} words apart, the first at 0x{table.base:04X}."
-    )
+    most = f"Up to {table.count}, as {names.registers[table.count_by]} says," if table.count_by else str(table.count)
+    facts = f"{most} records of {layout.words} words, {table.stride} words apart, the first at 0x{table.base:04X}."
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ {call};"],
         [

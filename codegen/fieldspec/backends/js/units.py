@@ -9,6 +9,9 @@ from fieldspec.backends.js.text import comment, literal
 from fieldspec.model.value import Conversion, Kind, Value
 from fieldspec.names import Name
 
+POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
+"""The type of units with an exponent, which few modules need."""
+
 
 def unit_of(value: Value, size: int) -> str:
     """The call that makes the `Unit` of a value in `size` bytes; empty where its counts have neither scale nor unit."""

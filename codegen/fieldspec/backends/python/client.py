@@ -25,6 +25,7 @@ from fieldspec.names import Name
 _METHODS = frozenset(
     {
         *("ask", "read", "read_elements", "read_group", "read_in_unit", "read_parameter", "read_parameter_in_unit"),
+        "read_table",
         *("run", "send", "session", "transport", "write", "write_in_unit", "write_parameter"),
         *("write_parameter_in_unit", "exchange", "request", "response", "registers", "parameters", "work"),
     }

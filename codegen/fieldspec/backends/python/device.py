@@ -47,7 +47,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     enums = {name: enum_view(enum, scope) for name, enum in device.enums.items()}
     flags = {name: flags_view(word, enums, scope) for name, word in device.flags.items()}
     names = {name: _class(name, "Record", scope) for name in layout.records}
-    words = Words(enums, {name: view.name for name, view in flags.items()}, names)
+    words = Words(enums, {name: view.name for name, view in flags.items()}, names, layout.registers)
     records = [_record(layout, name, words) for name in layout.records]
     exchanges = [_exchange(message, words, scope) for message in layout.messages.values()]
     carrying = [
@@ -67,6 +67,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     ]
     conversions = [conversion_view(conversion, device, scope) for conversion in device.conversions.values()]
     registers, stated = register_views(layout, words, scope, space)
+    constants = {row.name: own.name for row, own in zip(layout.registers, registers, strict=True)}
     view: dict[str, Any] = {
         "doc": docstring(_doc(layout)),
         "identity": layout.identity,
@@ -82,7 +83,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "registers": registers,
         "stated_registers": stated,
         "tables": [
-            table_view(table_layout, words, order, scope, space(table_layout.table.space))
+            table_view(table_layout, words, order, scope, constants, space(table_layout.table.space))
             for table_layout in layout.tables.values()
         ],
         "accesses": accesses,

@@ -71,7 +71,7 @@ _SHARED = {
     "_frames": "ErrorReply Frames Request RequestOf Response",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",
-    "_quantities": "Conversion",
+    "_quantities": "Conversion PowerUnit",
     "_record": "Record",
     "_refusals": (
         "refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float refused_list"

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from fieldspec.backends.fact_texts import described, sentence, unit_word
-from fieldspec.backends.python.naming import MESSAGE, Scope
+from fieldspec.backends.python.naming import Scope
+from fieldspec.backends.python.registers import value_expression
 from fieldspec.backends.python.scaling import in_unit, ratio
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
+from fieldspec.layout.exponents import exponent_of
+from fieldspec.layout.record import RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Conversion, Kind, Value
@@ -40,9 +43,8 @@ class ConstantView:
     doc: list[str]
 
 
-def sentinel_views(stored: list[Slots]) -> list[ConstantView]:
+def sentinel_views(stored: list[Slots], scope: Scope) -> list[ConstantView]:
     """The sentinels of all fields."""
-    scope = Scope(MESSAGE)
     return [
         ConstantView(
             scope.take((Name.of(field.title) + Name.of(sentinel.name)).upper()),
@@ -119,6 +121,58 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
             )
         )
     return views
+
+
+def power_views(
+    record: RecordLayout, stored: list[Slots], scope: Scope, constants: Scope, owner: str
+) -> tuple[list[ConstantView], list[ScaledView]]:
+    """The units of all fields whose scale is elsewhere, and the properties where a field of the record has it.
+
+    `owner` is the class of the record.
+    """
+    units, views = [], []
+    for field in stored:
+        exponent = exponent_of(field.value, field.words.registers, record) if field.field.value is not None else None
+        if exponent is None:
+            continue
+        unit = constants.take(f"{Name.of(field.title).upper()}_UNIT")
+        places = [field.field, exponent.field] if exponent.field is not None else [field.field, exponent.register]
+        values = [
+            value_expression(value, value.size, place.order, place.swapped, field.words)
+            for value, place in zip((field.value, exponent.value), places, strict=True)
+            if place is not None
+        ]
+        where = "the field" if exponent.field is not None else "the register"
+        units.append(
+            ConstantView(
+                unit,
+                f"_PowerUnit({literal(field.title)}, {values[0]}, {literal(exponent.name)}, {values[1]})",
+                docstring([f"The unit of `{field.name}`, by the exponent in {where} `{exponent.name}`."], 4),
+            )
+        )
+        beside = next((other for other in stored if other.field is exponent.field), None)
+        if beside is None:
+            continue
+        arguments = f"{{}}, self.{beside.name}"
+        raw = "item" if field.is_list else f"self.{field.name}"
+        read = f"{owner}.{unit}.in_unit({arguments.format(raw)})"
+        write = f"{owner}.{unit}.from_unit({arguments.format('item' if field.is_list else 'value')})"
+        kind = "float | None"
+        symbol = field.value.quantity_unit
+        text = f"`{field.name}`{f' in {symbol}' if symbol else ''}, by the exponent in `{beside.name}`."
+        ends = "It is None where either stands for an absent value. Setting it stores the nearest count."
+        views.append(
+            ScaledView(
+                scope.take(f"{field.title}_{unit_word(symbol)}"),
+                f"list[{kind}]" if field.is_list else kind,
+                "_Sequence[_Quantity]" if field.is_list else "_Quantity",
+                f"[{read} for item in self.{field.name}]" if field.is_list else read,
+                f"[{write} for item in value]" if field.is_list else write,
+                field.name,
+                docstring([f"{text} {ends} Raises CodecError for an exponent that is none, and out of range."], 8),
+            )
+        )
+    return units, views
 
 
 @dataclass(frozen=True, slots=True)

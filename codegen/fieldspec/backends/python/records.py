@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from fieldspec.backends.python.constructors import ConstructorView, constructor_view
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
-from fieldspec.backends.python.quantities import ConstantView, ScaledView, scaled_views, sentinel_views
+from fieldspec.backends.python.quantities import (
+    ConstantView,
+    ScaledView,
+    power_views,
+    scaled_views,
+    sentinel_views,
+)
 from fieldspec.backends.python.reading import (
     CASE,
     choice_lines,
@@ -116,7 +122,11 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     upper = "_" + "".join(f"_{char}" if char.isupper() else char for char in name).strip("_").upper()
     binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT")
     names = [field.name for field in stored]
-    scaled = scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(names)))
+    scope = Scope(MESSAGE, TYPES, frozenset(names))
+    scaled = scaled_views(stored, scope)
+    constants = Scope(MESSAGE)
+    sentinels = sentinel_views(stored, constants)
+    units, powers = power_views(record, stored, scope, constants, name)
     read, taken = _read(shaped, upper)
     return RecordView(
         name=name,
@@ -127,8 +137,8 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
             FieldView(field.name, field.type, field.accepted, field.slot, deferred_value_lines(field))
             for field in stored
         ],
-        constants=sentinel_views(stored),
-        scaled=scaled,
+        constants=[*sentinels, *units],
+        scaled=[*scaled, *powers],
         read=read,
         make=[*taken, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,

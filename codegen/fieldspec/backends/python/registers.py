@@ -208,8 +208,10 @@ def register_view(
     return RegisterView(name, f"{kind}({', '.join(arguments)})", doc)
 
 
-def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:
-    """The view of a table of records."""
+def table_view(
+    layout: TableLayout, words: Words, order: str, scope: Scope, names: Mapping[str, str], space: str = ""
+) -> TableView:
+    """The view of a table of records. `names` are the constants of all registers by name."""
     table = layout.table
     record = words.records[table.record]
     arguments = [
@@ -228,9 +230,12 @@ def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, spac
         arguments.append('order="<"')
     if space:
         arguments.append(f"space={literal(space)}")
+    if table.count_by:
+        arguments.append(f"count_by={names[table.count_by]}")
     last = table.index_from + table.count - 1
+    most = f"up to {table.count}, as {names[table.count_by]} says," if table.count_by else str(table.count)
     facts = [
-        f"{table.count} records of {layout.words} words, {table.index_from} to {last}",
+        f"{most} records of {layout.words} words, {table.index_from} to {last}",
         f"the first at 0x{table.base:04X}, each {table.stride} words behind the one before",
     ]
     if space:

@@ -12,18 +12,19 @@ from typing import Literal
 
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.classes import dataclass
-from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Kind, Value
 
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """The classes that fields refer to, by the names of the spec."""
+    """The classes that fields refer to, by the names of the spec, and the registers with exponents of their scales."""
 
     enums: Mapping[str, EnumView]
     flags: Mapping[str, str]
     records: Mapping[str, str]
+    registers: tuple[RegisterLayout, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

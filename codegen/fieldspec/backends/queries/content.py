@@ -31,7 +31,10 @@ class Elements:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What a query computes. Each of `levels` has intermediate results by name, made of those before it."""
+    """What a query computes. Each of `levels` has intermediate results by name, made of those before it.
+
+    `exponents` has the expressions of the registers with exponents of scales, by their names.
+    """
 
     device: Device
     dialect: Dialect
@@ -40,6 +43,7 @@ class Content:
     refusals: list[tuple[str, str]] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     levels: list[dict[str, str]] = field(default_factory=list)
+    exponents: dict[str, str] = field(default_factory=dict)
 
     def add_record(self, record: RecordLayout, data: str) -> None:
         """The fields of a record. `data` is the name of the result with its bytes, or with null."""
@@ -72,6 +76,7 @@ class Content:
             if own.value is None:
                 continue
             query = ValueQuery(self.device, self.dialect, self.enums, own.value, own.order, own.swapped)
+            query = self._by_exponent(query, own, fields)
             reserved = own.field.reserved
             if own.is_list and inside is None:
                 self.add_value(name, query, data, 0, Elements(at, own.size, own.count), reserved)
@@ -80,6 +85,25 @@ class Content:
                     self.add_value(f"{name}_{number}", query, data, at + number * own.size, inside, reserved)
             else:
                 self.add_value(name, query, data, at, inside, reserved)
+
+    def _by_exponent(self, query: ValueQuery, own: FieldLayout, fields: tuple[FieldLayout, ...]) -> ValueQuery:
+        """The query of a field with its scale, where a field beside it or a register has the exponent.
+
+        The elements of a list stay counts.
+        """
+        if not query.value.scale_by or own.is_list:
+            return query
+        beside = next((other for other in fields if other.name == query.value.scale_by), None)
+        if beside is not None and beside.value is not None and beside.value.ranges is not None:
+            power = ValueQuery(self.device, self.dialect, self.enums, beside.value, beside.order, beside.swapped)
+            distance = beside.offset - own.offset
+            intervals = beside.value.ranges.intervals
+            return replace(query, exponent=lambda data, at: power.number(data, at + distance), exponents=intervals)
+        register = self.device.register(query.value.scale_by)
+        number = self.exponents.get(query.value.scale_by, "")
+        if register is None or register.value.ranges is None or not number:
+            return query
+        return replace(query, exponent=lambda _, __: number, exponents=register.value.ranges.intervals)
 
     def add_value(
         self, name: str, query: ValueQuery, data: str, at: int, inside: Elements | None = None, reserved: bool = False

@@ -145,7 +145,8 @@ def _add_register(
     query, data = _register_query(content, own, address, level)
     if exponent is not None and exponent.register.value.ranges is not None:
         power, words = _register_query(content, exponent, exponent.address, level)
-        query = replace(query, exponent=power.number(words, 0), exponents=exponent.register.value.ranges.intervals)
+        number = power.number(words, 0)
+        query = replace(query, exponent=lambda _, __: number, exponents=exponent.register.value.ranges.intervals)
     content.add_value(column, query, data, 0, reserved=own.register.reserved)
 
 
@@ -167,7 +168,13 @@ def _table_query(layout: DeviceLayout, name: str, table: TableLayout, content: C
     data = dialect.step(DATA)
     number = dialect.argument(dialect.step("element") if dialect.step("element") != "element" else "element")
     address = f"(({number} - {own.index_from}) * {own.stride} + {own.base})"
-    content.levels.append({data: dialect.words(address, table.record.size or 0)})
+    level = {data: dialect.words(address, table.record.size or 0)}
+    content.levels.append(level)
+    names = {field.value.scale_by for field in table.record.fields if field.value is not None}
+    for register in layout.registers:
+        if register.name in names:
+            power, words = _register_query(content, register, register.address, level)
+            content.exponents[register.name] = power.number(words, 0)
     content.add_record(table.record, data)
     title = f"{own.title or Name.of(own.name).title()}: the elements in a payload from the address `start` on."
     return Query(name, title, ("start", "payload"), content, range(own.index_from, own.index_from + own.count))

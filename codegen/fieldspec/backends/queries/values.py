@@ -40,8 +40,8 @@ class ValueRule:
 class ValueQuery:
     """The expressions of a value with its orders. `enums` are the enums as the dialect refers to them.
 
-    `exponent` is the expression of the exponent of a scale that another register has, else empty; `exponents` are the
-    numbers that it may be.
+    `exponent` reads the exponent of a scale that is elsewhere, None where there is none; `exponents` are the numbers
+    that it may be.
     """
 
     device: Device
@@ -50,7 +50,7 @@ class ValueQuery:
     value: Value
     order: str
     swapped: bool
-    exponent: str = ""
+    exponent: Reader | None = None
     exponents: tuple[tuple[int, int], ...] = ()
 
     def number(self, data: str, offset: int) -> str:
@@ -84,7 +84,7 @@ class ValueQuery:
         elif value.flags:
             yield ValueColumn("", self.word)
             yield from self._bits()
-        elif kind is Kind.INTEGER and (value.scaled or self.exponent):
+        elif kind is Kind.INTEGER and (value.scaled or self.exponent is not None):
             yield ValueColumn(unit_word(value.quantity_unit), self._quantity)
             yield ValueColumn("raw", self.number)
         elif value.sentinels:
@@ -169,8 +169,8 @@ class ValueQuery:
 
     def _quantity(self, data: str, at: int) -> str:
         value, number = self.value, self.number(data, at)
-        if self.exponent:
-            return self._absent(self.dialect.power(number, self.exponent, self.exponents), data, at)
+        if self.exponent is not None:
+            return self._absent(self.dialect.power(number, self.exponent(data, at), self.exponents), data, at)
         return self._absent(quantity(self.dialect, number, value, (value.type.low, value.type.high)), data, at)
 
     def _bits(self) -> Iterator[ValueColumn]:

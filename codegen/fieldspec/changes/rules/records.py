@@ -118,7 +118,7 @@ def _enum(comparison: Comparison, field: Field) -> str:
 
 
 def count_changed(comparison: Comparison) -> Iterator[Change]:
-    """A register, a table, a field or a parameter has more or fewer elements.
+    """A register, a table, a field or a parameter has more or fewer elements, or another register says how many.
 
     Why: with fewer elements, programs use addresses without a meaning. A field with more or fewer elements moves all
     that follows it.
@@ -131,6 +131,11 @@ def count_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.any_of(Register, Table, Parameter):
         yield from _grown(pair, "count", pair.old.count, pair.new.count)
+    for table in comparison.of(Table):
+        old = comparison.renamed_to("registers", table.old.count_by) if table.old.count_by else ""
+        if old != table.new.count_by:
+            text = f"{named(table.new)}: {difference_text('the register of its count', old, table.new.count_by)}"
+            yield change("count_changed", Effect.WIRE, table, "count_by", text, old, table.new.count_by)
     for parameter in comparison.of(Parameter):
         yield from _grown(parameter, "elements", parameter.old.elements or 1, parameter.new.elements or 1)
     for field in comparison.of(Field):

@@ -97,7 +97,7 @@ def _of_bits(comparison: Comparison) -> Iterator[ValuePair]:
 
 
 def scale_changed(comparison: Comparison) -> Iterator[Change]:
-    """The scale or the offset of a value is another one, or the register with the exponent of its scale.
+    """The scale or the offset of a value is another one, or the register or field with the exponent of its scale.
 
     Why: the same number on the wire is another quantity, such as ten times the distance.
 
@@ -115,11 +115,21 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
             if old != new and (key == "offset" or value_pair.old.scale != value_pair.new.scale):
                 text = f"{named(value_pair.of.new)}: {difference_text('the ' + key, old, new)}"
                 yield change("scale_changed", Effect.WIRE, value_pair, key, text, old, new)
-        exponent = comparison.renamed_to("registers", value_pair.old.scale_by) if value_pair.old.scale_by else ""
+        exponent = _exponent(comparison, value_pair)
         if exponent != value_pair.new.scale_by:
             new = value_pair.new.scale_by
-            text = f"{named(value_pair.of.new)}: {difference_text('the register of the exponent', exponent, new)}"
+            what = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
+            text = f"{named(value_pair.of.new)}: {difference_text(what, exponent, new)}"
             yield change("scale_changed", Effect.WIRE, value_pair, "scale_by", text, exponent, new)
+
+
+def _exponent(comparison: Comparison, pair: ValuePair) -> str:
+    """The new name of what has the exponent of an old value: a field beside it, or a register."""
+    name = pair.old.scale_by
+    if not name:
+        return ""
+    beside = comparison.renamed_to(pair.of.old.place.path.rpartition("/")[0], name)
+    return beside if beside != name else comparison.renamed_to("registers", name)
 
 
 def unit_changed(comparison: Comparison) -> Iterator[Change]:

@@ -9,7 +9,7 @@ from fieldspec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.model.access import readable, writable
 from fieldspec.model.address_space import BIT as BIT_UNIT
 from fieldspec.model.device import Device
-from fieldspec.model.registers import RegisterGroup
+from fieldspec.model.registers import RegisterGroup, Table
 from fieldspec.plc.routines.bits import bit_routines, single_bit_routines
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -112,6 +112,11 @@ def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine
     return draft.finished()
 
 
+def count_text(table: Table) -> str:
+    """The sentence about the number of elements that a device has, where a register has it."""
+    return f"The register {table.count_by} has how many there are. " if table.count_by else ""
+
+
 def _address(world: World, table_layout: TableLayout) -> Routine:
 
     table = table_layout.table
@@ -120,7 +125,7 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
         f"table {table.name}",
         world.status,
         f"The address of an element of {table.name}: {table.index_from}..{table.index_from + table.count - 1}. "
-        f"{world.comment(table, None)}".strip(),
+        f"{count_text(table)}{world.comment(table, None)}".strip(),
     )
     index = draft.declare("iNumber", INT, "input", "number of the element as the manual counts")
     address = draft.declare("uiAddress", UINT, "output")

@@ -53,8 +53,10 @@ def link(entry: Entry) -> Link:
     order = entry.text("byte_order")
     request = tuple(_part(inner, order) for inner in entry.entries("request"))
     delimiters = _delimiters(entry)
+    beside = [part.entry(key) for part in (entry.entry("delimiters"),) if part for key in ("request", "response")]
+    cited = [*entry.sources, *(source for part in (*beside, escaping, can) if part for source in part.sources)]
     return Link(
-        **entry.fact(),
+        **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
         title=entry.text("title"),
         encoding=entry.text("encoding") or "binary",
         start=delimiters["start"],

@@ -29,6 +29,9 @@ def _field(entry: Entry) -> Field:
     if len(kinds) > 1:
         text = f"the field has both `{kinds[0]}` and `{kinds[1]}`"
         entry.refuse("type_present", kinds[0], text, "remove one of them")
+    if (name or choice) and entry.get("scale_by"):
+        text = f"the field is a {'record' if name else 'choice'}, which has no scale"
+        entry.refuse("type_present", "scale_by", text, "remove it, or state it for a field with a `type`")
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None

@@ -122,6 +122,7 @@ def table(entry: Entry) -> Table:
         access=entry.text("access"),
         handling=entry.handling(),
         elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
+        count_by=entry.text("count_by"),
     )
 
 

@@ -1,6 +1,5 @@
 import { isWhole } from "./numbers.js";
-import { isWithin } from "./texts.js";
-import { decoded, decodeValue, forWriting, numberOfBytes, scaledBy, sentinelOf } from "./values.js";
+import { decoded, decodeValue, exponentApplied, forWriting, numberOfBytes } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
 
 function partialText(unit, isAtomic) {
@@ -130,9 +129,14 @@ function addElements(occupants, register, span) {
 
 function addFields(occupants, device, table, span) {
   const [start, last] = nearElements(table.base, table, span);
+  const record = device.records.get(table.record);
   for (let number = start; number < last; number++) {
     const base = table.base + number * table.stride;
-    for (const field of device.records.get(table.record).fields) {
+    const beside = (name) => {
+      const field = record.named.get(name);
+      return field && { address: base + (field.offset >> 1), skip: field.offset & 1, value: field.value };
+    };
+    for (const field of record.fields) {
       if (!field.value) continue;
       for (let item = 0; item < (field.count ?? 0); item++) {
         const first = field.offset + item * field.size;
@@ -147,6 +151,8 @@ function addFields(occupants, device, table, span) {
           outer: table,
           value: field.value,
           skip: first & 1,
+          beside,
+          element: number,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -167,7 +173,8 @@ function registerRow(device, span, occupant, spot, operation) {
   const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
-    const value = byExponent(device, span, operation === "write" ? forWriting(occupant.value) : occupant.value);
+    const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
+    const value = byExponent(device, span, occupant, own);
     read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
@@ -178,19 +185,26 @@ function registerRow(device, span, occupant, spot, operation) {
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
-  return { ...row, ...place, offset: piece ? row.offset : 0 };
+  const notes = [...row.notes, ...absence(device, span, occupant)];
+  return { ...row, ...place, notes, offset: piece ? row.offset : 0 };
 }
 
-/** A value with its scale, where the exponent is in another register, and the span has that one, too. */
-function byExponent(device, span, value) {
+/** The note of a field in an element that the device has not got, where the span has the count, too. */
+function absence(device, span, { outer, element }) {
+  const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
+  const piece = count && span.piece(count.address, count.value.size);
+  if (!piece) return [];
+  const number = numberOfBytes(count.value, piece.content, count.value.order ?? "big", count.value.swapped);
+  return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
+}
+
+/** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */
+function byExponent(device, span, occupant, value) {
   if (!value.scaleBy) return value;
-  const exponent = device.data.registers.find(({ name }) => name === value.scaleBy);
-  const own = exponent.value;
-  const piece = span.piece(exponent.address, own.size);
-  if (!piece) return value;
-  const number = numberOfBytes(own, piece.content, own.order ?? "big", own.swapped);
-  const isExponent = isWhole(number) && isWithin(own.ranges ?? [], number) && !sentinelOf(own, number);
-  return isExponent ? scaledBy(value, Number(number)) : value;
+  const beside = occupant.beside?.(value.scaleBy);
+  const exponent = beside ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
+  const piece = span.piece(exponent.address, exponent.value.size, exponent.skip);
+  return piece ? exponentApplied(value, exponent.value, piece.content) : value;
 }
 
 /** The row of words that no register has, with the reasons of the gaps there. */

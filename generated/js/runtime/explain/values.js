@@ -55,8 +55,15 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that an exponent makes of it, where `scaleBy` names the register of the exponent. */
-export function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
+/** A value with the scale that the bytes of its exponent make; unchanged where they are no exponent. */
+export function exponentApplied(value, exponent, bytes) {
+  const number = numberOfBytes(exponent, bytes, exponent.order ?? "big", exponent.swapped);
+  const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
+  return isExponent ? scaledBy(value, Number(number)) : value;
+}
+
+/** A value with the scale that an exponent makes of it, where `scaleBy` names what has the exponent. */
+function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
   const scale = exponent < 0 ? `0.${"1".padStart(-exponent, "0")}` : "1".padEnd(exponent + 1, "0");
   return { ...value, ...(exponent === 0 ? {} : { scale, offset: "0" }), ...(quantityUnit ? { unit: quantityUnit } : {}) };
 }

@@ -51,8 +51,11 @@ export function registerArray(count, first, stride, name, address, words, access
   });
 }
 
-/** A table of records, `stride` words apart, numbered from `first`. Each is a register whose value is the record. */
-export function table(count, first, stride, name, address, access, record, more = {}) {
+/**
+ * A table of records, `stride` words apart, numbered from `first`. Each is a register whose value is the record.
+ * `countBy` is the register with the number of records that the device has, null where it has all of them.
+ */
+export function table(count, first, stride, name, address, access, record, more = {}, countBy = null) {
   const make = (index) =>
     register(
       `${name}[${first + index}]`,
@@ -73,12 +76,19 @@ export function table(count, first, stride, name, address, access, record, more 
     stride,
     length: count,
     record,
+    countBy,
     /** The record with a number, as a register. Throws RangeError. */
     at(number) {
       if (!Number.isInteger(number) || number < first || number >= first + count) {
         throw new RangeError(`${name} has the numbers ${first}..${first + count - 1}, not ${number}`);
       }
       return make(number - first);
+    },
+    /** The records of a device that has so many. Throws RangeError for more than there can be. */
+    present(number) {
+      const size = Number(number);
+      if (!Number.isInteger(size) || size < 0 || size > count) throw new RangeError(`${name} has 0..${count} records, not ${number}`);
+      return Array.from({ length: size }, (_, index) => make(index));
     },
   });
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ._error import CodecError
-from ._registers import Register
+from ._registers import Register, Table
 from ._typing import TYPE_CHECKING, T
 from ._values import Bytes
 from .errors import InvalidAnswerError, InvalidValueError, RefusedError
@@ -111,6 +111,15 @@ class RegisterWork:
         exponent = None if register.scale_by is None else (yield from self.read(register.scale_by))
         quantity: float | None = _decoded(register.in_unit, (yield from self.read(register)), exponent)
         return quantity
+
+    def read_table(self, table: Table[T]) -> Work[list[T]]:
+        """The records of a table that the device has, whose number is read first where a register has it."""
+        count = table.count if table.count_by is None else (yield from self.read(table.count_by))
+        records = []
+        for register in _decoded(table.present, count):
+            record = yield from self.read(register)
+            records.append(record)
+        return records
 
     def write(self, register: Register[T], value: T) -> Work[None]:
         """Writes a register; the value is encoded at once."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from ._client_registers import Group, ParameterWork, RegisterWork, Values
     from ._client_tasks import Jog
     from ._parameters import Parameter
-    from ._registers import Register
+    from ._registers import Register, Table
     from ._typing import Quantity
     from .transports import Transport
 
@@ -49,6 +49,10 @@ class RegisterClient(BlockingClient):
     def read_in_unit(self, register: Register[Any]) -> float | None:
         """The value of a register in its unit; None for one that stands for an absent value. Raises DeviceError."""
         return self._run(self._registers.read_in_unit(register))
+
+    def read_table(self, table: Table[T]) -> list[T]:
+        """The records of a table that the device has, whose number it reads first. Raises DeviceError."""
+        return self._run(self._registers.read_table(table))
 
     def read_group(self, group: Group) -> Values:
         """The values of a group of registers, in as few requests as the device permits. Raises DeviceError.

@@ -1,4 +1,4 @@
-"""Counts that are fractions of a reference value, which the device stores elsewhere."""
+"""Counts whose quantity depends on what the device stores elsewhere: a reference value, or the exponent of a scale."""
 
 from __future__ import annotations
 
@@ -8,6 +8,11 @@ from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ._typing import Quantity
+    from ._values import Value
+
+
+Ratio = tuple[int, int, int]
+"""(a, b, c) of quantity = (raw * a + b) / c."""
 
 
 class Conversion:
@@ -49,3 +54,53 @@ class Conversion:
         if self.complement:
             return -over, over * self.full_scale, under * self.full_scale
         return over, 0, under * self.full_scale
+
+
+def power_of_ten(name: str, exponent_name: str, limits: tuple[tuple[int, int], ...], exponent: int | None) -> Ratio:
+    """The scale of a power of ten as a `Value` has it. Raises CodecError for an exponent that is none, or missing."""
+    if exponent is None:
+        raise CodecError("wrong_type", f"the scale of {name} has an exponent, which is the value of {exponent_name}")
+    is_whole = isinstance(exponent, int) and not isinstance(exponent, bool)
+    if not is_whole or not any(low <= exponent <= high for low, high in limits):
+        allowed = ", ".join(f"{low}..{high}" for low, high in limits)
+        raise CodecError("out_of_range", f"{exponent_name} is {exponent!r}, not an exponent in {allowed}")
+    return (10**exponent, 0, 1) if exponent > 0 else (1, 0, 10**-exponent)
+
+
+class PowerUnit:
+    """The unit of counts whose scale is a power of ten: `exponent` is the name of what has the exponent.
+
+    That is another field of the record, or a register of the device.
+    """
+
+    __slots__ = ("_exponents", "_value", "exponent", "name")
+
+    def __init__(self, name: str, value: Value[int], exponent: str, exponents: Value[int]) -> None:
+        self.name, self.exponent, self._value, self._exponents = name, exponent, value, exponents
+
+    def __repr__(self) -> str:
+        return f"<unit of {self.name}: 10^{self.exponent} {self.unit}>".replace(" >", ">")
+
+    @property
+    def unit(self) -> str:
+        """The unit of the quantity, empty where there is none."""
+        return self._value.unit
+
+    def in_unit(self, count: int, exponent: int | None) -> float | None:
+        """A count in the unit; None where the count or the exponent stands for an absent value.
+
+        Raises CodecError for an exponent that is none.
+        """
+        if exponent in self._exponents.others:
+            return None
+        return self._value.in_unit(count, self._power(exponent))
+
+    def from_unit(self, quantity: Quantity, exponent: int | None) -> int:
+        """The count that is nearest to a quantity, of two the even one.
+
+        Raises CodecError out of range, where that count stands for an absent value, and for an exponent that is none.
+        """
+        return self._value.from_unit(self.name, quantity, self._power(exponent))
+
+    def _power(self, exponent: int | None) -> Ratio:
+        return power_of_ten(self.name, self.exponent, self._exponents.ranges, exponent)

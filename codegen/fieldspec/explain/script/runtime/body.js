@@ -2,7 +2,7 @@ import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
 import { formOfData } from "./device.js";
-import { decodeValue, decoded, judged, meaningOf, repeatedValue } from "./values.js";
+import { decodeValue, decoded, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
 import { factRow, surplusRow, wrongRow } from "./rows.js";
 import { withParameter } from "./parameters.js";
 
@@ -67,7 +67,7 @@ export class ExplainedBody {
       if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
       else {
         const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
-        this.values.set(field.name, this.explainValue(field, field.name, at, 0, true, varying));
+        this.values.set(field.name, this.explainValue(field, field.value, field.name, at, 0, true, varying));
       }
       at = this.start + stop;
     }
@@ -119,7 +119,7 @@ export class ExplainedBody {
 
   explainElement(field, path, at, index) {
     if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
-    return this.explainValue(field, path, at, index, true);
+    return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
@@ -132,16 +132,26 @@ export class ExplainedBody {
         const place = at + field.offset + index * field.size;
         elements.push(field.record
           ? this.explainRecord(this.device.records.get(field.record), inner, place)
-          : this.explainValue(field, inner, place, index, false));
+          : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
     }
     return values;
   }
 
-  /** Adds the row of a value. Of one that varies in width, `varying` has the bytes, those in the image, and its form. */
-  explainValue(field, path, at, index, isTop, varying) {
-    const { value } = field;
+  /** The value of a field of a record, with its scale where another field beside it has the exponent. */
+  byExponent({ value }, record, start) {
+    const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
+    const at = start + (exponent?.offset ?? 0);
+    if (!exponent || at + exponent.size > this.end) return value;
+    return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
+  }
+
+  /**
+   * Adds the row of a field, whose `value` has its scale. Of one that varies in width, `varying` has the bytes, those in
+   * the image, and its form.
+   */
+  explainValue(field, value, path, at, index, isTop, varying) {
     const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
     const image = varying ? varying.image : raw;
     let read = image === null

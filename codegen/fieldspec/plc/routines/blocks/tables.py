@@ -23,7 +23,7 @@ from fieldspec.plc.routines.expressions import (
     number,
     plus,
 )
-from fieldspec.plc.routines.registers import group_order, table_order
+from fieldspec.plc.routines.registers import count_text, group_order, table_order
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
@@ -151,7 +151,7 @@ def _numbers(table: TableLayout) -> str:
 
 
 def _about(block: LineDraft, world: World, table: TableLayout, text: str) -> None:
-    block.remarks += [f"{text} {world.comment(table.table, None)}".strip(), meanings(ERRORS)]
+    block.remarks += [f"{text} {count_text(table.table)}{world.comment(table.table, None)}".strip(), meanings(ERRORS)]
 
 
 def _transfer(

@@ -1,0 +1,59 @@
+"""The `count_by` of a record table names a register in the space of the table: a single whole number that can be read,
+without a scale, names or special values, whose `range` is within 0 and the `count` of the table.
+
+Why: programs read the number of elements, and ask for no others. Arrays have room for `count` elements, and addresses
+behind these belong to something else.
+
+Example: `count: 4, count_by: module_count`, where `module_count` is a `u16` without a `range`.
+
+Cure: State under `count` how many elements there can be, and give the register that `range`. Where the number is always
+the same, state it as `count` alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.access import readable
+from fieldspec.model.device import Device
+from fieldspec.model.registers import Register, Table
+from fieldspec.model.value import Kind
+
+_CODE = "counts_apply"
+
+
+def counts_apply(device: Device) -> Iterator[Diagnostic]:
+    for table in device.tables.values():
+        register = device.register(table.count_by) if table.count_by else None
+        wrong = _no_count(device, table, register) if register is not None else ""
+        if register is not None and wrong:
+            text = f"{register.name} cannot be the number of elements of {table.name}: {wrong}"
+            about = "name the register with the number of elements, or correct that register"
+            yield finding(_CODE, table.place, "count_by", text, about, label(register.place, "name", "the register"))
+
+
+def _no_count(device: Device, table: Table, register: Register) -> str:
+    """Why a register does not have the number of elements of a table; empty where it may."""
+    value = register.value
+    if device.space_name(register.space) != device.space_name(table.space):
+        return "it is in another address space"
+    if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
+        return "it is not a whole number without a scale and without names"
+    if register.count > 1:
+        return f"it stands for {register.count} registers"
+    if register.reserved or register.trigger or not readable(register.access):
+        return "the spec does not say that it can be read"
+    if value.const is not None:
+        return f"it is always {value.const}"
+    if value.sentinels:
+        return "its special value is no number of elements"
+    if value.write_ranges is not None:
+        return "its `write_range` differs from what it may be"
+    if value.ranges is None or value.ranges.low < 0 or value.ranges.high > table.count:
+        return f"its `range` is not within 0..{table.count}"
+    first, last = register.address, register.end - 1
+    if first <= table.address(table.indexes[-1]) + table.stride - 1 and table.base <= last:
+        return "it is one of the elements"
+    return ""

@@ -1,0 +1,42 @@
+"""The specs in which changes of keys are tried: made-up devices, cases that pass, and some real devices."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from layouts import SPECS, TEST_SPECS
+
+CASES = Path(__file__).with_name("cases")
+AUDITED = Path(__file__).with_name("audit") / "right"
+KEYS = Path(__file__).with_name("capability_devices") / "keys"
+"""A device with the keys of values at every place that has them, which is quick to build."""
+MANUALS = {"audit/right": AUDITED.parent / "pump.txt", "keys": KEYS.with_name("keys.txt")}
+"""The texts of the manuals of projects, which audits compare with their specs."""
+LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
+"""The made-up devices that take the longest to build, tried behind all others."""
+
+
+def _files(folder: Path, root: Path) -> dict[str, bytes]:
+    return {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.yaml"))}
+
+
+def _projects() -> dict[str, dict[str, bytes]]:
+    """The files of made-up devices, of cases that pass and of some real devices, the quickest to build first."""
+    shared = _files(SPECS / "protocols", SPECS) | _files(TEST_SPECS / "protocols", TEST_SPECS)
+    devices = {path.parent.name: _files(path.parent, TEST_SPECS) for path in TEST_SPECS.glob("*/device.yaml")}
+    cases = {}
+    for folder in sorted(CASES.glob("*/passing*")):
+        flat = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))}
+        cases[folder.relative_to(CASES).as_posix()] = flat or _files(folder, folder)
+    order = sorted(devices, key=lambda name: (LAST.index(name) + 1 if name in LAST else 0, name))
+    early = {name: devices[name] for name in order if name not in LAST}
+    late = {name: devices[name] for name in order if name in LAST}
+    late |= {name: _files(SPECS / name, SPECS) for name in ("esc11", "ck10", "tc100")}
+    early |= {"audit/right": _files(AUDITED / "pump", AUDITED), "keys": _files(KEYS, KEYS.parent)}
+    return {
+        name: shared | files if any(b"\nuses:" in data for data in files.values()) else files
+        for name, files in (early | cases | late).items()
+    }
+
+
+PROJECTS = _projects()
