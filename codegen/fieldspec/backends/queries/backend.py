@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from fieldspec.backends.queries.polars_text import polars_text
 from fieldspec.backends.queries.sql_text import sql_text
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import stem
@@ -19,7 +20,7 @@ def shared() -> dict[str, str]:
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Values that are sent as digits and texts in a form of their own, which the queries do not convert."""
-    return character_refusals(versions, "a query")
+    return [*character_refusals(versions, "a query"), *base_refusals(versions, "a query")]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

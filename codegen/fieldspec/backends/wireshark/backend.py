@@ -13,6 +13,7 @@ from fieldspec.backends.wireshark.registers import parameter_sets, register_data
 from fieldspec.backends.wireshark.text import Data, comment, line_text, table
 from fieldspec.backends.wireshark.values import enum_data, word_data
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem
@@ -70,7 +71,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         )
         for name, link in links.items()
         if link.escape is not None
-    ] + [*unread, *character_refusals(versions, "the dissector")]
+    ] + [*unread, *character_refusals(versions, "the dissector"), *base_refusals(versions, "the dissector")]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
