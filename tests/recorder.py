@@ -28,7 +28,7 @@ LAYOUT = layout_at(load(_files()).devices["recorder"], "1")
 
 
 @cache
-def written(name: str) -> Path:
+def output_folder(name: str) -> Path:
     """The folder with the files of an output."""
     folder = Path(_FOLDER.name) / name
     for path, text in (OUTPUTS[name].shared() | OUTPUTS[name].files([LAYOUT])).items():
@@ -41,7 +41,7 @@ def written(name: str) -> Path:
 
 def module(name: str) -> Any:
     """A module of the generated package, such as `recorder.v1`."""
-    folder = str(written("python"))
+    folder = str(output_folder("python"))
     if folder not in sys.path:
         sys.path.insert(0, folder)
     return importlib.import_module(f"{_NAME}.{name}")

@@ -28,7 +28,7 @@ from fieldspec.simulator.seeding import seed
 from fieldspec.testing import SimulatedDevice, simulation
 from js_output.explanations import explained_by_node, explained_by_python
 from pymodbus_server import free_port, running
-from recorder import FOLDER, LAYOUT, module, written
+from recorder import FOLDER, LAYOUT, module, output_folder
 
 SECONDS = 5
 RECORDER = module("recorder.v1")
@@ -105,11 +105,11 @@ def test_a_table_of_a_simulated_device_is_where_its_register_says(
     (row,) = json.loads(capsys.readouterr().out)
     assert (row["address"], row["meaning"]) == (base + 3, "81.5 V")
     assert live(port_of(device), "dump", "-") == 0
-    dumped = {
+    addresses = {
         int(line.split(",")[1], 16): line for line in capsys.readouterr().out.splitlines()[1:] if "holding" in line
     }
-    assert set(range(base, base + 4 * count)) <= set(dumped)
-    assert not set(dumped) & set(range(base + 4 * count, base + 12))
+    assert set(range(base, base + 4 * count)) <= set(addresses)
+    assert not set(addresses) & set(range(base + 4 * count, base + 12))
 
 
 def test_a_register_in_another_space_says_where_values_are_written(device: SimulatedDevice, peer: Any) -> None:
@@ -202,7 +202,7 @@ console.log(JSON.stringify([
 
 def test_a_table_in_javascript_takes_its_base(tmp_path: Path) -> None:
     program = tmp_path / "program.mjs"
-    program.write_text(PROGRAM.format(module=(written("js") / "recorder/v1.js").as_uri()), "utf-8")
+    program.write_text(PROGRAM.format(module=(output_folder("js") / "recorder/v1.js").as_uri()), "utf-8")
     run = subprocess.run([require_tool("node"), str(program)], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     message = "events begins where event_address says: use atBase"
@@ -225,11 +225,11 @@ def test_the_function_in_c_takes_the_base(tmp_path: Path) -> None:
         + "return 0; }\n",
         "utf-8",
     )
-    program = compiled("gcc", source, tmp_path / "bases", f"-I{written('c')}")
+    program = compiled("gcc", source, tmp_path / "bases", f"-I{output_folder('c')}")
     lines = subprocess.run([str(program)], capture_output=True, text=True, check=True).stdout.splitlines()
     assert [line.split()[0] for line in lines] == ["1", "1", "0", "0", "0"]
     assert [int(line.split()[1]) for line in lines[:2]] == [0x0329, 0xFFFC]
-    tested = compiled("gcc", written("c") / "recorder_v1_selftest.c", tmp_path / "selftest")
+    tested = compiled("gcc", output_folder("c") / "recorder_v1_selftest.c", tmp_path / "selftest")
     assert " 0 failed" in subprocess.run([str(tested)], capture_output=True, text=True, check=True).stdout
 
 
@@ -269,17 +269,17 @@ def test_a_frame_with_the_address_has_the_elements_that_follow_from_it(
 ) -> None:
     memory = dict.fromkeys(range(first, first + 125), 0) | {0x10: base, 0x11: 3} | dict(enumerate(words(EVENTS), base))
     request, response = frames(first, [memory[address] for address in range(first, first + 125)])
-    module_path = str(written("js") / "recorder/v1_explain.js")
+    module_path = str(output_folder("js") / "recorder/v1_explain.js")
     goes = {"link": "tcp", "direction": "response"}
     job = {"module": module_path, "frame": response, "request": request, "options": goes}
     run = CommandLine(capsys, monkeypatch, FOLDER)
     options = ("--request", request, "--link", "tcp", "--direction", "response", "--format", "json")
-    shown = json.loads(run("decode", "recorder", response, *options)[1])["registers"]
-    rows = {row["path"]: row for row in shown if (row["path"] or "").startswith("events[") and row["raw"]}
+    registers = json.loads(run("decode", "recorder", response, *options)[1])["registers"]
+    rows = {row["path"]: row for row in registers if (row["path"] or "").startswith("events[") and row["raw"]}
     assert {path.partition(".")[0] for path in rows} == {f"events[{number}]" for number in range(1, elements + 1)}
     if elements:
         assert rows["events[1].level"]["address"] == base + 3
-    assert any(NOTE in row["notes"] for row in shown) != known
+    assert any(NOTE in row["notes"] for row in registers) != known
     (have,) = explained_by_node([job])[0]
     assert have == explained_by_python(LAYOUT, job)
 
