@@ -15,8 +15,9 @@ if TYPE_CHECKING:
 
 def moving_tables(layout: DeviceLayout) -> dict[str, RegisterLayout]:
     """The register that has the address of the first element, by the name of each table that has one."""
-    registers = {register.name: register for register in layout.registers}
-    return {table.name: registers[table.table.base_by] for table in layout.tables.values() if table.table.base_by}
+    names = {table.name: table.table.base_by for table in layout.tables.values() if table.table.base_by}
+    registers = {register.name: register for register in layout.registers} if names else {}
+    return {table: registers[name] for table, name in names.items()}
 
 
 def at_bases(layout: DeviceLayout, bases: Mapping[str, int]) -> DeviceLayout:
