@@ -9,6 +9,7 @@ from fieldspec.backends.queries.sql_text import sql_text
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.names import stem
 
 
@@ -18,8 +19,8 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Values that are sent as digits and texts in a form of their own, which the queries do not convert."""
-    return character_refusals(versions, "a query")
+    """Digits, texts in a form of their own, and lists with fields behind them, which the queries do not read."""
+    return [*character_refusals(versions, "a query"), *inner_list_refusals(versions, "a query")]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
