@@ -25,7 +25,9 @@ import fieldspec.model
 from fieldspec.changes import changes
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Claim, Place, Report, Standard
+from fieldspec.model.link import Part
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import TextForm
 from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Sentinel, Value
 from fieldspec.reading.project import read
 from fieldspec.source import SourceFile, Span
@@ -79,6 +81,7 @@ SAMPLES: dict[Any, Any] = {
     Report: Report(Place("", Span(SourceFile("", ""), 0, 0), {}), "A user", "Seen.", {"unit": "mm"}),
     Standard: Standard("A standard", "4.2"),
     ParameterPart: ParameterPart("servo", "value", "number"),
+    TextForm: TextForm("latin_1", 0x20, False, None),
 }
 
 IGNORED = {
@@ -254,14 +257,17 @@ CASES = [
 ]
 
 
+NAMES = {"algorithm": ("lrc", "sum8"), "encoding": ("latin_1", "utf_8")}
+"""Values of attributes that are names from a list."""
+
+
 def noticed(holder: str, noun: type, attribute: str) -> set[str]:
     """The rules that notice another value of an attribute, wherever the class occurs."""
     hint = typing.get_type_hints(noun, localns={"Fraction": Fraction})[attribute]
     rules: set[str] = set()
     for device, _, item, path in positions()[holder, noun]:
-        # An algorithm without a name has no size.
-        named = [name for name in ("lrc", "sum8") if name != item.algorithm] if attribute == "algorithm" else None
-        for value in named or others(getattr(item, attribute), hint):
+        # An algorithm without a name has no size, and an encoding without one no title.
+        for value in NAMES.get(attribute if noun in (Part, TextForm) else "", others(getattr(item, attribute), hint)):
             if getattr(item, attribute) != value:
                 new = with_changed(device, (*path, attribute), value)
                 rules |= {change.rule for change in changes(device, new)}

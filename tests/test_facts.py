@@ -23,7 +23,11 @@ DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 @lru_cache(maxsize=8)
 def spec(folder: Path, device: str) -> DeviceSpec:
     """The spec of a device."""
-    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.glob("*/*.yaml"))}
+    files = {
+        path.relative_to(root).as_posix(): path.read_bytes()
+        for root in (SPECS, folder)
+        for path in sorted(root.glob("*/*.yaml"))
+    }
     return read(files, frozenset({device})).devices[device]
 
 

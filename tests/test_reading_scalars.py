@@ -123,7 +123,7 @@ ROW = "registers: [{{group: a, rows: [{{at: 1, name: b, type: u16, {}}}]}}]\n"
 FINDINGS = {
     "a misspelt key": ("unknown_key", ROW.format("«acess»: rw"), "did you mean `access`?"),
     "a misspelt section": ("unknown_key", "«registrs»: []\n", "did you mean `registers`?"),
-    "a key that is like no other": ("unknown_key", ROW.format("«qqq»: rw"), "`access`, `allow`"),
+    "a key that is like no other": ("unknown_key", ROW.format("«qqq»: rw"), "`access`, `align`, `allow`"),
     "a key of another place": ("unknown_key", "notes: [{name: a, text: b, «at»: 1}]\n", "it can be `about`"),
     "a misspelt word": (
         "unknown_word",

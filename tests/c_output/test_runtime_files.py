@@ -48,6 +48,23 @@ PROGRAMS = {
         " device_store_signed_digits(out, 6, 2, -1250); if (memcmp(out, text, 6) != 0) return 1;"
         " if (device_to_bcd(1250u) != 0x1250u || device_of_bcd(0x1250u) != 1250u || device_is_bcd(0x12A0u)) return 1;",
     ),
+    "encoded_texts.h": (
+        [],
+        'uint8_t out[4]; char text[16]; const char *word = "\\xC3\\xA9";'
+        " if (!device_fits_encoded_text(word, 2, 4, 1u, 0x20u, false, 0xFFu)) return 1;"
+        " device_store_encoded_text(out, word, 2, 4, 1u, 0x20u, false, 0xFFu);"
+        " if (out[0] != 0xE9u || out[3] != 0x20u || !device_is_encoded_text(out, 4, 1u, 0x20u, false, 0xFFu)) return 1;"
+        " device_load_encoded_text(text, out, 4, 1u, 0x20u, false, 0xFFu); if (memcmp(text, word, 3) != 0) return 1;",
+    ),
+    "widths.h": (
+        ["status.h"],
+        "const device_width fields[2] = {{6u, 5u, 0x2Cu, 0u, 1u, true}, {1u, 0u, 0x100u, 0u, 0u, false}};"
+        ' uint8_t image[7], out[7]; size_t length = 0; const uint8_t *line = (const uint8_t *)"-12.5,";'
+        " if (device_widen_fields(fields, 2, line, 6, image) != DEVICE_OK) return 1;"
+        ' if (memcmp(image, "-012.5,", 7) != 0) return 1;'
+        " if (device_narrow_fields(fields, 2, image, out, 7, &length) != DEVICE_OK || length != 6) return 1;"
+        " if (memcmp(out, line, 6) != 0) return 1;",
+    ),
     "powers.h": (
         [],
         "if (device_times_power(1250.0, -2) != 12.5 || device_over_power(12.5, -2) != 1250.0) return 1;"

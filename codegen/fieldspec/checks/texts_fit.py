@@ -33,8 +33,8 @@ def texts_fit(device: Device) -> Iterator[Diagnostic]:
             for key in keys:
                 text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"
                 yield finding(_CODE, fact.place, key, text, "remove it, or use the type `text`")
-        elif value.text_form is not None and keys:
-            yield from _of_form(fact, value, keys[0])
+        elif value.text_form is not None:
+            yield from _of_form(fact, value, next(iter(keys), "encoding"))
 
 
 def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:

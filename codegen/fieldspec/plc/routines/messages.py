@@ -46,6 +46,7 @@ from fieldspec.plc.routines.records import (
     write_fields,
 )
 from fieldspec.plc.routines.routine import Assignment, Draft, Routine, Statement, when
+from fieldspec.plc.routines.subcodes import refuse_other_subcode
 from fieldspec.plc.routines.values import Wire, order_remark
 from fieldspec.plc.routines.world import PREFIXES, World
 from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
@@ -282,6 +283,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
         _read_body(draft, world, refusal, why, holder, size)
         inner = [*draft.body, *draft.status.give(draft.result, "refused")]
         draft.body = [*before, when(refused, inner)]
+    refuse_other_subcode(draft, link, message, holder, size)
     _read_body(draft, world, record, fields, holder, size)
     return draft.finished()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 from fieldspec.model.address_space import WHOLE, WORD, AddressSpace
 from fieldspec.model.fact import Citation
 from fieldspec.model.ranges import Ranges
@@ -15,6 +17,7 @@ from fieldspec.model.registers import (
     Subindex,
     Table,
 )
+from fieldspec.model.value import Kind, Value
 from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import value
 from fieldspec.reading.nodes import Mapping
@@ -37,6 +40,8 @@ def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
     arguments = entry.fact() | {"name": entry.text("group")}
     space = entry.text("space")
     size = sizes.get(space, sizes[""])
+    registers = rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space, size), space, size)
+    _refuse_idle_defaults(entry, [register.value for register in registers])
     return RegisterGroup(
         **arguments,
         title=entry.text("title"),
@@ -44,7 +49,7 @@ def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
         section=entry.section,
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
-        registers=rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space, size), space, size),
+        registers=registers,
     )
 
 
@@ -152,6 +157,8 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
     """A set of numbered parameters."""
     defaults = _defaults(entry)
     type_name = entry.text("type")
+    parameters = rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name)
+    _refuse_idle_defaults(entry, [parameter.value for parameter in parameters])
     return ParameterSet(
         **entry.fact(),
         title=entry.text("title"),
@@ -159,7 +166,7 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
         base=entry.integer("base") or 0,
         numbers=entry.whole_ranges("numbers"),
         printed_as=entry.text("printed_as"),
-        parameters=rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name),
+        parameters=parameters,
     )
 
 
@@ -187,3 +194,28 @@ def _defaults(entry: Entry) -> Mapping | None:
     """The defaults for keys that rows do not have."""
     node = entry.node.values.get("defaults")
     return node if isinstance(node, Mapping) else None
+
+
+def _refuse_idle_defaults(entry: Entry, values: Sequence[Value]) -> None:
+    """Refuses the defaults that apply to the type of no row."""
+    defaults = entry.entry("defaults")
+    for key in defaults.own if defaults is not None and values else ():
+        applies = _APPLICABLE.get(key)
+        if defaults is not None and applies is not None and not any(applies(value) for value in values):
+            text = f"`{key}` has no effect on the types of these rows"
+            defaults.refuse("wrong_form", key, text, f"remove `{key}`, or correct the type")
+
+
+def _is_text(value: Value) -> bool:
+    return value.type.kind is Kind.TEXT
+
+
+def _has_length(value: Value) -> bool:
+    return value.type.kind in (Kind.TEXT, Kind.BYTES) or bool(value.digits)
+
+
+_APPLICABLE: dict[str, Callable[[Value], bool]] = {
+    **dict.fromkeys(("encoding", "padding", "align", "terminator"), _is_text),
+    "length": _has_length,
+}
+"""The keys of defaults that only values of some types have."""

@@ -77,7 +77,9 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         scale_by=scale_by,
         text_form=text_form(
             entry.text("encoding"), entry.text("padding"), entry.text("align"), entry.integer("terminator")
-        ),
+        )
+        if primitive.kind is Kind.TEXT
+        else None,
         width=size if varies else 0,
     )
 

@@ -1,0 +1,32 @@
+"""Responses of messages that share a code: a constant in their data tells which message they answer."""
+
+from __future__ import annotations
+
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.plc.routines.expressions import Expression, compared, either, every, number
+from fieldspec.plc.routines.holders import Holder
+from fieldspec.plc.routines.routine import Draft
+from fieldspec.plc.routines.values import Wire
+
+
+def refuse_other_subcode(
+    draft: Draft, link: LinkLayout, message: MessageLayout, holder: Holder, size: Expression
+) -> None:
+    """Refuses the response to another message with the same code.
+
+    Data that are too short for the constant count as those of the first message, as in the other codecs.
+    """
+    shared = link.subcodes("response").get(message.message.code or 0)
+    if shared is None or all(other is not message for other in shared.messages.values()):
+        return
+    field = next(field for field in message.response.fields if field.offset == shared.offset)
+    assert field.value is not None
+    assert field.value.const is not None
+    wire = Wire.of_field(field)
+    bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
+    differs = compared(bits, "<>", wire.literal(field.value.const))
+    if next(iter(shared.messages.values())) is message:
+        test = every([compared(size, ">=", number(shared.end)), differs])
+    else:
+        test = either([compared(size, "<", number(shared.end)), differs])
+    draft.refuse(test, "unknown_code")
