@@ -78,8 +78,8 @@ def test_a_struct_that_reads_the_count_finds_the_same_values(data: str) -> None:
 
 def test_an_explanation_has_the_fields_in_the_order_of_the_wire() -> None:
     rows = explained(LAYOUT, "bus", "request", frame_of("41", "02 02 000A 0100 01 0000010A")).rows
-    found = [(row.path, row.offset) for row in rows if row.kind == "field"]
-    assert found == [
+    places = [(row.path, row.offset) for row in rows if row.kind == "field"]
+    assert places == [
         ("channel", 2),
         ("sample_count", 3),
         ("samples[0]", 4),

@@ -47,16 +47,16 @@ _NUMBERS = {
 
 def record_struct(record: RecordLayout) -> construct.Struct:
     """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
-    counted = record.inner_list.name if record.inner_list is not None else ""
+    inner = record.inner_list.name if record.inner_list is not None else ""
     return construct.Struct(
         *(
-            field.name / (_counted(record, field) if field.name == counted else _construct(field))
+            field.name / (_inner_list(record, field) if field.name == inner else _construct(field))
             for field in record.sent_fields
         )
     )
 
 
-def _counted(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+def _inner_list(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     """A list with fields behind it: as many elements as another field says."""
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
