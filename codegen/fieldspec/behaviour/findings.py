@@ -111,7 +111,7 @@ class _Resolution:
         yield from self._condition(part)
         yield from self._event(part)
         if part.get("mark") is not None:
-            yield from self._signal(part, "mark", part["mark"])
+            yield from self._mark(part, part["mark"])
         if part.kind == "refuse" and part.get("with") is not None:
             yield from self._exception(part)
         if part.kind == "timing" and part["limit"] not in self.limits:
@@ -193,6 +193,15 @@ class _Resolution:
                 continue
             what = f"signal, and no value of `{of}`," if of else "signal"
             yield self._unknown(part, key, what, term, ())
+
+    def _mark(self, part: Part, name: str) -> Iterator[Diagnostic]:
+        operands = self.names.of_signal(name)
+        if not operands:
+            yield from self._signal(part, "mark", name)
+        elif any(operand.bit is None or operand.bit.width > 1 for operand in operands):
+            text = f"{quoted(name)} is no single bit, so it cannot mark a refusal"
+            help = "name a bit, or state `exception_response: {part: ..}` at the link"
+            yield Diagnostic(_RESOLVES, text, part.place["mark"], help=help)
 
     def _signal(self, part: Part, key: str, name: str) -> Iterator[Diagnostic]:
         if not self.names.is_known(name):
