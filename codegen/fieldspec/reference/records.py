@@ -33,17 +33,6 @@ class CodecError(ValueError):
 
 Values = dict[str, Any]
 
-_NUMBERS = {
-    ("u", 1): "Int8u",
-    ("i", 1): "Int8s",
-    ("u", 2): "Int16u",
-    ("i", 2): "Int16s",
-    ("u", 4): "Int32u",
-    ("i", 4): "Int32s",
-    ("u", 8): "Int64u",
-    ("i", 8): "Int64s",
-}
-
 
 def record_struct(record: RecordLayout) -> construct.Struct:
     """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
@@ -99,7 +88,7 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
     elif value.type.is_odd:
         number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
     else:
-        number = getattr(construct, _NUMBERS["i" if value.type.signed else "u", size] + suffix)
+        number = getattr(construct, f"Int{8 * size}{'s' if value.type.signed else 'u'}{suffix}")
     if swapped:
         # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
         return construct.Transformed(number, _words_turned, size, _words_turned, size)
@@ -183,7 +172,8 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
 def _decoded_inner_list(record: RecordLayout, inner: InnerList, data: bytes, device: Device, offset: int) -> Values:
     """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
     try:
-        return decoded(record.image, inner.image_of(data), device)
+        values = decoded(record.image, inner.image_of(data), device)
+        return {field.name: values[field.name] for field in record.sent_fields}
     except CodecError as error:
         at = None if error.offset is None else offset + inner.place_in_data(len(data), error.offset)
         raise CodecError(error.reason, error.detail, at) from None
