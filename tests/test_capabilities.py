@@ -33,6 +33,7 @@ REFUSALS = {
     "other_frames": "plc_frames_supported",
     "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",
+    "moving_tables": "plc_addresses_constant",
 }
 """Constructs that some output refuses by a rule, and whose failing case needs them."""
 

@@ -108,7 +108,7 @@ def test_checks_never_raise_and_what_passes_has_a_layout(seed: int) -> None:
     tree = trees()[seed % len(trees())] if seed % 4 else chance.choice(trees()[:6])
     spare = every(tree)
     tried = 0
-    for _ in range(ROUNDS * 5):
+    for _ in range(ROUNDS * 50):  # few changes of a small tree leave what the schema admits
         broken: Node = tree
         for _ in range(chance.randint(1, 4)):
             broken = changed(broken, chance, spare)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import asyncio
 import socket
 import struct
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -19,6 +18,7 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 
 from fieldspec.testing import simulation
 from layouts import TEST_SPECS, layouts, newest
+from pymodbus_server import free_port, running
 from python_package import codec_error, link_of, module_of
 from serial_lines import SECONDS, Line, serial_line
 
@@ -44,43 +44,6 @@ def simulated() -> SimDevice:
     measurements = SimData(0, values=[*counters, 241, *big_endian(2.5)], datatype=DataType.REGISTERS)
     settings = SimData(0, values=[50, 1, *big_endian(0.1)], datatype=DataType.REGISTERS)
     return SimDevice(1, simdata=([coils], [inputs], [settings], [measurements]))
-
-
-def free_port() -> int:
-    """A port on which nobody listens."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    assert isinstance(port, int)
-    return port
-
-
-@contextmanager
-def running(server: Callable[[], Any]) -> Iterator[None]:
-    """A server of pymodbus in a thread of its own."""
-    loop, ready = asyncio.new_event_loop(), threading.Event()
-    servers: list[Any] = []
-
-    async def serve() -> None:
-        servers.append(server())
-        await servers[0].serve_forever(background=True)
-        ready.set()
-
-    def run() -> None:
-        asyncio.set_event_loop(loop)
-        loop.run_until_complete(serve())
-        loop.run_forever()
-
-    thread = threading.Thread(target=run, daemon=True)
-    thread.start()
-    assert ready.wait(SECONDS)
-    try:
-        yield
-    finally:
-        asyncio.run_coroutine_threadsafe(servers[0].shutdown(), loop).result(SECONDS)
-        loop.call_soon_threadsafe(loop.stop)
-        thread.join(SECONDS)
-        loop.close()
 
 
 @contextmanager

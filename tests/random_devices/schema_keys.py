@@ -128,6 +128,7 @@ KEYS = {
     ("register", "element_sources"): DOCUMENTATION,
     ("register_group", "order"): "It permits addresses in another order.",
     ("register_group", "copies"): MAPPINGS["copy"],
+    ("table", "base_by"): "Several judges refuse such a table; the tests of tables that move compare the others.",
     ("table", "decimal"): COMPARED,
     ("table", "words"): COMPARED,
     ("table", "elements"): COMPARED,

@@ -11,7 +11,8 @@ from typing import Any
 
 from fieldspec.backends.js.backend import shared
 from fieldspec.backends.js.explainer import explainer_files
-from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.registers import Occupant, occupants
+from fieldspec.explain.spans import Span
 from fieldspec.layout.device import DeviceLayout, MessageLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.record import RegisterAccess

@@ -71,6 +71,8 @@ def addressed_values(layout: DeviceLayout) -> Iterator[AddressedValue]:
                 register.reserved,
             )
     for table in layout.tables.values():
+        if table.table.base_by:
+            continue
         placed = list(values_of_record(table.record, table.table.access))
         for index in table.table.indexes:
             for name, field, byte, access in placed:

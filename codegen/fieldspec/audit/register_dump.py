@@ -10,6 +10,7 @@ from fieldspec.checks.finding import range_key
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.bases import at_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.cells import HEXADECIMAL
 from fieldspec.lists.columns import folded
@@ -105,6 +106,18 @@ def _doubtful(report: DumpReport) -> int:
 
 
 def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> DumpReport:
+    """A dump compared with a device, whose tables begin where the dump says."""
+    report = _placed_report(layout, base, entries, offset)
+    numbers = {read.name: read.number for read in report.read if not read.decoded.reason}
+    bases = {
+        name: number
+        for name, register in moving_tables(layout).items()
+        if isinstance(number := numbers.get(register.name), int)
+    }
+    return _placed_report(at_bases(layout, bases), base, entries, offset) if bases else report
+
+
+def _placed_report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> DumpReport:
     device_values = list(addressed_values(layout))
     starts: dict[Address, AddressedValue] = {}
     known: dict[Address, AddressedValue] = {}

@@ -20,6 +20,16 @@ Example: `{name: data, type: bytes, length: 4, parameter: {set: objects, part: v
 
 Cure: Exclude the output for the device (`--to`), or state the type of the field.
 """,
+    "output_addresses_constant": """Every record table begins at a constant address, in dissectors, queries, word maps
+and exported lists.
+
+Why: these outputs have the addresses of all elements as constants, which are wrong where a register of the device says
+that the table begins elsewhere.
+
+Example: a table with `base: 0x1000, base_by: log_address`.
+
+Cure: Exclude the output for the device (`--to`). Python, JavaScript and C take the address that the device says.
+""",
     "output_texts_ascii": """Every text is ASCII, filled up with zeros behind it, in dissectors, queries and word maps.
 
 Why: these outputs do not convert encodings, so they would show other characters, or spaces that are no part of a text.

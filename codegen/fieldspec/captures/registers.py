@@ -10,7 +10,8 @@ from fieldspec.captures.columns import Bytes, Mask, Numbers, numbers, runs, spre
 from fieldspec.captures.decoders import Decoders, ValueColumns
 from fieldspec.captures.verdicts import PARTIAL, UNLISTED
 from fieldspec.classes import dataclass
-from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.registers import Occupant, occupants
+from fieldspec.explain.spans import Span
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.value import PRIMITIVES, Value

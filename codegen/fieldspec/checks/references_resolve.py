@@ -79,6 +79,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(register.place, "scale_by", "register", register.value.scale_by, registers)
     for table in device.tables.values():
         yield from _named(table.place, "count_by", "register", table.count_by, registers)
+        yield from _named(table.place, "base_by", "register", table.base_by, registers)
     for layer in layers(device):
         yield from _of_exponents(layer, registers)
     for parameter_set in device.parameters.values():

@@ -14,6 +14,7 @@ from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
 from fieldspec.checks.aliases_agree import aliases_agree
 from fieldspec.checks.allowances_used import allowances_used
+from fieldspec.checks.bases_apply import bases_apply
 from fieldspec.checks.bit_numbers_apply import bit_numbers_apply
 from fieldspec.checks.bits_match_range import bits_match_range
 from fieldspec.checks.bits_unique import bits_unique
@@ -126,6 +127,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("addresses_disjoint", addresses_disjoint),
     ("addresses_within_space", addresses_within_space),
     ("aliases_agree", aliases_agree),
+    ("bases_apply", bases_apply),
     ("bit_numbers_apply", bit_numbers_apply),
     ("bits_match_range", bits_match_range),
     ("bits_unique", bits_unique),

@@ -15,8 +15,9 @@ from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.parameters import nearest, parameter_number
 from fieldspec.explain.readings import DIRECTIONS
-from fieldspec.explain.registers import Occupant, accessed, accessed_bits, forbidden, occupant_at
+from fieldspec.explain.registers import Occupant, forbidden, occupant_at
 from fieldspec.explain.row import ExplanationRow
+from fieldspec.explain.spans import accessed, accessed_bits
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value

@@ -6,17 +6,27 @@ import argparse
 import sys
 from pathlib import Path
 
+from fieldspec.classes import replace
 from fieldspec.commands import layout_cache
 from fieldspec.commands.storage import write
+from fieldspec.commands.terminal import print_findings
 from fieldspec.commands.usage import UsageError
+from fieldspec.layout.bases import base_refusals
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the list to a file or to standard output. Raises UsageError."""
+    """Writes the list to a file or to standard output. Exit code 1 where it cannot be right. Raises UsageError."""
     from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
     layout = layout_cache.requested_layout(arguments)
+    refused = [
+        replace(finding, help="name these values in `fieldspec live`, which reads where they are")
+        for finding in base_refusals([layout], "a list")
+    ]
+    if refused:
+        print_findings(refused, "text", "")
+        return 1
     entries = items(layout)
     if not entries:
         raise UsageError(f"{layout.device.id} has no registers and no parameters")

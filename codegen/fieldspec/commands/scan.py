@@ -14,6 +14,7 @@ from fieldspec.commands.live_connection import connected, unsent
 from fieldspec.commands.live_output import progress
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.live.bases import located
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.scanning import Scan, ScanSpace, compared, scan, scan_spaces, usual_ranges
 from fieldspec.reference.records import CodecError
@@ -63,7 +64,8 @@ def _plan(client: Client, spaces: Sequence[ScanSpace], texts: Sequence[str]) -> 
     if not spaces:
         raise UsageError(f"no message of {client.frames.link.name} reads by an address or a number")
     if not texts:
-        return [(space, ranges) for space in spaces if (ranges := usual_ranges(client.layout, space))]
+        layout = located(client, client.layout)
+        return [(space, ranges) for space in spaces if (ranges := usual_ranges(layout, space))]
     known = {space.name: space for space in spaces}
     plan: dict[str, list[range]] = {}
     for text in texts:

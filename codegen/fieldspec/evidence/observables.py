@@ -6,9 +6,11 @@ import re
 
 from fieldspec.audit.addressed_values import values_of_record
 from fieldspec.classes import dataclass
+from fieldspec.layout.bases import at_usual_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.reading import all_occupants
 from fieldspec.model.fact import Fact
+from fieldspec.model.registers import Table
 from fieldspec.model.value import Value
 
 _INDEX = re.compile(r"\[[0-9]+\]")
@@ -18,7 +20,8 @@ READ, WRITE = "read", "write"
 
 @dataclass(frozen=True, slots=True)
 class Observable:
-    """A value: its fact, and what the spec says of its access. `address` is None for a field of a message.
+    """A value: its fact, and what the spec says of its access. `address` is None for a field of a message, and of a
+    table that begins where the device says.
 
     `same_as` is the path of the register of which it is an alias.
     """
@@ -38,11 +41,13 @@ class Observables:
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
         self.registers: dict[tuple[str, str], Observable] = {}
-        for space, each in all_occupants(layout):
+        moving = moving_tables(layout)
+        for space, each in all_occupants(at_usual_bases(layout)):
             if not each.reserved and not getattr(each.fact, "reserved", False):
                 same_as = getattr(each.fact, "same_as", "")
+                address = None if isinstance(each.outer, Table) and each.outer.name in moving else each.address
                 self.registers[space, each.path] = Observable(
-                    each.path, each.fact, each.value, each.access, space, each.address, same_as
+                    each.path, each.fact, each.value, each.access, space, address, same_as
                 )
         self.parameters: dict[str, Observable] = {}
         for parameter_set in layout.device.parameters.values():

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.explain.body import Body
-from fieldspec.explain.registers import accessed, accessed_bits, register_rows
+from fieldspec.explain.registers import register_rows
 from fieldspec.explain.row import (
     ExplanationRow,
     Spot,
@@ -24,6 +24,7 @@ from fieldspec.explain.row import (
     unwrapped,
     wrong_row,
 )
+from fieldspec.explain.spans import accessed, accessed_bits
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError, original_places

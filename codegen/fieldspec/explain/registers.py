@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.explain.row import ExplanationRow, Spot, fact_row
+from fieldspec.explain.spans import Span
 from fieldspec.explain.values import DecodedValue, decode_value, number_of
-from fieldspec.layout.bits import unpacked_bits
+from fieldspec.layout.bases import moving_tables
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.layout.values import Raw
-from fieldspec.model.address_space import BIT, BYTE, WORD
 from fieldspec.model.fact import Fact
-from fieldspec.model.record import RegisterAccess
 from fieldspec.model.registers import Table
 from fieldspec.model.value import Value
 
@@ -25,66 +24,6 @@ _PARTIAL = {
 
 FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be written"}
 """By operation and access: what the access forbids."""
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """Bytes at `at` in the parts of a frame, and the bytes of the value that they carry: for a bit, one with 0 or 1."""
-
-    at: int
-    raw: bytes
-    content: bytes
-
-
-@dataclass(frozen=True, slots=True)
-class Span:
-    """`words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty.
-
-    In a space of bits, `words` counts these, and `bits` has those that the frame carries, in order. A single one is
-    None if its number means neither 0 nor 1. In other spaces, `bits` is None. In a space of bytes, `words` counts
-    bytes, and an address has a `unit_size` of 1.
-    """
-
-    space: str
-    address: int
-    words: int
-    at: int
-    data: bytes
-    bits: tuple[int | None, ...] | None = None
-    unit_size: int = 2
-
-    @property
-    def end(self) -> int:
-        """The address behind the last word."""
-        return self.address + self.words
-
-    @property
-    def unit(self) -> str:
-        """The unit at one address."""
-        return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
-
-    def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:
-        """The piece of the frame with a value of `size` bytes, `skip` bytes behind an address; None unless the frame
-        has all of it."""
-        if self.bits is not None:
-            return self._bit(address - self.address, self.bits)
-        start = self.unit_size * (address - self.address) + skip
-        if start < 0 or start + size > len(self.data):
-            return None
-        content = self.data[start : start + size]
-        return Piece(self.at + start, content, content)
-
-    def _bit(self, index: int, bits: tuple[int | None, ...]) -> Piece | None:
-        bit = bits[index] if 0 <= index < len(bits) else None
-        if bit is None:
-            return None
-        at, end = (0, len(self.data)) if len(bits) == 1 else (index // 8, index // 8 + 1)
-        return Piece(self.at + at, self.data[at:end], bytes([bit]))
-
-    def unlisted(self, first: int, end: int) -> tuple[int, bytes]:
-        """The offset and the bytes of neighbouring words; none for bits, which share bytes with others."""
-        piece = self.piece(first, self.unit_size * (end - first)) if self.bits is None else None
-        return (piece.at, piece.raw) if piece is not None else (0, b"")
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,45 +43,6 @@ class Occupant:
     atomic: bool = False
     trigger: bool = False
     skip: int = 0
-
-
-def accessed(
-    access: RegisterAccess,
-    values: Mapping[str, Raw],
-    asked: Mapping[str, Raw],
-    at: int,
-    data: bytes,
-    unit_size: int = 2,
-) -> Span | None:
-    """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
-
-    `data` are the bytes of the words, at `at` in the parts; empty if the message does not carry them. In a space of
-    bytes, the `unit_size` is 1.
-    """
-    start = values.get(access.start, asked.get(access.start))
-    whole = data[: len(data) // unit_size * unit_size]
-    carried = len(whole) // unit_size
-    count = values.get(access.count, asked.get(access.count)) if access.count else max(carried, 1)
-    if not isinstance(start, int):
-        return None
-    words = count if isinstance(count, int) else carried
-    return Span(access.space, start, words, at, whole, unit_size=unit_size)
-
-
-def accessed_bits(
-    access: RegisterAccess, values: Mapping[str, Raw], asked: Mapping[str, Raw], at: int, data: bytes
-) -> Span | None:
-    """The same as `accessed` for a space of bits."""
-    start = values.get(access.start, asked.get(access.start))
-    count = values.get(access.count, asked.get(access.count)) if access.count else 1
-    if not isinstance(start, int):
-        return None
-    if access.set is not None:
-        number = values.get(access.values) if data else None
-        bit = {access.set: 1, access.clear: 0}.get(number) if isinstance(number, int) else None
-        return Span(access.space, start, 1, at, data, (bit,))
-    words = count if isinstance(count, int) else 8 * len(data)
-    return Span(access.space, start, words, at, data, tuple(unpacked_bits(data))[:words])
 
 
 def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[ExplanationRow]:
@@ -179,7 +79,10 @@ def occupant_at(layout: DeviceLayout, space: str, address: int) -> Occupant | No
 
 
 def occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
-    """The registers, and the fields of tables, that share words with a span, in the order of the spec."""
+    """The registers, and the fields of tables, that share words with a span, in the order of the spec.
+
+    Of a table that begins where a register says, only a span with the value of that register has fields.
+    """
     device = layout.device
     own = device.space_name(span.space)
     for register in layout.registers:
@@ -189,8 +92,33 @@ def occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
         if register.address < span.end and span.address < end:
             yield from _elements(register, span)
     for table in layout.tables.values():
-        if device.space_name(table.table.space) == own:
-            yield from _fields(table, span)
+        located = _located(layout, table, span)
+        if located is not None and device.space_name(table.table.space) == own:
+            yield from _fields(located, span)
+
+
+def base_of_table(layout: DeviceLayout, name: str) -> Occupant:
+    """The register with the address of the first element of a table that moves."""
+    return _first(moving_tables(layout)[name])
+
+
+def _first(register: RegisterLayout) -> Occupant:
+    """The first register of a layout, as what is at its address."""
+    return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+
+
+def _located(layout: DeviceLayout, table: TableLayout, span: Span) -> TableLayout | None:
+    """A table where it begins; None if only a register says where, and the span does not have it."""
+    if not table.table.base_by:
+        return table
+    register = base_of_table(layout, table.name)
+    if layout.device.space_name(register.outer.space) != layout.device.space_name(span.space):  # type: ignore[attr-defined]
+        return None
+    piece = span.piece(register.address, register.value.size)
+    number = number_of(register.value, piece.content, register.order, register.swapped) if piece is not None else None
+    if not isinstance(number, int) or register.value.ranges is None or number not in register.value.ranges:
+        return None
+    return replace(table, table=replace(table.table, base=number))
 
 
 def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]:
@@ -289,14 +217,13 @@ def exponent_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant |
         return None
     table = occupant.outer
     if isinstance(table, Table):
-        table_layout = layout.tables[table.name]
+        table_layout = replace(layout.tables[table.name], table=table)
         field = table_layout.record.named(name)
         if field is not None:
             number = element_number(occupant)
             path = f"{table.name}[{table.index_from + number}].{name}"
             return _field(table_layout, field, table.base + number * table.stride, 0, path)
-    register = next(row for row in layout.registers if row.name == name)
-    return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+    return _first(next(row for row in layout.registers if row.name == name))
 
 
 def element_number(occupant: Occupant) -> int:
@@ -310,8 +237,7 @@ def count_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | No
     table = occupant.outer
     if not isinstance(table, Table) or not table.count_by:
         return None
-    register = next(row for row in layout.registers if row.name == table.count_by)
-    return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+    return _first(next(row for row in layout.registers if row.name == table.count_by))
 
 
 def absent_text(count: Occupant, number: int) -> str:
@@ -364,8 +290,20 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
         raw=raw,
         characters=characters,
         doc="No register is listed here.",
-        notes=tuple(reasons),
+        notes=(*reasons, *_unknown_bases(layout, span, first, end)),
         address=first,
         words=end - first,
         unit=span.unit,
     )
+
+
+def _unknown_bases(layout: DeviceLayout, span: Span, first: int, end: int) -> Iterator[str]:
+    """What may be at addresses: elements of tables of which the frame does not say where they begin."""
+    own = layout.device.space_name(span.space)
+    for name, register in moving_tables(layout).items():
+        table, ranges = layout.tables[name], register.register.value.ranges
+        behind = (table.table.count - 1) * table.table.stride + table.words
+        if layout.device.space_name(table.table.space) != own or _located(layout, table, span) is not None:
+            continue
+        if any(low < end and first < high + behind for low, high in (ranges.intervals if ranges is not None else ())):
+            yield f"Elements of {name} may be here: {register.name} has the address of the first one."

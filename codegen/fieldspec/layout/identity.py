@@ -212,6 +212,8 @@ def _tables(device: Device) -> Iterator[Words]:
         yield "table", table.name, table.base, table.stride, table.count, table.index_from, table.record, table.access
         if table.count_by:
             yield "elements of table", table.count_by
+        if table.base_by:
+            yield "base of table", table.base_by
         for field in device.records[table.record].fields:
             access = narrowed(table.access, field.access)
             if access in ("ro", "wo") and access != table.access:

@@ -189,7 +189,8 @@ def _units(layout: DeviceLayout) -> Iterator[ReadUnit]:
     for register in layout.device.registers():
         yield from _of_register(layout.device, register)
     for table in layout.tables.values():
-        yield from _of_table(layout.device, table)
+        if not table.table.base_by:
+            yield from _of_table(layout.device, table)
 
 
 def _of_register(device: Device, register: Register) -> Iterator[ReadUnit]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.registers import Occupant, occupants
+from fieldspec.explain.spans import Span
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout

@@ -13,12 +13,15 @@ from fieldspec.explain.registers import (
     exponent_applied,
     exponent_of_occupant,
 )
+from fieldspec.layout.bases import at_bases, at_usual_bases, moving_tables
 from fieldspec.live import writing
 from fieldspec.live.access import DumpRow, role_masks
+from fieldspec.live.bases import read_bases
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
 from fieldspec.live.value_lists import COMMANDS
 from fieldspec.live.writing import Assignment, request_frame
 from fieldspec.model.access import readable, writable
+from fieldspec.model.registers import Table
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -38,7 +41,9 @@ class RegisterAccess:
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
-        self._items = list(all_occupants(layout))
+        self._moving = moving_tables(layout)
+        self._usual = self._located = at_usual_bases(layout)
+        self._items = list(all_occupants(self._usual))
 
     def number(self, value: Reading) -> int:
         """The address of a value."""
@@ -51,8 +56,8 @@ class RegisterAccess:
     def dump_rows(self, items: Sequence[Placed], values: Sequence[Reading]) -> list[DumpRow]:
         """A row for each word of values that were read, in the order of their addresses."""
         words = {
-            (space, occupant.address + offset): word
-            for (space, occupant), value in zip(items, values, strict=True)
+            (space, value.occupant.address + offset): word
+            for (space, _), value in zip(items, values, strict=True)
             for offset, word in enumerate(value.words)
         }
         return [DumpRow(space, address, str(words[space, address])) for space, address in sorted(words)]
@@ -84,7 +89,7 @@ class RegisterAccess:
         every = [pair for pair in self._items if not pair[1].reserved]
         planned = [
             block
-            for block in blocks(self.layout, every)
+            for block in blocks(self._usual, every)
             if len(block.occupants) > 1 or _is_harmless(block.occupants[0])
         ]
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
@@ -103,21 +108,57 @@ class RegisterAccess:
 
     def size(self, items: Iterable[Placed]) -> int:
         """The words of all requests."""
-        return sum(block.words for block in blocks(self.layout, self._with_exponents(items)))
+        return sum(block.words for block in blocks(self._usual, self._with_exponents(items)))
 
     def read(
         self, client: Client, items: Sequence[Placed], done: Callable[[int], None] | None = None
     ) -> Iterator[Reading]:
         """Reads items in as few requests as the device permits. Raises NoAnswerError and CarrierError."""
+        bases = self._bases(client, items)
+        items = [self._moved(item, bases) for item in items]
         by_path = self._counts(client, items)
         rest = [item for item in self._with_exponents(items) if self.path(item) not in by_path]
         for item in rest:
-            absence = self._absence(item, by_path)
-            if absence:
+            absence, base = self._absence(item, by_path), bases.get(item[1].outer.name)
+            if isinstance(base, str):
+                by_path[self.path(item)] = Reading(item[1], (), None, base)
+            elif absence:
                 by_path[self.path(item)] = Reading(item[1], (), None, absence, is_absent=True)
         present = [item for item in rest if self.path(item) not in by_path]
-        by_path |= {value.path: value for value in read(client, blocks(self.layout, present), done)}
+        by_path |= {value.path: value for value in read(client, blocks(self._located, present), done)}
         return (self._scaled(item, by_path) for item in items)
+
+    def _bases(self, client: Client, items: Sequence[Placed]) -> dict[str, int | str]:
+        """Where the tables begin in which items are, as far as the device says it; the read plan is that of these
+        addresses."""
+        names = dict.fromkeys(
+            occupant.outer.name
+            for _, occupant in items
+            if isinstance(occupant.outer, Table) and occupant.outer.name in self._moving
+        )
+        bases = read_bases(client, self.layout, names)
+        known = {name: base for name, base in bases.items() if isinstance(base, int)}
+        if any(self._located.tables[name].table.base != base for name, base in known.items()):
+            self._located = at_bases(self._usual, known)
+        return bases
+
+    def _moved(self, item: Placed, bases: Mapping[str, int | str]) -> Placed:
+        """An item at the address that the device says."""
+        space, occupant = item
+        table, base = occupant.outer, bases.get(occupant.outer.name)
+        if not isinstance(table, Table) or not isinstance(base, int):
+            return item
+        outer = replace(table, base=base)
+        return space, replace(occupant, address=occupant.address + base - table.base, outer=outer)
+
+    def _placed(self, client: Client, chosen: Assignment) -> Assignment:
+        """An assignment at the address that the device says. Raises WriteError."""
+        item = self.item(chosen)
+        bases = self._bases(client, [item])
+        unknown = next((base for base in bases.values() if isinstance(base, str)), "")
+        if unknown:
+            raise writing.WriteError(unknown)
+        return replace(chosen, occupant=self._moved(item, bases)[1]) if bases else chosen
 
     def _counts(self, client: Client, items: Sequence[Placed]) -> dict[str, Reading]:
         """The numbers of elements of the tables in which items are, as far as the device has them in registers."""
@@ -159,15 +200,19 @@ class RegisterAccess:
 
     def frame(self, client: Client, chosen: Assignment) -> bytes:
         """The request that writes a value. Raises WriteError."""
-        return request_frame(client, chosen)[2]
+        return request_frame(client, self._placed(client, chosen))[2]
 
     def write(self, client: Client, chosen: Assignment) -> None:
         """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
-        writing.write(client, chosen)
+        writing.write(client, self._placed(client, chosen))
 
     def read_back(self, client: Client, chosen: Assignment) -> Reading | None:
         """What the device holds after a write. Raises NoAnswerError and CarrierError."""
-        return writing.read_back(client, chosen)
+        try:
+            placed = self._placed(client, chosen)
+        except writing.WriteError as error:
+            return Reading(chosen.occupant, (), None, str(error))
+        return writing.read_back(client, placed)
 
     def signals(self, item: Placed, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
         """The roles of a value or of its bits, each with its mask; -1 for all bits."""

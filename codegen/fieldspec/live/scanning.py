@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass, field
 from fieldspec.explain.registers import Occupant, count_of_occupant, element_number
+from fieldspec.layout.bases import at_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
 from fieldspec.layout.record import FieldLayout
+from fieldspec.live.bases import known_bases
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.messages import parameter_message
 from fieldspec.live.reading import all_occupants, message_for, read_words, reading
@@ -51,12 +53,16 @@ class ScanSpace:
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """The addresses that were asked for, those that answer with their counts, and those that were left out."""
+    """The addresses that were asked for, those that answer with their counts, and those that were left out.
+
+    `bases` are the addresses of the tables of which the device says where they begin, by their names.
+    """
 
     space: ScanSpace
     asked: frozenset[int]
     words: Mapping[int, tuple[int, ...]]
     left_out: frozenset[int]
+    bases: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def refused(self) -> list[int]:
@@ -128,7 +134,8 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
     What is cleared by reading is left out. A device may be silent at an address that it does not have, as long as it
     still answers one that it has. Raises NoAnswerError and CarrierError.
     """
-    items = list(scanned_items(client.layout, space))
+    bases = known_bases(client, client.layout)
+    items = list(scanned_items(at_bases(client.layout, bases), space))
     known = [item.addresses.start for item in items if item.readable and not item.spared]
     spared = {address for item in items if item.spared for address in item.addresses}
     words: dict[int, tuple[int, ...]] = {}
@@ -141,7 +148,7 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
                 _scan_part(client, space, part, words, known)
                 if done is not None:
                     done(len(part))
-    return Scan(space, frozenset(asked), words, frozenset(spared))
+    return Scan(space, frozenset(asked), words, frozenset(spared), bases)
 
 
 def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
@@ -232,6 +239,8 @@ def _count_of_bytes(
 
 def compared(layout: DeviceLayout, result: Scan) -> ScanComparison:
     """A scan compared with the spec of a version."""
+    moving = moving_tables(layout)
+    layout = at_bases(layout, {name: base for name, base in result.bases.items() if name in moving})
     known: set[int] = set()
     silent = []
     for item in scanned_items(layout, result.space):

@@ -97,6 +97,8 @@ class Table(Fact):
 
     `space` is empty where the spec names none, which means the first one of the device. `count_by` names the register
     with the number of elements that the device has; `count` is then the greatest one. It is empty where all are there.
+    `base_by` names the register whose value is the address of the first element; `base` is then the usual one. It is
+    empty where the table does not move.
     """
 
     title: str
@@ -112,6 +114,7 @@ class Table(Fact):
     handling: Handling
     elements: tuple[PrintedElement, ...]
     count_by: str = ""
+    base_by: str = ""
 
     def address(self, index: int) -> int:
         """The address of an element by its number."""

@@ -36,6 +36,7 @@ CONSTRUCTS = {
     "bits": "registers of single bits",
     "byte_registers": "registers in spaces of bytes",
     "tables": "tables of records in registers",
+    "moving_tables": "tables of records that begin where a register says",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
     "can_frames": "frames of CAN buses",
@@ -99,6 +100,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
+    capabilities["moving_tables"] = refused("the addresses of elements are constants: plc_addresses_constant")
     capabilities["choices"] = lossy(
         "are bit strings as wide as the widest type, with a function that says which it is; whoever makes a number of "
         "them compares it with the ranges and the enum"

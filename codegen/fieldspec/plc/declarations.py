@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
@@ -80,9 +81,10 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     supported, frame_findings = with_supported_links(with_spaces, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
     binary_findings = character_refusals([with_spaces], dialect.title, for_controllers=True)
+    moving_findings = base_refusals([layout], dialect.title, for_controllers=True)
     if binary_findings or any(signal.value.digits for signal in layout.device.signals.values()):
         narrowed_layout, _ = narrowed(without_digits(supported), dialect)
-    findings += [*absent_reals(with_spaces, dialect), *binary_findings]
+    findings += [*absent_reals(with_spaces, dialect), *binary_findings, *moving_findings]
     findings += inner_list_refusals([with_spaces], dialect.title, for_controllers=True)
     findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]
     declaring = _Declaring(narrowed_layout, dialect, findings)

@@ -95,6 +95,15 @@ Example: `values` with `repeat: 0..8`, counted by a field before it, with a `sta
 
 Cure: Exclude the output for the device (`--to`).
 """,
+    "plc_addresses_constant": """Every record table begins at a constant address.
+
+Why: the functions of controllers have the addresses of all elements as constants, which are wrong where a register of
+the device says that the table begins elsewhere.
+
+Example: a table with `base: 0x1000, base_by: log_address`.
+
+Cure: Exclude the output for the device (`--to`). Python, JavaScript and C take the address that the device says.
+""",
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 
 Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.

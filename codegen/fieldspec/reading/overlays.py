@@ -36,7 +36,7 @@ _REFERENCES = {
     "signals": ("signal", "signals"),
     "messages": ("message", "messages", "supplements"),
     "links": ("link", "links"),
-    "registers": ("same_as", "copy_of", "of", "scale_by", "count_by"),
+    "registers": ("same_as", "copy_of", "of", "scale_by", "count_by", "base_by"),
     "parameters": ("set",),
 }
 _PATHS = ("fact", "about", "references", "saved_by", "opposite_of")

@@ -125,14 +125,17 @@ def _register_text(layout: DeviceLayout, name: str) -> str:
 def _table(layout: DeviceLayout, table_layout: TableLayout, address: int | None) -> Details:
     table = table_layout.table
     yield "space", _space(layout.device, table.space)
-    formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
+    base = table.base_by or f"0x{table.base:04X}"
+    formula = f"{base} + 0x{table.stride:X} * (n - {table.index_from})"
     yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
+    yield "begins", f"where {table.base_by} says, usually at 0x{table.base:04X}" if table.base_by else ""
     yield "how many", f"as {table.count_by} says" if table.count_by else ""
     yield "access", table.access or "not printed"
     if address is not None:
         steps, offset = divmod(address - table.base, table.stride)
         names = [field.name for field in table_layout.record.fields if field.offset <= 2 * offset + 1]
-        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{names[-1]}"
+        is_in = "is usually in" if table.base_by else "is in"
+        yield "here", f"0x{address:04X} {is_in} {table.name}[{table.index_from + steps}].{names[-1]}"
 
 
 def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:

@@ -185,11 +185,12 @@ def _tables(device: Device) -> Table:
             table.label,
             f"{table.indexes[0]}..{table.indexes[-1]}",
             table.count_by,
+            table.base_by,
             f"{table.stride}",
         )
         for table in device.tables.values()
     )
-    return narrowed(Table(("address", "table", "label", "elements", "how many", "words apart"), rows))
+    return narrowed(Table(("address", "table", "label", "elements", "how many", "begins at", "words apart"), rows))
 
 
 def _messages(device: Device) -> Table:

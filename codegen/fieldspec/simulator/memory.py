@@ -6,10 +6,12 @@ from collections.abc import Iterable
 from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.registers import Occupant, base_of_table, occupants
+from fieldspec.explain.spans import Span
 from fieldspec.explain.values import number_of
+from fieldspec.layout.bases import at_usual_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.registers import Parameter, ParameterSet, Register
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import value_construct
@@ -45,7 +47,10 @@ def default_raw(value: Value) -> Raw:
 
 
 class Memory:
-    """The values of a device. What is `stored` outlasts the power."""
+    """The values of a device. What is `stored` outlasts the power.
+
+    Tables are at their usual addresses here, wherever the device says that they begin; see `place`.
+    """
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
@@ -60,9 +65,13 @@ class Memory:
         self.order: Literal["big", "little"] = "big" if layout.device.byte_order == "big" else "little"
         device = layout.device
         for space in dict.fromkeys([*device.spaces, device.space_name("")]):
-            for occupant in occupants(layout, Span(space, 0, _LAST, 0, b"")):
+            for occupant in occupants(at_usual_bases(layout), Span(space, 0, _LAST, 0, b"")):
                 for address in range(occupant.address, occupant.address + occupant.words):
                     self.occupants.setdefault((space, address), []).append(occupant)
+        self._bases = [
+            (layout.tables[name], device.space_name(register.register.space), base_of_table(layout, name))
+            for name, register in moving_tables(layout).items()
+        ]
         self.deliver()
 
     def deliver(self) -> None:
@@ -72,6 +81,8 @@ class Memory:
             for occupant in present:
                 if occupant.address == address:
                     self.write(space, occupant, default_raw(occupant.value))
+        for table, space, register in self._bases:
+            self.write(space, register, table.table.base)
         self.elements = {
             (parameter_set.name, parameter.number + offset, index): default_raw(element_value(parameter, index))
             for parameter_set in self.layout.device.parameters.values()
@@ -85,6 +96,27 @@ class Memory:
     def at(self, space: str, address: int) -> list[Occupant]:
         """What is at an address: mostly one value, several where the spec says that they overlap."""
         return self.occupants.get((space, address), [])
+
+    def place(self, space: str, address: int) -> int:
+        """Where the memory has what the device has at an address now; -1 where it has moved away."""
+        if not self._bases:
+            return address
+        own = [row for row in self._bases if self.layout.device.space_name(row[0].table.space) == space]
+        moved = False
+        for table, register_space, register in own:
+            usual, base = table.table.base, self.read(register_space, register)
+            extent = (table.table.count - 1) * table.table.stride + table.words
+            if isinstance(base, int) and base <= address < base + extent:
+                if (space, address - base + usual) in self.occupants:
+                    return address - base + usual
+            elif usual <= address < usual + extent:
+                moved = True
+        is_register = any(isinstance(occupant.outer, Register) for occupant in self.at(space, address))
+        return -1 if moved and not is_register else address
+
+    def has_base(self, space: str, addresses: range) -> bool:
+        """Whether some addresses have a register that says where a table begins."""
+        return any(own == space and register.address in addresses for _, own, register in self._bases)
 
     def read(self, space: str, occupant: Occupant) -> Raw:
         """The raw value of an occupant."""

@@ -20,9 +20,8 @@ if TYPE_CHECKING:
 
 def read_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> list[int]:
     """The words that a request asks for. Raises Refusal."""
-    space, addresses = _span(engine, access, values, _count(access, values))
+    space, addresses = _span(engine, access, values, _count(access, values), "read")
     memory = engine.memory
-    _judge(engine, space, addresses, "read")
     words = []
     for address in addresses:
         triggers = [occupant for occupant in memory.at(space, address) if occupant.trigger]
@@ -41,8 +40,7 @@ def write_registers(engine: Engine, access: RegisterAccess, values: Mapping[str,
     """Writes the words of a request and lets the behaviour follow. Raises Refusal, and then nothing is written."""
     content = values[access.values]
     words: Sequence[int] = content if isinstance(content, list | tuple) else [content]
-    space, addresses = _span(engine, access, values, len(words))
-    _judge(engine, space, addresses, "write")
+    space, addresses = _span(engine, access, values, len(words), "write")
     memory = engine.memory
     before = {address: memory.words[space, address] for address in addresses}
     for address, word in zip(addresses, words, strict=True):
@@ -96,23 +94,28 @@ def _count(access: RegisterAccess, values: Mapping[str, Any]) -> int:
     return int(values[access.count]) if access.count else 1
 
 
-def _span(engine: Engine, access: RegisterAccess, values: Mapping[str, Any], count: int) -> tuple[str, range]:
-    first = int(values[access.start])
-    return engine.layout.device.space_name(access.space), range(first, first + count)
+def _span(
+    engine: Engine, access: RegisterAccess, values: Mapping[str, Any], count: int, operation: str
+) -> tuple[str, list[int]]:
+    """The space of a request, and where the memory has its addresses. Raises Refusal."""
+    first, space = int(values[access.start]), engine.layout.device.space_name(access.space)
+    places = [engine.memory.place(space, address) for address in range(first, first + count)]
+    for address, place in enumerate(places, first):
+        _judge(engine, space, address, place, operation)
+    return space, places
 
 
-def _judge(engine: Engine, space: str, addresses: range, operation: str) -> None:
-    """Refuses addresses without a register, and registers that the operation may not touch."""
-    for address in addresses:
-        present = engine.memory.at(space, address)
-        if not present:
-            raise Refusal("unknown_address", f"no register is at 0x{address:04X}")
-        if all(is_absent(engine, occupant) for occupant in present):
-            raise Refusal("unknown_address", f"the device has not got {present[0].path}")
-        for occupant in present:
-            why = FORBIDS.get((operation, occupant.access))
-            if why:
-                raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {why}")
+def _judge(engine: Engine, space: str, address: int, place: int, operation: str) -> None:
+    """Refuses an address without a register, and registers that the operation may not touch."""
+    present = engine.memory.at(space, place)
+    if not present:
+        raise Refusal("unknown_address", f"no register is at 0x{address:04X}")
+    if all(is_absent(engine, occupant) for occupant in present):
+        raise Refusal("unknown_address", f"the device has not got {present[0].path}")
+    for occupant in present:
+        why = FORBIDS.get((operation, occupant.access))
+        if why:
+            raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {why}")
 
 
 def is_absent(engine: Engine, occupant: Occupant) -> bool:
@@ -126,7 +129,7 @@ def is_absent(engine: Engine, occupant: Occupant) -> bool:
     return isinstance(number, int) and element_number(occupant) >= number
 
 
-def _touched(engine: Engine, space: str, addresses: range) -> Iterator[Occupant]:
+def _touched(engine: Engine, space: str, addresses: Sequence[int]) -> Iterator[Occupant]:
     """The occupants that share words with a span, each once."""
     seen: set[tuple[str, int]] = set()
     for address in addresses:
@@ -136,8 +139,8 @@ def _touched(engine: Engine, space: str, addresses: range) -> Iterator[Occupant]
                 yield occupant
 
 
-def _is_whole(occupant: Occupant, addresses: range) -> bool:
-    return occupant.address >= addresses.start and occupant.address + occupant.words <= addresses.stop
+def _is_whole(occupant: Occupant, addresses: Sequence[int]) -> bool:
+    return all(address in addresses for address in range(occupant.address, occupant.address + occupant.words))
 
 
 def _accepts(engine: Engine, what: str) -> bool:

@@ -19,21 +19,26 @@ def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
     def unknown(base: str) -> int:
         return sum((first, entry.address) not in memory.occupants for entry in dump.entries(base))
 
+    def says_no_base(entry: Entry) -> bool:
+        addresses = range(entry.address, entry.address + len(entry.values))
+        return not memory.has_base(entry.space if entry.space in spaces else first, addresses)
+
     base = min(dump.bases, key=unknown)
     count = unused = 0
-    for entry in dump.entries(base):
+    for entry in sorted(dump.entries(base), key=says_no_base):
         if not memory.occupants or (entry.space and entry.space not in spaces):
             elements = _seed_parameter(engine, entry)
             count, unused = count + elements, unused + (not elements)
             continue
         space = entry.space if entry.space in spaces else first
-        present = memory.at(space, entry.address)
+        at = memory.place(space, entry.address)
+        present = memory.at(space, at)
         if not present:
             unused += 1
             continue
         number = entry.values[0]
         bit = next((o for o in present if o.value.type.name == "bit"), None)
-        wide = next((o for o in present if o.address == entry.address and o.words > 1), None)
+        wide = next((o for o in present if o.address == at and o.words > 1), None)
         if len(entry.values) == 1 and wide is not None and (entry.words == wide.words or not 0 <= number <= 0xFFFF):
             memory.write(space, wide, number)
             words = wide.words
@@ -43,9 +48,9 @@ def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
         else:
             words = len(entry.values)
             for address, word in enumerate(entry.values, entry.address):
-                if (space, address) in memory.occupants:
-                    memory.words[space, address] = word & 0xFFFF
-        for address in range(entry.address, entry.address + words):
+                if (space, memory.place(space, address)) in memory.occupants:
+                    memory.words[space, memory.place(space, address)] = word & 0xFFFF
+        for address in (memory.place(space, entry.address + word) for word in range(words)):
             if (space, address) in memory.words:
                 engine.saved[space, address] = memory.words[space, address]
         count += words

@@ -188,10 +188,14 @@ export interface RecordTable<T> {
   readonly record: RecordCodec<T>;
   /** The register with the number of records that the device has; null where it has all of them. */
   readonly countBy: Register<unknown> | null;
+  /** The register with the address of the first record, of which `address` is the usual one; null where the table does not move. */
+  readonly baseBy: Register<unknown> | null;
   /** The record with a number, as a register. Throws RangeError. */
   at(number: number): Register<T, null>;
   /** The records of a device that has so many. Throws RangeError for more than there can be. */
   present(number: number | bigint): Register<T, null>[];
+  /** The table of a device that has its first record at an address. Throws RangeError for what is no such address. */
+  atBase(base: number | bigint): RecordTable<T>;
 }
 
 /** A numbered parameter. */

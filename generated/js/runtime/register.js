@@ -53,9 +53,13 @@ export function registerArray(count, first, stride, name, address, words, access
 
 /**
  * A table of records, `stride` words apart, numbered from `first`. Each is a register whose value is the record.
- * `countBy` is the register with the number of records that the device has, null where it has all of them.
+ * `countBy` is the register with the number of records that the device has, null where it has all of them. `baseBy` is the one
+ * with the address of the first record, of which `address` is the usual one; null where the table does not move.
  */
-export function table(count, first, stride, name, address, access, record, more = {}, countBy = null) {
+export function table(count, first, stride, name, address, access, record, more = {}, countBy = null, baseBy = null) {
+  const located = () => {
+    if (baseBy !== null) throw new RangeError(`${name} begins where ${baseBy.name} says: use atBase`);
+  };
   const make = (index) =>
     register(
       `${name}[${first + index}]`,
@@ -77,8 +81,10 @@ export function table(count, first, stride, name, address, access, record, more 
     length: count,
     record,
     countBy,
+    baseBy,
     /** The record with a number, as a register. Throws RangeError. */
     at(number) {
+      located();
       if (!Number.isInteger(number) || number < first || number >= first + count) {
         throw new RangeError(`${name} has the numbers ${first}..${first + count - 1}, not ${number}`);
       }
@@ -86,9 +92,17 @@ export function table(count, first, stride, name, address, access, record, more 
     },
     /** The records of a device that has so many. Throws RangeError for more than there can be. */
     present(number) {
+      located();
       const size = Number(number);
       if (!Number.isInteger(size) || size < 0 || size > count) throw new RangeError(`${name} has 0..${count} records, not ${number}`);
       return Array.from({ length: size }, (_, index) => make(index));
+    },
+    /** The table of a device that has its first record at an address. Throws RangeError for what is no such address. */
+    atBase(base) {
+      const start = Number(base);
+      const last = 0x10000 - (count - 1) * stride - record.least / 2;
+      if (!Number.isInteger(start) || start < 0 || start > last) throw new RangeError(`${name} does not fit behind the address ${base}`);
+      return table(count, first, stride, name, start, access, record, more, countBy);
     },
   });
 }

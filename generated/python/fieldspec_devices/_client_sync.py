@@ -51,7 +51,7 @@ class RegisterClient(BlockingClient):
         return self._run(self._registers.read_in_unit(register))
 
     def read_table(self, table: Table[T]) -> list[T]:
-        """The records of a table that the device has, whose number it reads first. Raises DeviceError."""
+        """The records of a table that the device has; it reads how many, and where, first. Raises DeviceError."""
         return self._run(self._registers.read_table(table))
 
     def read_group(self, group: Group) -> Values:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
     from typing import Any
 
+    from typing_extensions import Self
+
     from ._typing import Data, Quantity
 
 
@@ -201,7 +203,8 @@ class Table(Generic[T]):
     """Records in an address space, `stride` words apart, by their numbers in the manual.
 
     `count_by` is the register with the number of records that the device has, of which `count` is the greatest; it is
-    None where the device has all of them.
+    None where the device has all of them. `base_by` is the register with the address of the first record, and `base`
+    the usual one; such a table has no records before `at_base`. It is None where the table does not move.
     """
 
     __slots__ = (
@@ -209,6 +212,7 @@ class Table(Generic[T]):
         "_value",
         "access",
         "base",
+        "base_by",
         "count",
         "count_by",
         "first",
@@ -233,13 +237,16 @@ class Table(Generic[T]):
         order: str = ">",
         space: str = "",
         count_by: Register[int] | None = None,
+        base_by: Register[int] | None = None,
     ) -> None:
-        self.name, self.record, self.access, self.space, self.count_by = name, record, access, space, count_by
+        self.name, self.record, self.access, self.space = name, record, access, space
+        self.count_by, self.base_by = count_by, base_by
         self.base, self.words, self.stride, self.count, self.first = base, words, stride, count, first
         self._value, self._order = RecordValue(record, 2 * words), order
 
     def __repr__(self) -> str:
-        return f"<table {self.name}[{self.first}..{self.first + self.count - 1}] at 0x{self.base:04X}>"
+        place = f"0x{self.base:04X}" if self.base_by is None else f"what {self.base_by.name} is"
+        return f"<table {self.name}[{self.first}..{self.first + self.count - 1}] at {place}>"
 
     def __len__(self) -> int:
         return self.count
@@ -250,9 +257,31 @@ class Table(Generic[T]):
     def __getitem__(self, number: int) -> Register[T]:
         if not self.first <= number < self.first + self.count:
             raise IndexError(f"{self.name} has the numbers {self.first}..{self.first + self.count - 1}, not {number}")
+        if self.base_by is not None:
+            raise CodecError("no_base", f"{self.name} begins where {self.base_by.name} says: use at_base")
         address = self.base + (number - self.first) * self.stride
         more: dict[str, Any] = {"order": self._order, "space": self.space}
         return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **more)
+
+    def at_base(self, base: int) -> Self:
+        """The table of a device that has its first record at `base`. Raises CodecError for what is no such address."""
+        if not isinstance(base, int) or isinstance(base, bool):
+            raise CodecError("wrong_type", f"the address of {self.name} is a whole number, not {base!r}")
+        if not 0 <= base <= 0x10000 - (self.count - 1) * self.stride - self.words:
+            raise CodecError("out_of_range", f"{self.name} does not fit behind the address {base}")
+        return type(self)(
+            self.name,
+            self.record,
+            base=base,
+            words=self.words,
+            stride=self.stride,
+            count=self.count,
+            first=self.first,
+            access=self.access,
+            order=self._order,
+            space=self.space,
+            count_by=self.count_by,
+        )
 
     def present(self, count: int) -> list[Register[T]]:
         """The records that a device has whose `count_by` is `count`. Raises CodecError for more than there can be."""
@@ -263,7 +292,9 @@ class Table(Generic[T]):
         return [self[self.first + number] for number in range(count)]
 
     def at(self, address: int) -> Register[T] | None:
-        """The element that begins at an address."""
+        """The element that begins at an address; None where only the device says where the table is."""
+        if self.base_by is not None:
+            return None
         number, rest = divmod(address - self.base, self.stride)
         return self[self.first + number] if rest == 0 and 0 <= number < self.count else None
 

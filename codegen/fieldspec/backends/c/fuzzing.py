@@ -186,6 +186,9 @@ def _value_macro(
 
 def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     for table in layout.tables.values():
+        if table.table.base_by:
+            yield Call("MOVING_ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
+            continue
         yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
     for conversion in layout.device.conversions.values():
         functions = [naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw")]

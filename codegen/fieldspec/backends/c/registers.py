@@ -30,6 +30,7 @@ from fieldspec.backends.c.expressions import (
     at_least,
     decimal,
     dereference,
+    greater,
     hexadecimal,
     integer,
     multiply,
@@ -203,36 +204,53 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
         access = f"In the address space {device.space_name(table.space)}. {access}".strip()
     read_only = f"Read only: {', '.join(layout.read_only)}." if layout.read_only else ""
     most = f"The register {table.count_by} has how many there are, at most so many." if table.count_by else ""
+    where = f"The register {table.base_by} has the address of the first one." if table.base_by else ""
     constants = [
-        ("address", hexadecimal(table.base, 2)),
+        ("usual_address" if table.base_by else "address", hexadecimal(table.base, 2)),
         ("words", unsigned(layout.words)),
         ("stride", unsigned(table.stride)),
         ("count", unsigned(table.count)),
         ("first", unsigned(table.index_from)),
     ]
     return [
-        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", most, access, read_only),
+        describe_fact(
+            table, f"Its elements are {naming.type('record', layout.record.name)}.", most, where, access, read_only
+        ),
         *(Define(naming.macro("table", layout.name, name), number) for name, number in constants),
         BLANK,
-        *_address_function(naming, "table", layout.name, f"an element of {table.name} by its number"),
+        *_address_function(
+            naming, "table", layout.name, f"an element of {table.name} by its number", layout if table.base_by else None
+        ),
     ]
 
 
-def _address_function(naming: Naming, noun: Noun, name: str, what: str) -> list[Declaration]:
-    """`codec_status table_points_at(uint32_t number, uint16_t *address)`"""
-    base, first, count, stride = (
-        Identifier(naming.macro(noun, name, end)) for end in ("address", "first", "count", "stride")
-    )
+def _address_function(
+    naming: Naming, noun: Noun, name: str, what: str, moving: TableLayout | None = None
+) -> list[Declaration]:
+    """`codec_status table_points_at(uint32_t number, uint16_t *address)`
+
+    The function of a `moving` table has `uint16_t base` before the number.
+    """
+    first, count, stride = (Identifier(naming.macro(noun, name, end)) for end in ("first", "count", "stride"))
+    base = Identifier("base") if moving is not None else Identifier(naming.macro(noun, name, "address"))
     index = subtract(NUMBER, first)
     address = Cast("uint16_t", add(base, multiply(index, stride)))
+    extent = moving.table.stride * (moving.table.count - 1) + moving.words if moving is not None else 1
+    fits = refuse(naming, greater(base, hexadecimal(0x10000 - extent, 2)), "err_out_of_range") if extent > 1 else ()
     body: Body = (
         *refuse(naming, at_least(index, count), "err_out_of_range"),
+        *fits,
         assign(dereference(Identifier("address")), address),
         return_ok(naming),
     )
-    parameters = Variable(Type("uint32_t"), "number"), Variable(Type("uint16_t", pointer=True), "address")
+    parameters = (
+        *((Variable(Type("uint16_t"), "base"),) if moving is not None else ()),
+        Variable(Type("uint32_t"), "number"),
+        Variable(Type("uint16_t", pointer=True), "address"),
+    )
+    start = " The first one is at `base`, behind which all must fit." if moving is not None else ""
     return [
-        comment(f"The address of {what}; other numbers are refused."),
+        comment(f"The address of {what}; other numbers are refused.{start}"),
         Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),
     ]
 

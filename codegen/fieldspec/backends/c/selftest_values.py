@@ -144,7 +144,8 @@ def _test_addresses(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]
     for table in layout.tables.values():
         last = table.table.indexes[-1]
         function = naming.function("table", table.name, "at")
-        yield _test_last(naming, function, "uint16_t", "address", last, table.table.address(last))
+        base = (unsigned(table.table.base),) if table.table.base_by else ()
+        yield _test_last(naming, function, "uint16_t", "address", last, table.table.address(last), base)
 
 
 def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statement]:
@@ -161,12 +162,14 @@ def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statemen
         yield _test_last(naming, function, wire_number_type(parameters), "number", last, parameters.base + last)
 
 
-def _test_last(naming: Naming, function: str, kind: str, result: str, last: int, wanted: int) -> Block:
+def _test_last(
+    naming: Naming, function: str, kind: str, result: str, last: int, wanted: int, before: tuple[Expression, ...] = ()
+) -> Block:
     """What a function from numbers to addresses gives for the last number, and that it refuses the one behind it."""
     variable = Identifier(result)
 
     def result_of(number: int) -> Call:
-        return Call(function, (unsigned(number), address_of(variable)))
+        return Call(function, (*before, unsigned(number), address_of(variable)))
 
     return Block(
         (

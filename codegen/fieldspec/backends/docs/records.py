@@ -83,19 +83,22 @@ def _table(context: Context, table_layout: TableLayout, done: set[str]) -> Secti
 def _facts(context: Context, table_layout: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
     model = table_layout.table
     first, last = model.indexes[0], model.indexes[-1]
-    formula = f"address(n) = {address(model.base)} + {model.stride} * (n - {model.index_from})"
+    formula = f"address(n) = {model.base_by or address(model.base)} + {model.stride} * (n - {model.index_from})"
     record = table_layout.record.record
     printed = joined(((label(text),) for text in (record.printed_name, record.label) if text), " ")
     return [
         ("Name", ((code(model.name),),)),
         *_space(context, model),
         ("Elements", (_elements_text(context, model, f"{model.count}, numbered {first} to {last}"),)),
-        ("Address of element n", ((code(formula),),)),
+        ("Address of element n", ((code(formula), *_base_text(context, model)),)),
         (
             "Words of an element",
             ((text_piece(f"{table_layout.words}; one element begins {model.stride} words after the other"),),),
         ),
-        ("Addresses", ((code(f"{address(model.base)}..{address(model.address(last) + table_layout.words - 1)}"),),)),
+        (
+            "Usual addresses" if model.base_by else "Addresses",
+            ((code(f"{address(model.base)}..{address(model.address(last) + table_layout.words - 1)}"),),),
+        ),
         ("Record", ((code(record.name, f"#{record.place.path}"), text_piece(" "), *printed),)),
     ]
 
@@ -106,6 +109,18 @@ def _elements_text(context: Context, table: TableOfRecords, text: str) -> Line:
     if register is None:
         return (text_piece(text),)
     return text_piece(f"up to {text}; the number is in "), code(register.name, f"#{register.place.path}")
+
+
+def _base_text(context: Context, table: TableOfRecords) -> Line:
+    """Where the address of the first element is, of a table of which a register has it."""
+    register = context.device.register(table.base_by) if table.base_by else None
+    if register is None:
+        return ()
+    return (
+        text_piece("; the register "),
+        code(register.name, f"#{register.place.path}"),
+        text_piece(f" has the address of the first element, usually {address(table.base)}"),
+    )
 
 
 def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple[Line, ...]]]:
@@ -172,7 +187,7 @@ def _addresses(table_layout: TableLayout) -> DocumentTable:
         )
         for field in table_layout.record.fields
     ]
-    return table("Addresses", columns, rows)
+    return table("Usual addresses" if model.base_by else "Addresses", columns, rows)
 
 
 def _span(first: int, field: FieldLayout) -> Line:

@@ -78,14 +78,17 @@ def declare_table(layout: TableLayout, names: Names) -> Declaration:
     name = names.scope.take(Name.of(layout.name).upper())
     record = names.records[table.record]
     more = f", {{ space: {literal(device.space_name(table.space))} }}" if device.several_spaces else ""
-    more = f"{more or ', {}'}, {names.registers[table.count_by]}" if table.count_by else more
+    count = names.registers[table.count_by] if table.count_by else "null"
+    base = names.registers[table.base_by] if table.base_by else ""
+    more = f"{more or ', {}'}, {count}{f', {base}' if base else ''}" if table.count_by or base else more
     access = table.access if layout.writable else "ro"
     call = (
         f"table({table.count}, {table.index_from}, {table.stride}, {literal(layout.name)}, 0x{table.base:04X},"
         f" {literal(access)}, {record}{more})"
     )
     most = f"Up to {table.count}, as {names.registers[table.count_by]} says," if table.count_by else str(table.count)
-    facts = f"{most} records of {layout.words} words, {table.stride} words apart, the first at 0x{table.base:04X}."
+    place = f"where {base} says, usually at 0x{table.base:04X}" if base else f"at 0x{table.base:04X}"
+    facts = f"{most} records of {layout.words} words, {table.stride} words apart, the first {place}."
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ {call};"],
         [

@@ -106,7 +106,7 @@ class _Usages:
             space = self._space(layout.table.space)
             read = self._access(known, space, "read", layout.words)
             write = self._access(known, space, "write", layout.words)
-            if read is None:
+            if read is None or layout.table.base_by:
                 continue
             start = f"{_IMPORT}\n{_READ}{self._exchange(read[1], 'message', 'data')}{_VALUE}".replace(
                 "const value", "const record"

@@ -9,6 +9,7 @@ from fieldspec.backends.kv.areas import Area, areas
 from fieldspec.backends.kv.dialect import KV, WordDialect
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
@@ -42,8 +43,10 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Digits, texts in a form of their own, and lists with fields behind them, whose places differ."""
-    return [*character_refusals(versions, "a word map"), *inner_list_refusals(versions, "a word map")]
+    """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
+    reader = "a word map"
+    inner_lists = inner_list_refusals(versions, reader)
+    return [*character_refusals(versions, reader), *base_refusals(versions, reader), *inner_lists]
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
@@ -78,6 +81,7 @@ _NOT_EXACT = {
     "bits": refused("are in no word; the bytes of their messages are in the map"),
     "can_frames": refused("are no words of a serial line"),
     "byte_registers": refused("are in no word; the bytes of their messages are in the map"),
+    "moving_tables": refused("addresses are constants: output_addresses_constant"),
     "choices": lossy("stand once for each type, with the values that decide it"),
     "aliases": lossy("have the name to write"),
     "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),

@@ -16,6 +16,7 @@ from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.digits import digits_text
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.registers import Table
 from fieldspec.model.text_form import text_form_title
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
@@ -232,11 +233,13 @@ def table_view(
         arguments.append(f"space={literal(space)}")
     if table.count_by:
         arguments.append(f"count_by={names[table.count_by]}")
+    if table.base_by:
+        arguments.append(f"base_by={names[table.base_by]}")
     last = table.index_from + table.count - 1
     most = f"up to {table.count}, as {names[table.count_by]} says," if table.count_by else str(table.count)
     facts = [
         f"{most} records of {layout.words} words, {table.index_from} to {last}",
-        f"the first at 0x{table.base:04X}, each {table.stride} words behind the one before",
+        f"the first {_base_text(table, names)}, each {table.stride} words behind the one before",
     ]
     if space:
         facts.append(f"in {space}")
@@ -247,3 +250,9 @@ def table_view(
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
     name = scope.take(layout.name)
     return TableView(name, scope.take(f"{Name.of(layout.name).pascal()}Table"), record, ", ".join(arguments), doc)
+
+
+def _base_text(table: Table, names: Mapping[str, str]) -> str:
+    """The address of the first element, or the register that has it."""
+    where = f"where {names[table.base_by]} says, usually " if table.base_by else ""
+    return f"{where}at 0x{table.base:04X}"

@@ -89,7 +89,7 @@ class _Usages:
 
     def _tables(self) -> Iterator[Usage]:
         for layout, view in zip(self.layout.tables.values(), self.view["tables"], strict=True):
-            access = self._access(layout.table.space)
+            access = self._access(layout.table.space) if not layout.table.base_by else None
             link = self._link(access.read.request) if access is not None and access.read is not None else None
             if access is None or access.read is None or link is None or layout.words > access.read.most:
                 continue

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from fieldspec.backends.queries.polars_text import polars_text
 from fieldspec.backends.queries.sql_text import sql_text
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
@@ -19,8 +20,10 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Digits, texts in a form of their own, and lists with fields behind them, which the queries do not read."""
-    return [*character_refusals(versions, "a query"), *inner_list_refusals(versions, "a query")]
+    """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
+    reader = "a query"
+    inner_lists = inner_list_refusals(versions, reader)
+    return [*character_refusals(versions, reader), *base_refusals(versions, reader), *inner_lists]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

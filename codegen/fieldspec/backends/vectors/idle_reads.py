@@ -140,7 +140,7 @@ def _contents(layout: DeviceLayout, block: ReadBlock) -> Iterator[tuple[str, int
                 element = f"[{register.register.index_from + number}]" if register.count > 1 else ""
                 yield f"{register.name}{element}", address, *_of_register(device, register)
     for table in layout.tables.values():
-        if _space(device, table.table.space) != block.space:
+        if _space(device, table.table.space) != block.space or table.table.base_by:
             continue
         for index in table.table.indexes:
             yield from _of_element(device, table, index, block)

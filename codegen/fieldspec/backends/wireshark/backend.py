@@ -13,6 +13,7 @@ from fieldspec.backends.wireshark.registers import parameter_sets, register_data
 from fieldspec.backends.wireshark.text import Data, comment, line_text, table
 from fieldspec.backends.wireshark.values import enum_data, word_data
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
@@ -74,6 +75,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     ] + [
         *unread,
         *character_refusals(versions, "the dissector"),
+        *base_refusals(versions, "the dissector"),
         *inner_list_refusals(versions, "the dissector"),
     ]
 

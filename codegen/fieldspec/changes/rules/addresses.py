@@ -33,7 +33,7 @@ def register_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def table_moved(comparison: Comparison) -> Iterator[Change]:
-    """A table begins at another address.
+    """A table begins at another address, or another register has the address.
 
     Why: existing programs read and write the wrong records.
 
@@ -48,6 +48,10 @@ def table_moved(comparison: Comparison) -> Iterator[Change]:
             old, new = hexadecimal(pair.old.base), hexadecimal(pair.new.base)
             text = f"{named(pair.new)} begins at {new}, and began at {old}"
             yield change("table_moved", Effect.WIRE, pair, "base", text, old, new)
+        old = comparison.renamed_to("registers", pair.old.base_by) if pair.old.base_by else ""
+        if old != pair.new.base_by:
+            text = f"{named(pair.new)}: {difference_text('the register of its address', old, pair.new.base_by)}"
+            yield change("table_moved", Effect.WIRE, pair, "base_by", text, old, pair.new.base_by)
 
 
 def stride_changed(comparison: Comparison) -> Iterator[Change]:

@@ -49,7 +49,7 @@ def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
         "record": layout.record.name,
         "accesses": stated(accesses),
         "atomic": [field.name for field in layout.record.fields if field.field.atomic],
-        **stated({"space": device.space_name(table.space), "countBy": table.count_by}),
+        **stated({"space": device.space_name(table.space), "countBy": table.count_by, "baseBy": table.base_by}),
     }
 
 

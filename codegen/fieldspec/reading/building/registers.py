@@ -128,6 +128,7 @@ def table(entry: Entry) -> Table:
         handling=entry.handling(),
         elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
         count_by=entry.text("count_by"),
+        base_by=entry.text("base_by"),
     )
 
 

@@ -103,9 +103,32 @@ export function occupantsOf(device, span) {
     if (register.address < span.end && span.address < end) addElements(occupants, register, span);
   }
   for (const table of device.data.tables) {
-    if ((table.space ?? "") === span.space) addFields(occupants, device, table, span);
+    const base = baseOf(device, table, span);
+    if (base !== null && (table.space ?? "") === span.space) addFields(occupants, device, { ...table, base }, span);
   }
   return occupants;
+}
+
+/** Where a table begins; null if only a register says where, and the span does not have it. */
+function baseOf(device, table, span) {
+  if (!table.baseBy) return table.base;
+  const register = device.data.registers.find(({ name }) => name === table.baseBy);
+  if ((register.space ?? "") !== span.space) return null;
+  const { address, value } = register;
+  const piece = span.piece(address, value.size);
+  const number = piece && numberOfBytes(value, piece.content, value.order ?? "big", value.swapped);
+  return isWhole(number ?? "") && value.ranges.some(([low, high]) => low <= number && number <= high) ? Number(number) : null;
+}
+
+/** What may be at addresses: elements of tables of which the frame does not say where they begin. */
+function unknownBases(device, span, first, end) {
+  return device.data.tables.flatMap((table) => {
+    if (!table.baseBy || (table.space ?? "") !== span.space || baseOf(device, table, span) !== null) return [];
+    const behind = (table.count - 1) * table.stride + table.words;
+    const { ranges } = device.data.registers.find(({ name }) => name === table.baseBy).value;
+    const isNear = ranges.some(([low, high]) => low < end && first < high + behind);
+    return isNear ? [`Elements of ${table.name} may be here: ${table.baseBy} has the address of the first one.`] : [];
+  });
 }
 
 function addElements(occupants, register, span) {
@@ -217,7 +240,7 @@ function unlistedRow(device, span, first, end, spot) {
     kind: "register",
     ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
     doc: "No register is listed here.",
-    notes: gaps.map(({ reason }) => reason),
+    notes: [...gaps.map(({ reason }) => reason), ...unknownBases(device, span, first, end)],
     address: first,
     words: end - first,
     unit: span.unit,

@@ -132,6 +132,24 @@
         } \
     } while (0)
 
+/* ---- MOVING_ADDRESS ---- */
+
+/* An address that is computed from that of the first element: two different numbers that are accepted give different ones. */
+#define MOVING_ADDRESS(type, at) \
+    do { \
+        type base, one = 0, other = 0; \
+        uint32_t first, second; \
+        if (size < 4) { \
+            break; \
+        } \
+        base = (type)(data[0] | (uint32_t)data[1] << 8); \
+        first = data[2]; \
+        second = data[3]; \
+        if (at(base, first, &one) == DEVICE_OK && at(base, second, &other) == DEVICE_OK) { \
+            hold((first == second) == (one == other)); \
+        } \
+    } while (0)
+
 /* ---- QUANTITY ---- */
 
 /* Any quantity is refused or becomes a count, whatever the exponent; converting a count back and forth keeps it. */

@@ -49,7 +49,7 @@ class AsyncRegisterClient(AsyncBaseClient):
         return await self._run(self._registers.read_in_unit(register))
 
     async def read_table(self, table: Table[T]) -> list[T]:
-        """The records of a table that the device has, whose number it reads first. Raises DeviceError."""
+        """The records of a table that the device has; it reads how many, and where, first. Raises DeviceError."""
         return await self._run(self._registers.read_table(table))
 
     async def read_group(self, group: Group) -> Values:

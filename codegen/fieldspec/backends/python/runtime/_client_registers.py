@@ -113,7 +113,10 @@ class RegisterWork:
         return quantity
 
     def read_table(self, table: Table[T]) -> Work[list[T]]:
-        """The records of a table that the device has, whose number is read first where a register has it."""
+        """The records of a table that the device has. Their number and their address are read first where registers
+        have them."""
+        if table.base_by is not None:
+            table = _decoded(table.at_base, (yield from self.read(table.base_by)))
         count = table.count if table.count_by is None else (yield from self.read(table.count_by))
         records = []
         for register in _decoded(table.present, count):
