@@ -99,7 +99,7 @@ def link_of(module: ModuleType, name: str) -> Any:
 
 def stored(record: RecordLayout) -> Iterator[FieldLayout]:
     """The fields that are attributes: all but constants, measures and reserved ones."""
-    for field in record.fields:
+    for field in record.sent_fields:
         number = field.value is not None and field.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN)
         if not (
             field.field.reserved or field.field.measures or (number and field.value and field.value.const is not None)

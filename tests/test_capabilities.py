@@ -29,6 +29,7 @@ REFUSALS = {
     "absent_reals": "plc_reals_present",
     "digits": "plc_numbers_binary",
     "formed_texts": "plc_texts_ascii",
+    "inner_lists": "plc_lists_last",
     "other_frames": "plc_frames_supported",
     "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",

@@ -436,6 +436,34 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
+/**
+ * The byte in data of a size for a byte of their image, in which a list comes last that begins `first` bytes behind the
+ * start, and that `behind` bytes follow. Data with fewer bytes than these are their own image.
+ */
+function placeAround({ first, behind }, size, at) {
+  if (at < first || size < first + behind) return at;
+  return at >= first + behind ? at - behind : at + size - first - behind;
+}
+
+/** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
+function readAround(inner, read, bytes, offset, end) {
+  const size = end - offset;
+  const image = Uint8Array.from({ length: size }, (_, at) => bytes[offset + placeAround(inner, size, at)]);
+  try {
+    return read(image, 0, size);
+  } catch (error) {
+    if (!(error instanceof CodecError) || error.offset === null) throw error;
+    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, size, error.offset));
+  }
+}
+
+/** Moves the list in the image of a record, the bytes from `start` to `end`, to where it is sent. */
+function placeList({ first, behind }, bytes, start, end) {
+  const last = bytes.slice(start + first, start + first + behind);
+  bytes.copyWithin(start + first, start + first + behind, end);
+  bytes.set(last, end - behind);
+}
+
 const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
 
 const latinText = (bytes) => Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
@@ -1907,6 +1935,10 @@ class ExplainedBody {
       this.explainVarying();
       return;
     }
+    if (this.record.inner) {
+      this.explainAround();
+      return;
+    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
         this.rows.push(this.undecidedRow(field, at));
@@ -1917,11 +1949,34 @@ class ExplainedBody {
       this.explainField(field, at, room);
       at += room * field.size;
       if (room < count) {
-        this.rows.push(this.missingRow(number, at));
+        this.rows.push(this.missingRow(this.record.fields.slice(number), at));
         return;
       }
     }
     if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Adds the rows of a record with fields behind a list, in the order of the wire. */
+  explainAround() {
+    const { fields, inner } = this.record;
+    const list = fields.at(-1);
+    const before = fields.slice(0, -1).filter(({ offset }) => offset < inner.first);
+    const sent = [...before, list, ...fields.slice(before.length, -1)];
+    const isWhole = this.end - this.start >= inner.first + inner.behind;
+    let at = this.start;
+    for (const [number, field] of sent.entries()) {
+      const isInner = field === list;
+      const count = this.countOf(field);
+      const stop = isInner && isWhole ? this.end - inner.behind : this.end;
+      const room = isInner && !isWhole ? 0 : Math.max(0, Math.min(count, Math.floor((stop - at) / field.size)));
+      this.explainField(field, at, room);
+      at += room * field.size;
+      if (room < count || (isInner && !isWhole)) {
+        this.rows.push(this.missingRow(isWhole ? [field] : sent.slice(number), at, stop));
+        if (!isWhole) return;
+      } else if (isInner && at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      if (isInner) at = stop;
+    }
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -1951,27 +2006,27 @@ class ExplainedBody {
     return Math.min(Math.max(Math.floor((this.end - this.start - field.offset) / field.size), low), high);
   }
 
-  /** The row of the place where the body ends too early. */
-  missingRow(number, at) {
+  /** The row of the place where the body, or the bytes up to `stop`, are not enough for fields. */
+  missingRow(fields, at, stop = this.end) {
     const missing = this.record.least - (this.end - this.start);
-    const later = this.record.fields.slice(number).map(({ name }) => name).join(", ");
+    const later = fields.map(({ name }) => name).join(", ");
     const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${later}`;
-    return this.wrongRow(this.record.fields[number], at, "incomplete", text);
+    return this.wrongRow(fields[0], at, "incomplete", text, stop);
   }
 
   /** The row of a field whose type is open, because the field that decides it has a value without a case. */
   undecidedRow(field, at) {
     const size = this.end - this.start;
     const { least, most, selector } = this.record;
-    if (size < least) return this.missingRow(this.record.fields.length - 1, at);
+    if (size < least) return this.missingRow(this.record.fields.slice(-1), at);
     const text = `${selector} ${valueText(this.values.get(selector))} does not decide the type of ${field.name}`;
     if (most === undefined || size <= most) return this.wrongRow(field, at, "unknown_value", text);
     return this.wrongRow(field, at, "wrong_length", `${text}, which is ${size - most} bytes too long`);
   }
 
-  /** The row of the rest of the body, where a field is expected. */
-  wrongRow(field, at, reason, text) {
-    const row = wrongRow(this.spot, at, this.data.subarray(at, this.end), reason, text, field.name, field.path);
+  /** The row of the rest of the body, or of the bytes up to `stop`, where a field is expected. */
+  wrongRow(field, at, reason, text, stop = this.end) {
+    const row = wrongRow(this.spot, at, this.data.subarray(at, stop), reason, text, field.name, field.path);
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
@@ -2010,7 +2065,8 @@ class ExplainedBody {
   /** The value of a field of a record, with its scale where another field beside it has the exponent. */
   byExponent({ value }, record, start) {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
-    const at = start + (exponent?.offset ?? 0);
+    const place = exponent?.offset ?? 0;
+    const at = start + (record.inner ? placeAround(record.inner, this.end - this.start, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }
@@ -3212,6 +3268,7 @@ function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  if (form.inner) placeList(form.inner, bytes, 0, bytes.length);
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 

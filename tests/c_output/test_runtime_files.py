@@ -65,6 +65,14 @@ PROGRAMS = {
         " if (device_narrow_fields(fields, 2, image, out, 7, &length) != DEVICE_OK || length != 6) return 1;"
         " if (memcmp(out, line, 6) != 0) return 1;",
     ),
+    "inner_lists.h": (
+        [],
+        'uint8_t image[8]; const uint8_t *data = (const uint8_t *)"abLISTyz";'
+        ' device_take_list(data, 8, 2, 2, image); if (memcmp(image, "abyzLIST", 8) != 0) return 1;'
+        " device_place_list(image, 8, 2, 2); if (memcmp(image, data, 8) != 0) return 1;"
+        ' device_take_list(data, 3, 2, 2, image); if (memcmp(image, "abL", 3) != 0) return 1;'
+        ' device_take_list(data, 4, 2, 2, image); if (memcmp(image, "abLI", 4) != 0) return 1;',
+    ),
     "powers.h": (
         [],
         "if (device_times_power(1250.0, -2) != 12.5 || device_over_power(12.5, -2) != 1250.0) return 1;"

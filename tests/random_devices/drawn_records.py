@@ -84,7 +84,7 @@ def add_exponent(draft: Draft, fields: list[Spec], kind: str) -> int:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line"))
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner"))
     if form == "empty":
         return []
     if form == "short":
@@ -96,8 +96,9 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
         add_exponent(draft, fields, draft.pick(("i8", "i16")))
     if form == "repeat":
         return [*fields, _repeated(draft, fields)]
-    if form == "measured":
-        return _measured(draft, fields)
+    if form in ("measured", "inner"):
+        behind = [fixed_field(draft)[0] for _ in range(draft.number(1, 3))] if form == "inner" else []
+        return [*_measured(draft, fields), *behind]
     if form == "choice":
         return _choosing(draft, fields)
     if form == "counted":

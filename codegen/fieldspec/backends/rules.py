@@ -38,6 +38,14 @@ Example: a field with `type: text, length: 8, padding: space`.
 
 Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
 """,
+    "output_lists_last": """In dissectors, queries and word maps, a list of free length comes last in its message.
+
+Why: behind such a list, the place of a field differs from frame to frame, and these outputs state one place.
+
+Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
+
+Cure: Exclude the output for the device (`--to`).
+""",
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 
 Why: the dissector does not undo escapes, so it would show other values than the frame has.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import takewhile
+from itertools import groupby, takewhile
 
 import numpy as np
 import numpy.typing as npt
@@ -41,7 +41,7 @@ class FieldRows:
 
 def slots(record: RecordLayout, prefix: str = "", at: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
     """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
-    for field in record.fields:
+    for field in record.sent_fields:
         many = field.is_list and not (outer is None and field.count is None)
         for index in range(field.count or 1):
             path = f"{prefix}{field.name}[{index}]" if many else f"{prefix}{field.name}"
@@ -61,7 +61,9 @@ class BodyReader:
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
         self.record, self.decoders, self.emits = record, decoders, emits
         self.slots = list(slots(record)) if record.selector is None else []
-        self.image = BodyReader(record.image, decoders, emits) if record.spans else None
+        self.image = BodyReader(record.image, decoders, emits) if record.spans or record.inner_list else None
+        if self.image is not None:
+            self.image.slots = self.slots  # in the order of the wire, in which the first fault counts
         self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
 
     def read(
@@ -72,8 +74,8 @@ class BodyReader:
         A verdict that is not yet another one becomes that of the first fault.
         """
         if self.image is not None:
-            image, sizes = self._images(buffer, at, size, verdict)
-            yield from self.image._fields(image, np.arange(len(at)) * self.image.record.least, sizes, verdict)
+            image, starts, sizes = self._images(buffer, at, size, verdict)
+            yield from self.image._fields(image, starts, sizes, verdict)
             return
         if self.record.selector is None:
             yield from self._fields(buffer, at, size, verdict)
@@ -98,12 +100,17 @@ class BodyReader:
 
     def _images(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
-    ) -> tuple[Bytes, Numbers]:
-        """The images of bodies whose values vary in width, one after the other, and how far each goes."""
-        images = []
+    ) -> tuple[Bytes, Numbers, Numbers]:
+        """The images of bodies, where each begins, and how far it goes."""
+        images: list[bytes] = []
         sizes = np.zeros(len(at), np.int64)
+        inner = self.record.inner_list
         for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
+            if inner is not None:
+                images.append(inner.image_of(data) if len(data) >= inner.fixed else data[: inner.first])
+                sizes[row] = len(images[-1])
+                continue
             try:
                 image, _ = image_of(self.record.spans, data)
             except WidthError as error:
@@ -112,25 +119,35 @@ class BodyReader:
                 blame_rows(verdict, np.array([row]), _UNFIT[error.reason])
             sizes[row] = len(image)
             images.append(image.ljust(self.record.image.least, b"\0"))
-        return np.frombuffer(b"".join(images), np.uint8), sizes
+        starts = np.cumsum([0, *map(len, images)])[:-1]
+        # One more byte, since nothing is taken from a buffer without any.
+        return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts, sizes
 
     def _fields(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> Iterator[tuple[Numbers, FieldRows]]:
         counts = {field.name: self._count(field, size) for field in self.record.fields}
-        for slot in self.slots:
-            field = slot.field
-            if field.count is None:
-                items = np.maximum(counts[field.name], 0)
-                rows, index = spread(items)
-            else:
-                rows, index = np.flatnonzero(field.offset + field.size * field.count <= size), None
-                blame(verdict, field.offset + field.size * field.count > size, INCOMPLETE)
-            assert slot.layout.value is not None
-            judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
-            if len(rows) and (self.emits or judged):
-                yield from self._slot(slot, buffer, at, rows, index, verdict)
-            self._measure(slot, buffer, at, size, counts, verdict)
+        last = self.record.fields[-1] if self.record.fields else None
+        for _, own_slots in groupby(self.slots, lambda slot: id(slot.field)):
+            for slot in own_slots:
+                field = slot.field
+                if field.count is None:
+                    items = np.maximum(counts[field.name], 0)
+                    rows, index = spread(items)
+                else:
+                    rows, index = np.flatnonzero(field.offset + field.size * field.count <= size), None
+                    blame(verdict, field.offset + field.size * field.count > size, INCOMPLETE)
+                assert slot.layout.value is not None
+                judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
+                if len(rows) and (self.emits or judged):
+                    yield from self._slot(slot, buffer, at, rows, index, verdict)
+                self._measure(slot, buffer, at, size, counts, verdict)
+            if slot.field is last:
+                self._end(size, counts, verdict)
+        self._end(size, counts, verdict)
+
+    def _end(self, size: Numbers, counts: dict[str, Numbers], verdict: npt.NDArray[np.int8]) -> None:
+        """Judges the size of bodies, when their last field has been read."""
         end = np.zeros(len(size), np.int64)
         for field in self.record.fields:
             room = size < field.offset + counts[field.name] * field.size

@@ -57,7 +57,7 @@ class FieldLists:
 
     containers: tuple[Any, Any]
     direction: str
-    moved: tuple[tuple[Any, Any, int, int], ...]
+    moved: tuple[tuple[Any, Any, str, str], ...]
     sizes: tuple[tuple[int, bool], tuple[int, bool]]
 
     @property
@@ -247,11 +247,14 @@ class _Side:
 class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
-    An offset is a run and a number of bytes: a frame has one run before its body, and one from there on.
+    An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
+    one up to a list that goes on to the end or that another field measures, and one behind it.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
-        body = next((at for at, item in enumerate(items) if isinstance(item, Part) and item.role == "body"), len(items))
+        ends = (_end_of_run(at, item) for at, item in enumerate(items))
+        body = next((at for at in ends if at is not None), len(items))
+        self.inner = items[body - 1].name if 0 < body < len(items) and isinstance(items[body], Field) else ""
         self.by_identity: dict[int, tuple[int, int]] = {}
         size, is_open = 0, False
         for run, run_items in enumerate((items[:body], items[body:])):
@@ -260,12 +263,24 @@ class _Offsets:
             size, is_open = size + offsets.size, is_open or offsets.is_open
         self.size = size, is_open
 
+    def text(self, item: Any) -> str:
+        """The offset of a field or a part: `4`, or `0 behind samples`."""
+        run, at = self.by_identity[id(item)]
+        return f"{at} behind {self.inner}" if run and self.inner else str(at)
+
+
+def _end_of_run(at: int, item: Any) -> int | None:
+    """Where the first run ends, if it does so at an item: before the body of a frame, and behind a list."""
+    if isinstance(item, Part):
+        return at if item.role == "body" else None
+    return at + 1 if isinstance(item, Field) and item.repeat is not None else None
+
 
 def _field_lists(
     pairs: Iterable[Pair[Any]], old: _Offsets, new: _Offsets, containers: tuple[Any, Any], direction: str
 ) -> FieldLists:
     moved = [
-        (pair.old, pair.new, old.by_identity[id(pair.old)][1], new.by_identity[id(pair.new)][1])
+        (pair.old, pair.new, old.text(pair.old), new.text(pair.new))
         for pair in pairs
         if old.by_identity[id(pair.old)] != new.by_identity[id(pair.new)] and not getattr(pair.new, "reserved", False)
     ]

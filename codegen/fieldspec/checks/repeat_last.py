@@ -1,11 +1,13 @@
-"""A field that repeats to the end of the data comes last, and its elements have a fixed size.
+"""A field that repeats comes last, and its elements have a fixed size. In a message, other fields of fixed size may
+come behind the only such field, if a field before it measures it.
 
-Why: only the end of the data gives the number of elements. Nothing can follow them, and elements of varying
-size cannot be separated.
+Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
+Elements of varying size cannot be separated.
 
-Example: a list of points with `repeat: 1..15` and a field after it.
+Example: a list of points with `repeat: 1..15` and a field after it, which nothing measures.
 
-Cure: State the number of elements as `count`, or list the fields in the order of the wire.
+Cure: State the number of elements as `count`, the field that counts them as `measures`, or list the fields in the order
+of the wire.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.record import Field, Message, Record
 from fieldspec.model.sizes import RecordSizes
 
 _CODE = "repeat_last"
@@ -23,15 +26,12 @@ _CODE = "repeat_last"
 
 def repeat_last(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
+    bodies = {id(body): message for message in device.messages.values() for body in (message.request, message.response)}
     for layer in layers(device):
         for field in layer.fields:
             if field.repeat is not None:
                 if field is not layer.fields[-1]:
-                    behind = layer.fields[-1]
-                    text = f"{field.name} repeats to the end of the data, but {behind.name} comes after it"
-                    help = "state its `count`, or list the fields in the order of the wire"
-                    there = label(behind.place, "name", "comes after it")
-                    yield finding(_CODE, field.place, "repeat", text, help, there)
+                    yield from _inner(layer, field, bodies.get(id(layer)))
                 if field.count is not None:
                     text = f"{field.name} has a `count` and a `repeat`"
                     yield finding(_CODE, field.place, "count", text, "remove one of them")
@@ -41,3 +41,35 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
                 help = "move the repeated field to the outer record"
                 there = label(inner.place, "fields", "its last field repeats")
                 yield finding(_CODE, field.place, "record", text, help, there)
+
+
+def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Diagnostic]:
+    """The findings of a list with fields behind it; `message` is the one of which the fields are the data."""
+    at = next(number for number, other in enumerate(layer.fields) if other is field)
+    behind = layer.fields[at + 1 :]
+    last = behind[-1]
+    counts = [other for other in layer.fields if other.measures is not None and other.measures.field == field.name]
+    if message is None:
+        text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
+        help = "state its `count`, or list the fields in the order of the wire"
+        yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
+        return
+    if not any(other in layer.fields[:at] for other in counts):
+        text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
+        help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
+        yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
+        return
+    for other in behind:
+        if other.repeat is not None or other.choice is not None:
+            key, what = ("repeat", "repeats") if other.repeat is not None else ("choice", "has several types")
+            text = f"{other.name} {what} behind {field.name}, which repeats too"
+            there = label(field.place, "repeat", "is counted by a field")
+            yield finding(_CODE, other.place, key, text, "state its `count`, or a message of its own", there)
+        for key in ("span", "word_span"):
+            if key in other.place:
+                text = f"{other.name} has no place of its own, as {field.name} before it repeats"
+                yield finding(_CODE, other.place, key, text, "remove it")
+    if message.accesses is not None:
+        text = f"{message.name} reads or writes registers, and {last.name} comes after {field.name}"
+        help = "list the repeated field last, or remove `accesses`"
+        yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))

@@ -90,13 +90,15 @@ class Redaction:
         record = decoded.body
         if record is None:
             return bytes(len(data))
+        inner = record.inner_list
+        data = data if inner is None else inner.image_of(data)
         result = bytearray(len(data))
         access = decoded.message.message.accesses if decoded.message is not None and not decoded.error else None
         values = {**asked, **decoded.values}
         if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
             values[_FIRST] = values.get(indexed.name)
         self._record(record, data, result, 0, values, access)
-        return bytes(result)
+        return bytes(result) if inner is None or len(data) < inner.fixed else inner.data_of(bytes(result))
 
     def _record(
         self,

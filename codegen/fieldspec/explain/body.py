@@ -11,6 +11,7 @@ from fieldspec.explain.registers import exponent_applied
 from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
 from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.values import Raw
 from fieldspec.layout.widths import extents, value_form
@@ -94,6 +95,9 @@ class Body:
         if self.record.spans:
             yield from self._varying_rows()
             return
+        if self.record.inner_list is not None:
+            yield from self._rows_around(self.record.inner_list)
+            return
         for number, field in enumerate(self.record.fields):
             if field.cases:
                 yield self._undecided(field, at)
@@ -103,10 +107,30 @@ class Body:
             yield from self._field(field, at, room)
             at += room * field.size
             if room < count:
-                yield self._missing(number, at)
+                yield self._missing(self.record.fields[number:], at)
                 return
         if at < self.end:
             yield surplus_row(self.spot, at, self.data[at : self.end])
+
+    def _rows_around(self, inner: InnerList) -> Iterator[ExplanationRow]:
+        """The rows of a record with fields behind a list, in the order of the wire."""
+        fields = self.record.sent_fields
+        is_whole = self.end - self.start >= inner.fixed
+        at = self.start
+        for number, field in enumerate(fields):
+            is_inner = field.name == inner.name
+            count = self._count(field)
+            stop = self.end - inner.behind if is_inner and is_whole else self.end
+            room = max(0, min(count, (stop - at) // field.size)) if not is_inner or is_whole else 0
+            yield from self._field(field, at, room)
+            at += room * field.size
+            if room < count or (is_inner and not is_whole):
+                yield self._missing(fields[number:] if not is_whole else (field,), at, stop)
+                if not is_whole:
+                    return
+            elif is_inner and at < stop:
+                yield surplus_row(self.spot, at, self.data[at:stop])
+            at = stop if is_inner else at
 
     def _varying_rows(self) -> Iterator[ExplanationRow]:
         """The rows of a record whose values vary in width."""
@@ -136,30 +160,30 @@ class Body:
         room = (self.end - self.start - field.offset) // field.size
         return min(max(room, repeat.low), repeat.high)
 
-    def _missing(self, number: int, at: int) -> ExplanationRow:
-        """The row of the place where the body ends too early."""
-        field = self.record.fields[number]
+    def _missing(self, fields: tuple[FieldLayout, ...], at: int, stop: int | None = None) -> ExplanationRow:
+        """The row of the place where the body, or the bytes up to `stop`, are not enough for fields."""
         missing = self.record.least - (self.end - self.start)
-        later = ", ".join(other.name for other in self.record.fields[number:])
+        later = ", ".join(other.name for other in fields)
         text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {later}"
-        return self._wrong(field, at, "incomplete", text)
+        return self._wrong(fields[0], at, "incomplete", text, stop)
 
     def _undecided(self, field: FieldLayout, at: int) -> ExplanationRow:
         """The row of a field whose type is open, because the field that decides it has a value without a case."""
         size, by = self.end - self.start, self.record.selector
         assert by is not None
         if size < self.record.least:
-            return self._missing(len(self.record.fields) - 1, at)
+            return self._missing(self.record.fields[-1:], at)
         long = self.record.most is not None and size > self.record.most
         reason, text = "unknown_value", f"{by.name} {self.values[by.name]!r} does not decide the type of {field.name}"
         if long:
             reason, text = "wrong_length", f"{text}, which is {size - (self.record.most or 0)} bytes too long"
         return self._wrong(field, at, reason, text)
 
-    def _wrong(self, field: FieldLayout, at: int, reason: str, text: str) -> ExplanationRow:
-        """The row of the rest of the body, where a field is expected."""
+    def _wrong(self, field: FieldLayout, at: int, reason: str, text: str, stop: int | None = None) -> ExplanationRow:
+        """The row of the rest of the body, or of the bytes up to `stop`, where a field is expected."""
         path = field.field.place.path
-        row = wrong_row(self.spot, at, self.data[at : self.end], reason, text, field.name, path)
+        data = self.data[at : self.end if stop is None else stop]
+        row = wrong_row(self.spot, at, data, reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[ExplanationRow]:
@@ -206,7 +230,9 @@ class Body:
         exponent = record.named(field.value.scale_by) if field.value.scale_by and not record.spans else None
         if exponent is None or exponent.value is None:
             return field.value
-        at = start + exponent.offset
+        inner = record.inner_list
+        offset = exponent.offset if inner is None else inner.place_in_data(self.end - self.start, exponent.offset)
+        at = start + offset
         if at + exponent.size > self.end:
             return field.value
         number = number_of(exponent.value, self.data[at : at + exponent.size], exponent.order, exponent.swapped)

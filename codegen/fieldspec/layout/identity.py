@@ -126,6 +126,8 @@ def _span(part: PartLayout) -> Iterator[Words]:
 
 def _record(record: RecordLayout) -> Iterator[Words]:
     yield "record", record.name
+    if record.inner_list is not None:
+        yield "inner list", record.inner_list.first, record.inner_list.behind
     for field in record.fields:
         yield from _field(field)
 

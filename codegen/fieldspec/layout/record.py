@@ -7,6 +7,7 @@ from itertools import takewhile
 
 from fieldspec import classes
 from fieldspec.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.widths import Span
 from fieldspec.model.enums import Enum
 from fieldspec.model.record import Case, Choice, Field, Record
@@ -82,6 +83,7 @@ class RecordLayout:
     `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
     type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
     `spans` are those of all fields where some vary in width; offsets and sizes of fields are then those in the image.
+    `inner_list` is a list with fields behind it. In `fields` it comes last, and offsets are those in its image too.
     """
 
     record: Record
@@ -93,12 +95,25 @@ class RecordLayout:
     selector: FieldLayout | None = None
     chosen: Mapping[int, RecordLayout] = classes.field(default_factory=dict)
     spans: tuple[Span, ...] = ()
+    inner_list: InnerList | None = None
 
     @property
     def image(self) -> RecordLayout:
-        """The record as codecs have it where fields vary in width: each has all the bytes that it may have."""
+        """The record as codecs have it.
+
+        Each field that varies in width has all the bytes that it may have, and a list with fields behind it comes last.
+        """
         size = sum(span.size for span in self.spans)
-        return replace(self, spans=(), size=size, least=size, most=size) if self.spans else self
+        image = replace(self, spans=(), size=size, least=size, most=size) if self.spans else self
+        return replace(image, inner_list=None) if self.inner_list is not None else image
+
+    @property
+    def sent_fields(self) -> tuple[FieldLayout, ...]:
+        """The fields in the order of the wire."""
+        if self.inner_list is None:
+            return self.fields
+        before = [field for field in self.fields[:-1] if field.offset < self.inner_list.first]
+        return (*before, self.fields[-1], *self.fields[len(before) : -1])
 
     @property
     def first_bytes(self) -> int:
@@ -106,7 +121,9 @@ class RecordLayout:
         return sum(span.size for span in takewhile(lambda span: span.value is None, self.spans))
 
     def has_place(self, field: FieldLayout) -> bool:
-        """Whether a field begins at the same byte in all data: none before it varies in width."""
+        """Whether the offset of a field is its place in all data: nothing before it varies, nor is it moved."""
+        if self.inner_list is not None:
+            return field.offset < self.inner_list.first
         at = next((other.offset for other in self.fields if other.value is not None and other.value.width), None)
         return at is None or field.offset <= at
 
@@ -205,13 +222,15 @@ def _fixed(
     at = 0
     fields = []
     repeated: FieldLayout | None = None
-    for field in record.fields:
-        inner = records[field.record] if field.record else None
-        size = field.value.size if field.value else (inner.size or 0) if inner else 0
+    inner = next((field for field in record.fields[:-1] if field.repeat is not None), None)
+    in_image = (*(field for field in record.fields if field is not inner), inner) if inner else record.fields
+    for field in in_image:
+        nested = records[field.record] if field.record else None
+        size = field.value.size if field.value else (nested.size or 0) if nested else 0
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
         sizes = _sizes(record, field, enums)
-        field_layout = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped, sizes=sizes)
+        field_layout = FieldLayout(field, field.name, at, size, count, field.value, nested, order, swapped, sizes=sizes)
         fields.append(field_layout)
         if count is None:
             repeated = field_layout
@@ -224,7 +243,16 @@ def _fixed(
     repeat = repeated.field.repeat
     assert repeat is not None
     most = at + repeat.high * repeated.size
-    return RecordLayout(record, record.name, tuple(fields), None, at + repeat.low * repeated.size, most)
+    least = at + repeat.low * repeated.size
+    inner_list = _inner_list(record, inner, tuple(fields)) if inner is not None else None
+    return RecordLayout(record, record.name, tuple(fields), None, least, most, inner_list=inner_list)
+
+
+def _inner_list(record: Record, field: Field, fields: tuple[FieldLayout, ...]) -> InnerList:
+    """Where a list with fields behind it begins, and how many bytes follow it."""
+    fixed, number = fields[-1].offset, record.fields.index(field)
+    first = fields[number].offset
+    return InnerList(field.name, first, fixed - first)
 
 
 def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:

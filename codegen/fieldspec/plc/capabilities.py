@@ -30,6 +30,7 @@ CONSTRUCTS = {
     "bit_numbers": "fields of several bits with a sign or a scale",
     "records": "records, and records in records",
     "lists": "lists with a fixed number of elements",
+    "inner_lists": "lists of free length with fields behind them",
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
     "bits": "registers of single bits",
@@ -83,6 +84,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
         capabilities["odd_numbers"] = lossy("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
     capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
+    capabilities["inner_lists"] = refused("there are no functions that find what is behind them: plc_lists_last")
     capabilities["formed_texts"] = refused("there are no functions that convert them: plc_texts_ascii")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")

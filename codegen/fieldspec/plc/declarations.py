@@ -9,6 +9,7 @@ from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
@@ -84,6 +85,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     if binary_findings or any(signal.value.digits for signal in layout.device.signals.values()):
         narrowed_layout, _ = narrowed(without_digits(supported), dialect)
     findings += [*absent_reals(with_spaces, dialect), *binary_findings, *moving_findings]
+    findings += inner_list_refusals([with_spaces], dialect.title, for_controllers=True)
     findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]
     declaring = _Declaring(narrowed_layout, dialect, findings)
     enums = tuple(declaring.enums())

@@ -86,6 +86,15 @@ Example: a field with `type: text, length: 8, padding: space`.
 
 Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
 """,
+    "plc_lists_last": """A list of free length comes last in its message.
+
+Why: behind such a list, the place of a field differs from frame to frame, and the functions of controllers have one
+place for each field.
+
+Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
+
+Cure: Exclude the output for the device (`--to`).
+""",
     "plc_addresses_constant": """Every record table begins at a constant address.
 
 Why: the functions of controllers have the addresses of all elements as constants, which are wrong where a register of

@@ -8,6 +8,7 @@ from typing import Any
 
 import construct
 
+from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
@@ -32,21 +33,24 @@ class CodecError(ValueError):
 
 Values = dict[str, Any]
 
-_NUMBERS = {
-    ("u", 1): "Int8u",
-    ("i", 1): "Int8s",
-    ("u", 2): "Int16u",
-    ("i", 2): "Int16s",
-    ("u", 4): "Int32u",
-    ("i", 4): "Int32s",
-    ("u", 8): "Int64u",
-    ("i", 8): "Int64s",
-}
-
 
 def record_struct(record: RecordLayout) -> construct.Struct:
     """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
-    return construct.Struct(*(field.name / _construct(field) for field in record.fields))
+    inner = record.inner_list.name if record.inner_list is not None else ""
+    return construct.Struct(
+        *(
+            field.name / (_inner_list(record, field) if field.name == inner else _construct(field))
+            for field in record.sent_fields
+        )
+    )
+
+
+def _inner_list(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    """A list with fields behind it: as many elements as another field says."""
+    measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
+    name = next(other.name for other in record.fields if other.field.measures is measure)
+    unit = field.size if measure.of == "bytes" else 1
+    return construct.Array(lambda context: context[name] // unit, _element(field))
 
 
 def _construct(field: FieldLayout) -> construct.Construct:
@@ -84,7 +88,7 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
     elif value.type.is_odd:
         number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
     else:
-        number = getattr(construct, _NUMBERS["i" if value.type.signed else "u", size] + suffix)
+        number = getattr(construct, f"Int{8 * size}{'s' if value.type.signed else 'u'}{suffix}")
     if swapped:
         # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
         return construct.Transformed(number, _words_turned, size, _words_turned, size)
@@ -141,6 +145,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         record = chosen
     if record.spans:
         return _decoded_image(record, data, device, offset)
+    if record.inner_list is not None:
+        return _decoded_inner_list(record, record.inner_list, data, device, offset)
     _check_length(record, len(data), offset)
     parsed = record_struct(record).parse(data)
     values: Values = {}
@@ -160,6 +166,16 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
         return decoded(record.image, image, device)
     except CodecError as error:
         at = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
+        raise CodecError(error.reason, error.detail, at) from None
+
+
+def _decoded_inner_list(record: RecordLayout, inner: InnerList, data: bytes, device: Device, offset: int) -> Values:
+    """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
+    try:
+        values = decoded(record.image, inner.image_of(data), device)
+        return {field.name: values[field.name] for field in record.sent_fields}
+    except CodecError as error:
+        at = None if error.offset is None else offset + inner.place_in_data(len(data), error.offset)
         raise CodecError(error.reason, error.detail, at) from None
 
 
@@ -275,7 +291,9 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         measured = _measured(record, field, raw)
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
-    data: bytes = record_struct(record).build(raw)
+    data: bytes = record_struct(record.image).build(raw)
+    if record.inner_list is not None:
+        return record.inner_list.data_of(data)
     if not record.spans:
         return data
     try:

@@ -48,6 +48,7 @@ from fieldspec.backends.c.fields import (
     switch_cases,
     walk_elements,
 )
+from fieldspec.backends.c.inner_lists import decode_inner_list, encode_inner_list
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.packing import check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.backends.c.statements import (
@@ -98,16 +99,20 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
         declarations += [BLANK, *declare_packing(naming, record, checks)]
     writing = comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written.")
     reading = comment(f"Reads {name} from exactly {size}.")
-    if varying.spans:
-        about_image = "in which each value has all the bytes that it may have"
+    inner = varying.inner_list
+    if varying.spans or inner is not None:
+        last = "the list comes last"
+        about_image = f"in which {last if inner is not None else 'each value has all the bytes that it may have'}"
+        encode = encode_widths(naming, varying) if inner is None else encode_inner_list(naming, varying, inner)
+        decode = decode_widths(naming, varying) if inner is None else decode_inner_list(naming, varying, inner)
         return [
             *declarations,
             *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
             _encode_function(naming, device, record, bool(checks), "encode_image"),
-            *(BLANK, writing, encode_widths(naming, varying)),
+            *(BLANK, writing, encode),
             *(BLANK, comment(f"Reads the image of {name}, {about_image}.")),
             _decode_function(naming, device, record, "decode_image"),
-            *(BLANK, reading, decode_widths(naming, varying)),
+            *(BLANK, reading, decode),
         ]
     return [
         *declarations,

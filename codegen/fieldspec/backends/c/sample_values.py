@@ -149,6 +149,8 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
             data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
+    if record.inner_list is not None:
+        return record.inner_list.data_of(data)
     return data_of(record.spans, data) if record.spans else data
 
 

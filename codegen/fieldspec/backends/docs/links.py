@@ -22,7 +22,7 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.link_settings import address_facts, serial_facts
-from fieldspec.backends.docs.positions import Position, varying_starts
+from fieldspec.backends.docs.positions import Position, field_starts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import replace
@@ -154,8 +154,7 @@ class FrameTable:
 
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
-            starts = varying_starts(record) if record.spans else [Position(0)] * len(record.fields)
-            for field, start in zip(record.fields, starts, strict=True):
+            for field, start in zip(record.sent_fields, field_starts(record), strict=True):
                 yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")

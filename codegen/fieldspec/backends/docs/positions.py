@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
+from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import RecordLayout
 
 
@@ -31,7 +32,25 @@ class Position:
         return f"({first}..{last}){steps}" if steps else f"{first}..{last}"
 
 
-def varying_starts(record: RecordLayout) -> list[Position]:
+def field_starts(record: RecordLayout) -> list[Position]:
+    """Where each field of a record, in the order of the wire, begins, less its offset."""
+    if record.inner_list is not None:
+        return _starts_around(record, record.inner_list)
+    return _varying_starts(record) if record.spans else [Position(0)] * len(record.fields)
+
+
+def _starts_around(record: RecordLayout, inner: InnerList) -> list[Position]:
+    """Where each field of a record begins with fields behind a list: `4 + 2 times number of samples`."""
+    size, number = record.fields[-1].size, f"number of {inner.name}"
+    before, behind = Position(0), Position(0).stepped(size, f" times {number}" if size > 1 else number)
+    starts = []
+    for field in record.sent_fields:
+        own = before if field.offset < inner.first else behind
+        starts.append(before.shifted(-inner.behind) if field.name == inner.name else own)
+    return starts
+
+
+def _varying_starts(record: RecordLayout) -> list[Position]:
     """Where each field of a record begins whose values vary in width, less its offset: `3 + length of weight`."""
     starts = []
     position = Position(0)

@@ -349,7 +349,10 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
     measures = [
         field
         for field in record.fields
-        if field.field.measures is not None and field.field.measures.field == tail.name and field.size <= 4
+        if field.field.measures is not None
+        and field.field.measures.field == tail.name
+        and field.size <= 4
+        and record.has_place(field)
     ]
     if not measures or tail.cases or measures[0].field.measures is None:
         return "{ length: 0, size: -1 }"

@@ -47,6 +47,7 @@ IMPORTS = {
         "textOf",
         "within",
     ),
+    "lists": ("placeList", "readAround"),
     "widths": ("narrowedImage", "readImage"),
 }
 """The helpers of the runtime by module."""

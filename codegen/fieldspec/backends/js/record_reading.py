@@ -20,9 +20,11 @@ def read_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
 def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The function of a record that looks at the size, reads the fields, and compares what measures other fields."""
     lines = [f"checkSize({literal(record.name)}, {record.least}, {most_bytes(record)}, o, end);"]
-    if record.spans:
-        lines = [f"return readImage(widths{name}, image{name}, b, o, end);"]
-        image = ["  " + line for line in _measured_read(record.image, f"read{name}", names)]
+    if record.spans or record.inner_list is not None:
+        measured = _measured_read(record.image, f"read{name}", names)
+        image = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
+        around = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
+        lines = [f"return {around}, image{name}, b, o, end);"]
         return [
             *(f"function image{name}(b, o, end) {{", *image, "}"),
             *(f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"),

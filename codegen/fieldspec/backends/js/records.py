@@ -22,8 +22,10 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
     """The codec of a record, `name`, and the interface of its values; `head` begins its documentation."""
     members = [member for member in members_of(record) if member.key]
     units = {member.key: unit for member in members if (unit := _unit(record, member.field, names)) is not None}
+    inner = record.inner_list
     code = [
         *width_table(record, name),
+        *([f"const inner{name} = {{ first: {inner.first}, behind: {inner.behind} }};"] if inner is not None else []),
         *read_functions(record, name, names),
         *write_functions(record, name, names),
         *checked_read(record, name, names),

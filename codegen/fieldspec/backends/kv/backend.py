@@ -12,6 +12,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.names import stem
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, lossy, refused
@@ -42,8 +43,10 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Values that are sent as digits and texts in a form of their own, which instructions do not convert."""
-    return [*character_refusals(versions, "a word map"), *base_refusals(versions, "a word map")]
+    """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
+    reader = "a word map"
+    inner_lists = inner_list_refusals(versions, reader)
+    return [*character_refusals(versions, reader), *base_refusals(versions, reader), *inner_lists]
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
@@ -88,6 +91,7 @@ _NOT_EXACT = {
     "powers": lossy(_TABLE),
     "conversions": refused("are formulas, which a map of words has not"),
     "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
+    "inner_lists": refused("the words behind them have no place of their own: output_lists_last"),
     "formed_texts": refused("instructions copy their bytes: output_texts_ascii"),
     "ranges": lossy(_TABLE),
     "constants": lossy(_TABLE),

@@ -42,6 +42,7 @@ RUNTIME = (
     "_flags",
     "_framers",
     "_frames",
+    "_inner_lists",
     "_parameters",
     "_part_frames",
     "_quantities",

@@ -70,8 +70,10 @@ def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchan
 def initial_bytes(record: RecordLayout) -> bytes:
     """The bytes of a request in which everything is 0 but constants and initial values.
 
-    Raises NoTask for a number whose words are exchanged, or that is sent as digits.
+    Raises NoTask for a number whose words are exchanged or that is sent as digits, and for fields behind a list.
     """
+    if record.inner_list is not None:
+        raise NoTask(f"fields come behind {record.inner_list.name}, which repeats")
     data = bytearray(record.size or 0)
     for field in record.fields:
         value = field.value

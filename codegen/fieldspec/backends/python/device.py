@@ -122,7 +122,7 @@ def _class(name: str, kind: str, scope: Scope) -> str:
 
 def _record(layout: DeviceLayout, name: str, words: Words) -> RecordView:
     shaped = shape(layout.records[name], words, RECORD)
-    doc = record_doc(shaped.record, shaped.stored, Name.of(name).title())
+    doc = record_doc(shaped.record, shaped.in_sent_order, Name.of(name).title())
     return _viewed(shaped, words.records[name], doc)
 
 
@@ -160,7 +160,7 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
         names = {link.direction_name(direction) for link in carrying} - {direction}
         named = f"the {direction} ({', '.join(sorted(names))})" if names else f"the {direction}"
         more = " ".join(text for text in (code, number, group, beside, quiet, sentence(message.doc)) if text)
-        doc = record_doc(shaped.record, shaped.stored, f"{title}: {named}", more)
+        doc = record_doc(shaped.record, shaped.in_sent_order, f"{title}: {named}", more)
         directions = [link.request if direction == "request" else link.response for link in links]
         frames = [view for side in directions if side for view in side.exchanges if view.message == name]
         views.append(

@@ -381,7 +381,7 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
     tail = record.fields[-1]
     if record.spans and frame.end:
         return around + record.first_bytes, 0, -2, 0
-    measures = [field for field in record.fields if _measures(field, tail, frame)]
+    measures = [field for field in record.fields if record.has_place(field) and _measures(field, tail, frame)]
     measure = min(measures, key=lambda field: field.size, default=None)  # one byte is read faster than two
     if measure is None or measure.field.measures is None or tail.cases or record.spans:
         return 0, 0, -1, 0

@@ -80,6 +80,12 @@ class RecordShape:
         """The fields that are attributes."""
         return [field for field in self.fields if field.stored]
 
+    @property
+    def in_sent_order(self) -> list[Slots]:
+        """The same in the order of the wire."""
+        by_name = {field.title: field for field in self.stored}
+        return [by_name[field.name] for field in self.record.sent_fields if field.name in by_name]
+
 
 @dataclass(frozen=True, slots=True)
 class RecordView:
@@ -102,7 +108,7 @@ class RecordView:
     match_args: list[str]
     constructor: ConstructorView
     size: int | None
-    widths: str = ""
+    image: str = ""
     columns: tuple[str, ...] = ()
 
 
@@ -118,7 +124,7 @@ def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> Recor
 
 def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     """The view of a record's class."""
-    record, stored = shaped.record, shaped.stored
+    record, stored = shaped.record, shaped.in_sent_order
     upper = "_" + "".join(f"_{char}" if char.isupper() else char for char in name).strip("_").upper()
     binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT")
     names = [field.name for field in stored]
@@ -149,7 +155,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         match_args=_quoted("__match_args__", names),
         constructor=constructor_view(stored, scaled),
         size=record.size,
-        widths=f"{upper}_WIDTHS" if record.spans else "",
+        image=f"{upper}_WIDTHS" if record.spans else f"{upper}_LIST" if record.inner_list is not None else "",
     )
 
 
@@ -158,7 +164,9 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
     if shaped.selector is not None:
         return choice_lines(f"{upper}_STRUCT", shaped.record, shaped.fields, letters, shaped.order)
     if shaped.tail is not None:
-        return [f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
+        repeated = f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"
+        inner = shaped.record.inner_list
+        return [repeated, *([f"{upper}_LIST = _InnerList({inner.first}, {inner.behind})"] if inner is not None else [])]
     packing = filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
     return [*packing, *_widths(shaped.record, upper)]
 

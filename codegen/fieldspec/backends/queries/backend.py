@@ -10,6 +10,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.names import stem
 
 
@@ -19,8 +20,10 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Values that are sent as digits and texts in a form of their own, which the queries do not convert."""
-    return [*character_refusals(versions, "a query"), *base_refusals(versions, "a query")]
+    """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
+    reader = "a query"
+    inner_lists = inner_list_refusals(versions, reader)
+    return [*character_refusals(versions, reader), *base_refusals(versions, reader), *inner_lists]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

@@ -16,6 +16,7 @@ from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.names import Name, stem
 
 RUNTIME = ("numbers", "checksums", "values", "registers", "parameters", "records", "frames", "streams", "start")
@@ -71,7 +72,12 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         )
         for name, link in links.items()
         if link.escape is not None
-    ] + [*unread, *character_refusals(versions, "the dissector"), *base_refusals(versions, "the dissector")]
+    ] + [
+        *unread,
+        *character_refusals(versions, "the dissector"),
+        *base_refusals(versions, "the dissector"),
+        *inner_list_refusals(versions, "the dissector"),
+    ]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

@@ -14,6 +14,7 @@ from fieldspec.model.record import RegisterAccess
 
 def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
     """A record; `chosen` has its forms by the values of the field that decides them. `words` is the order of words."""
+    inner = record.inner_list
     forms: dict[int, tuple[RecordLayout, list[int]]] = {}
     for number, form in record.chosen.items():
         forms.setdefault(id(form), (form, []))[1].append(number)
@@ -23,6 +24,7 @@ def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
         **stated({"most": record.most, "size": record.size}),
         "fields": [_field(field, words) for field in record.fields],
         **stated({"spans": [_span(span) for span in record.spans]}),
+        **({"inner": {"first": inner.first, "behind": inner.behind}} if inner is not None else {}),
         **stated(
             {
                 "selector": record.selector.name if record.selector is not None else "",

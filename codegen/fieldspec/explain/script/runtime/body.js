@@ -1,3 +1,4 @@
+import { placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
@@ -39,6 +40,10 @@ export class ExplainedBody {
       this.explainVarying();
       return;
     }
+    if (this.record.inner) {
+      this.explainAround();
+      return;
+    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
         this.rows.push(this.undecidedRow(field, at));
@@ -49,11 +54,34 @@ export class ExplainedBody {
       this.explainField(field, at, room);
       at += room * field.size;
       if (room < count) {
-        this.rows.push(this.missingRow(number, at));
+        this.rows.push(this.missingRow(this.record.fields.slice(number), at));
         return;
       }
     }
     if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Adds the rows of a record with fields behind a list, in the order of the wire. */
+  explainAround() {
+    const { fields, inner } = this.record;
+    const list = fields.at(-1);
+    const before = fields.slice(0, -1).filter(({ offset }) => offset < inner.first);
+    const sent = [...before, list, ...fields.slice(before.length, -1)];
+    const isWhole = this.end - this.start >= inner.first + inner.behind;
+    let at = this.start;
+    for (const [number, field] of sent.entries()) {
+      const isInner = field === list;
+      const count = this.countOf(field);
+      const stop = isInner && isWhole ? this.end - inner.behind : this.end;
+      const room = isInner && !isWhole ? 0 : Math.max(0, Math.min(count, Math.floor((stop - at) / field.size)));
+      this.explainField(field, at, room);
+      at += room * field.size;
+      if (room < count || (isInner && !isWhole)) {
+        this.rows.push(this.missingRow(isWhole ? [field] : sent.slice(number), at, stop));
+        if (!isWhole) return;
+      } else if (isInner && at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      if (isInner) at = stop;
+    }
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -83,27 +111,27 @@ export class ExplainedBody {
     return Math.min(Math.max(Math.floor((this.end - this.start - field.offset) / field.size), low), high);
   }
 
-  /** The row of the place where the body ends too early. */
-  missingRow(number, at) {
+  /** The row of the place where the body, or the bytes up to `stop`, are not enough for fields. */
+  missingRow(fields, at, stop = this.end) {
     const missing = this.record.least - (this.end - this.start);
-    const later = this.record.fields.slice(number).map(({ name }) => name).join(", ");
+    const later = fields.map(({ name }) => name).join(", ");
     const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${later}`;
-    return this.wrongRow(this.record.fields[number], at, "incomplete", text);
+    return this.wrongRow(fields[0], at, "incomplete", text, stop);
   }
 
   /** The row of a field whose type is open, because the field that decides it has a value without a case. */
   undecidedRow(field, at) {
     const size = this.end - this.start;
     const { least, most, selector } = this.record;
-    if (size < least) return this.missingRow(this.record.fields.length - 1, at);
+    if (size < least) return this.missingRow(this.record.fields.slice(-1), at);
     const text = `${selector} ${valueText(this.values.get(selector))} does not decide the type of ${field.name}`;
     if (most === undefined || size <= most) return this.wrongRow(field, at, "unknown_value", text);
     return this.wrongRow(field, at, "wrong_length", `${text}, which is ${size - most} bytes too long`);
   }
 
-  /** The row of the rest of the body, where a field is expected. */
-  wrongRow(field, at, reason, text) {
-    const row = wrongRow(this.spot, at, this.data.subarray(at, this.end), reason, text, field.name, field.path);
+  /** The row of the rest of the body, or of the bytes up to `stop`, where a field is expected. */
+  wrongRow(field, at, reason, text, stop = this.end) {
+    const row = wrongRow(this.spot, at, this.data.subarray(at, stop), reason, text, field.name, field.path);
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
@@ -142,7 +170,8 @@ export class ExplainedBody {
   /** The value of a field of a record, with its scale where another field beside it has the exponent. */
   byExponent({ value }, record, start) {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
-    const at = start + (exponent?.offset ?? 0);
+    const place = exponent?.offset ?? 0;
+    const at = start + (record.inner ? placeAround(record.inner, this.end - this.start, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }

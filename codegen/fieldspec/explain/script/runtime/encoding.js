@@ -1,5 +1,6 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
+import { placeList } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
@@ -105,6 +106,7 @@ export function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  if (form.inner) placeList(form.inner, bytes, 0, bytes.length);
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 
