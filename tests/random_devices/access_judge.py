@@ -163,8 +163,11 @@ class Access(Python):
         )
         powers = [(power,) for ends in intervals for power in ends] or [()]
         counts = (raw, *(sentinel.value for sentinel in value.sentinels))
+        holder = self._holder(query)
+        if getattr(holder, "subindices", ()) and holder.subindex(0) is not None:
+            return  # its quantities are those of its elements
         for count, power in product(counts, powers):
-            quantity = self._holder(query).in_unit(count, *power)
+            quantity = holder.in_unit(count, *power)
             own = value.scaled_by(*power) if power else value
             exact = None if value.sentinel(count) is not None else float(own.in_unit(count))
             same = quantity == exact or (

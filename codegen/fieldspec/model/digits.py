@@ -49,8 +49,8 @@ def digit_bounds(value: Value) -> tuple[int, int]:
         return (-(high + 1) // 2, high // 2) if value.type.signed else (0, high)
     high = 10**count - 1
     if value.width:
-        # The sign is sent below zero only, and takes the place of a digit.
-        return (1 - 10 ** max(count - 1, 0) if has_sign(value) else 0), high
+        # The sign is sent below zero only, and takes the place of a digit; one stands before a point.
+        return (1 - 10 ** (count - 1) if has_sign(value) and count - 1 > value.places else 0), high
     return (-high if has_sign(value) else 0), high
 
 
