@@ -55,6 +55,8 @@ _STATED = (
     "restart",
 )
 _stated = itemgetter(*_STATED)
+_RENAMED = {"kind=unit_address": "kind=station", "name=unit_addresses": "name=stations"}
+"""What facts were called when sections were reviewed: another word for the kind of a fact does not change it."""
 _SIZE = 4
 _DAY = re.compile("([0-9]{4})-([0-9]{2})-([0-9]{2})")
 
@@ -156,7 +158,8 @@ def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
 def _fact_text(row: FactRow) -> str:
     """The text of a fact that is hashed."""
     cells = zip(_STATED, _stated(row), strict=True)
-    return "\x1f".join([f"{key}={cell}" for key, cell in cells if cell is not None and cell != []])
+    texts = [f"{key}={cell}" for key, cell in cells if cell is not None and cell != []]
+    return "\x1f".join([_RENAMED.get(text, text) for text in texts])
 
 
 def _digest(fact_text: str) -> str:
