@@ -56,6 +56,9 @@ class Command:
                 fits = carries(value, kind.size) if value.carries_bytes else kind.size == value.size
                 if not kind.type.low <= raw <= kind.type.high or not fits or raw < 0:
                     continue
+                field_type = value.value.type if value.value is not None else kind.type
+                if not value.carries_bytes and not field_type.low <= raw <= field_type.high:
+                    continue  # the field has the number with the same bits, below zero
                 allowed = raw in ranges or kind.sentinel(raw) is not None
                 head = header_values(self.layout, link.name, link.request, random.Random(2))
                 pairs = {**head, number.name: parameter_set.base + parameter.number, value.name: raw}
