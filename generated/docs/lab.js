@@ -915,9 +915,11 @@ function codeText(link, direction, message) {
   if (message.code === undefined) return "no code";
   const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
   const shared = link.subcodes[direction].get(message.code);
-  if (!shared) return digits(message.code, 1);
+  const part = link[direction].code;
+  const own = part?.value.digits ? latinOf(digitsBytes(part.value, message.code)).toUpperCase() : digits(message.code, 1);
+  if (!shared) return own;
   const [number] = shared.messages.find(([, name]) => name === message.name);
-  return `${digits(message.code, 1)} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
+  return `${own} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
@@ -2237,7 +2239,7 @@ class ExplainedFrame {
       checks = checks.filter(({ escaped }) => !escaped);
     }
     if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
-    const number = Number(wholeOf(data.subarray(length.offset, length.offset + length.size), length.order, false));
+    const number = Number(numberOf(length, data));
     const stated = number * (length.unitSize ?? 1) + (length.base ?? 0);
     const early = this.shape.headerSize + this.shape.trailerSize <= stated && stated < data.length;
     const isRight = (bytes) => checks.every((check) => {
@@ -2271,7 +2273,7 @@ class ExplainedFrame {
   partValue(part, raw) {
     if (part.role === "checksum") return this.checkedValue(part, raw);
     const read = decodeValue(this.device, part.value, raw, part.order ?? "big", false, part.reserved);
-    if (part.reserved) return read;
+    if (part.reserved || !isWhole(read.number)) return read;
     if (part.role === "length") return this.judgedLength(part, read);
     if (part.offset < 0) return read;
     this.values.set(part.name, read.number);
@@ -2332,8 +2334,7 @@ class ExplainedFrame {
 
   /** The number of a part before the body, as far as the bytes reach. */
   partNumber(name) {
-    const { offset, size, order, value } = this.shape.header.find((part) => part.name === name);
-    return wholeOf(this.data.subarray(offset, offset + size), order === "little" ? "little" : "big", value.signed);
+    return numberOf(this.shape.header.find((part) => part.name === name), this.data);
   }
 
   addressValue(read) {
@@ -2397,6 +2398,13 @@ class ExplainedFrame {
     }
     return rows;
   }
+}
+
+/** The number of a part before the body, as far as the bytes reach; NaN for what are not its digits. */
+function numberOf({ offset, size, order, value }, data) {
+  const bytes = data.subarray(offset, offset + size);
+  if (value.digits) return (bytes.length === size ? digitsNumber(value, bytes) : undefined) ?? NaN;
+  return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
 /** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
@@ -3356,7 +3364,8 @@ function sentBytes(shape, data) {
 }
 
 function partBytes(part, number) {
-  return number instanceof Uint8Array ? number : bytesOfNumber(number, part.size, part.order ?? "big");
+  if (number instanceof Uint8Array) return number;
+  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big");
 }
 
 function partNumber(link, direction, part, values, message, error) {

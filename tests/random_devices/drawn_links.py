@@ -50,12 +50,20 @@ def _mark(draft: Draft, response: list[Spec], is_coded: bool) -> Spec:
     numbers = [part for part in before if "role" not in part and not bound & set(part)]
     if numbers and draft.chance(70):
         part = draft.pick(numbers)
-        low, high = bounds(part["type"])
+        low, high = _limits(part)
         normal = draft.intervals(low + 1, high, 2)
         return {"part": part["name"], "normal": range_text(normal)}
     if not is_coded:
         return {}
-    return {"code": highest + draft.number(0, 9)} if draft.chance(30) else {"flag": highest}
+    decimal = any(part.get("role") == "code" and part.get("digits") == "decimal" for part in response)
+    return {"code": highest + draft.number(0, 9)} if draft.chance(30) or decimal else {"flag": highest}
+
+
+def _limits(part: Spec) -> tuple[int, int]:
+    """The least and the greatest number of a part: those of its type, or of its digits."""
+    if "digits" not in part:
+        return bounds(part["type"])
+    return 0, (10 if part["digits"] == "decimal" else 16) ** part["length"] - 1
 
 
 def _delimiters(draft: Draft) -> Spec:
@@ -71,15 +79,15 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     if coded and draft.chance(25):
         return _usual(draft, kind)
     if coded:
-        before.append(_part(draft, "code", type=kind))
+        before.append(_part(draft, "code", **_number(draft, kind, (1 << draft.code_bits) - 1)))
     if draft.chance(45):
-        before.append(_part(draft, "unit_address", type=draft.pick(("u8", "u8", "u16"))))
+        before.append(_part(draft, "unit_address", **_number(draft, draft.pick(("u8", "u8", "u16")), 99)))
     before += [_argument(draft) for _ in range(draft.number(0, 2))]
     for _ in range(draft.number(0, 2)):
         (before if draft.chance(50) else behind).append(_constant(draft))
     counts = draft.chance(45)
     if counts:
-        before.append(_part(draft, "length", type=draft.pick(("u16", "u8", "u32"))))
+        before.append(_part(draft, "length", **_number(draft, draft.pick(("u16", "u8", "u32")), 999)))
     if draft.chance(70):
         for _ in range(draft.pick((1, 1, 1, 1, 2))):
             (before if draft.chance(15) else behind).append(_checksum(draft))
@@ -92,6 +100,19 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
         if part["role"] == "checksum" and (draft.chance(40) or at < middle):
             part["covers"] = _covers(draft, names, at)
     return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]
+
+
+def _number(draft: Draft, kind: str, least: int) -> Spec:
+    """The type of a part, or the digits that it is sent as, which mostly have all numbers up to one."""
+    if not draft.chance(20):
+        return {"type": kind}
+    form = draft.pick(("decimal", "upper_hex", "lower_hex"))
+    base = 10 if form == "decimal" else 16
+    length = draft.number(1, 3)
+    while base**length <= least and not draft.chance(3):
+        length += 1
+    bits = next(bits for bits in (8, 16, 32, 64) if base**length <= 1 << bits)
+    return {"type": f"u{bits}", "digits": form, "length": length}
 
 
 def _usual(draft: Draft, kind: str) -> list[Spec]:
@@ -139,6 +160,8 @@ def _checksum(draft: Draft) -> Spec:
 
 def _argument(draft: Draft) -> Spec:
     """A part that users supply."""
+    if draft.chance(15):
+        return _part(draft, "plain", **_number(draft, "u8", draft.pick((9, 255, 65535))))
     keys = value(draft, "part")
     if "enum" in keys and not next(enum.open for enum in draft.enums if enum.name == keys["enum"]):
         keys = {"type": keys["type"]}
@@ -148,12 +171,12 @@ def _argument(draft: Draft) -> Spec:
 def _constant(draft: Draft) -> Spec:
     """A part with a constant, or without a meaning."""
     kind = draft.pick(("u8", "u16", "i8", "u32", "i16"))
-    keys: Spec = {"type": kind}
+    keys: Spec = {"type": kind} if draft.chance(80) else _number(draft, kind, 9)
     if draft.chance(70):
-        keys["const"] = draft.edge(*bounds(kind))
+        keys["const"] = draft.edge(*_limits(keys))
     if "const" not in keys or draft.chance(30):
         keys["reserved"] = True
-    if kind != "u8" and draft.chance(20):
+    if kind != "u8" and "digits" not in keys and draft.chance(20):
         keys["byte_order"] = draft.pick(("big", "little"))
     return _part(draft, "plain", **keys)
 
@@ -193,7 +216,8 @@ def _covers(draft: Draft, names: list[str], at: int) -> Spec:
 
 
 def _unit_addresses(draft: Draft, line: Spec) -> None:
-    low, high = 0, 0xFF
+    numbers = [part for part in (*line["request"], *line["response"]) if part.get("role") == "unit_address"]
+    low, high = 0, min([0xFF, *(_limits(part)[1] for part in numbers)])
     intervals = draft.intervals(low, high, 2)
     line["unit_addresses"] = {"range": range_text(intervals)}
     if draft.chance(40):

@@ -196,8 +196,12 @@ def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dic
     parts = bytearray(data)
     if len(parts) >= frame.header_size + frame.trailer_size:
         length = frame.role("length")
+        for part in frame.digits if dice.random() < 0.9 else ():
+            at = part.at(len(parts))
+            if part.value is not None and part.read(bytes(parts[at : at + part.size])) is None:
+                _put_part(parts, part, dice.randint(0, dice.choice((9, part.value.high))))
         for part in frame.constants if dice.random() < 0.7 else ():
-            _put_part(parts, part, (part.constant or 0) & ((1 << 8 * part.size) - 1))
+            _put_part(parts, part, part.constant or 0)
         number = length.number(len(parts)) if length is not None else None
         if length is not None and number is not None:
             _put_part(parts, length, number)
@@ -216,4 +220,6 @@ def delimited(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> 
 
 
 def _put_part(parts: bytearray, part: PartLayout, number: int) -> None:
-    put(parts, part.at(len(parts)), part.size, part.order, number)
+    at = part.at(len(parts))
+    if len(parts) >= at + part.size:
+        parts[at : at + part.size] = part.data(number)

@@ -178,7 +178,7 @@ def _unanswered(layout: DeviceLayout, link: str, message: str, dice: random.Rand
     assert part is not None
     assert code is not None
     parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
-    parts[part.offset : part.offset + part.size] = code.to_bytes(part.size, "big" if part.order == "big" else "little")
+    parts[part.offset : part.offset + part.size] = part.data(code)
     return Query("frame", (link, "response", ""), sealed(layout, link, shape, bytes(parts), dice))
 
 

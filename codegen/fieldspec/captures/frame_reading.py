@@ -9,11 +9,13 @@ from fieldspec.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.captures.checksums import are_right
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, numbers, runs
 from fieldspec.captures.decoders import Decoders, within
+from fieldspec.captures.part_numbers import lacks_digits, part_numbers
 from fieldspec.captures.verdicts import (
     INCOMPLETE,
     OK,
     REFUSED,
     UNKNOWN_CODE,
+    UNKNOWN_VALUE,
     VERDICT_NUMBERS,
     WRONG_CHECK,
     WRONG_LENGTH,
@@ -97,6 +99,9 @@ class FrameReader:
             buffer, at, size, sent, verdict, columns[0], columns[1], np.zeros(len(at), np.bool_), columns[2],
             at + self.shape.header_size, np.maximum(size - self.least, 0), [],
         )  # fmt: skip
+        for part in self.shape.digits:
+            place, short = self._place(part, frames)
+            blame(verdict, ~short & lacks_digits(part, buffer, place), UNKNOWN_VALUE)
         for part in self.shape.header:
             self._part(part, frames, asked, judges_body)
         if not self.has_code and judges_body:
@@ -133,8 +138,7 @@ class FrameReader:
     def _part(self, part: PartLayout, frames: ReadFrames, asked: Numbers | None, judges_body: bool) -> None:
         """Judges one part, and takes from it what the table has."""
         at, length, verdict = frames.at, frames.length, frames.verdict
-        place = at + part.offset if part.offset >= 0 else at + length + part.offset
-        short = part.offset + part.size > length if part.offset >= 0 else self.least > length
+        place, short = self._place(part, frames)
         blame(verdict, short, INCOMPLETE)
         if part.role == "checksum":
             rows = np.flatnonzero(verdict == OK)
@@ -145,7 +149,7 @@ class FrameReader:
             return
         if part.reserved or part.value is None:
             return
-        number = number_at(frames.buffer, place, part.size, part.order, part.value.type.signed)
+        number = part_numbers(part, frames.buffer, place)
         if part.role == "length":
             measured = length if part.escaped else frames.sent.length
             blame(verdict, number * part.unit_size + part.base != measured, WRONG_LENGTH)
@@ -155,6 +159,12 @@ class FrameReader:
             frames.unit_address[:] = np.where(short, NONE, number)
         elif part.constant is not None or part.value.enum or part.value.flags or not part.part.same_as:
             self._own_value(part, frames, place)
+
+    def _place(self, part: PartLayout, frames: ReadFrames) -> tuple[Numbers, Mask]:
+        """Where a part begins in each frame, and which frames are too short for it."""
+        if part.offset >= 0:
+            return frames.at + part.offset, part.offset + part.size > frames.length
+        return frames.at + frames.length + part.offset, self.least > frames.length
 
     def _own_value(self, part: PartLayout, frames: ReadFrames, place: Numbers) -> None:
         """A part with a value of its own, which is a value of the table unless it is always the same."""
@@ -200,8 +210,7 @@ class FrameReader:
         """Which frames are exception responses."""
         if refusal.part:
             part = next(part for part in self.shape.header if part.name == refusal.part)
-            signed = part.value is not None and part.value.type.signed
-            number = number_at(frames.buffer, frames.at + part.offset, part.size, part.order, signed)
+            number = part_numbers(part, frames.buffer, frames.at + part.offset)
             return np.zeros(len(code), np.bool_) if refusal.normal is None else ~within(number, refusal.normal)
         return np.not_equal(code & refusal.flag, 0) if refusal.code is None else np.equal(code, refusal.code)
 

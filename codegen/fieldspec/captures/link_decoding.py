@@ -11,6 +11,7 @@ from fieldspec.captures.columns import Mask, Numbers, number_at, numbers, runs
 from fieldspec.captures.cutting import Cutter, Piece
 from fieldspec.captures.frame_reading import FrameReader, ReadFrames
 from fieldspec.captures.pairing import NO_EXCHANGES, NONE, Exchanges, joined, paired, still_open
+from fieldspec.captures.part_numbers import part_numbers
 from fieldspec.captures.payloads import REQUEST, RESPONSE, UNKNOWN, Payloads, payloads_of
 from fieldspec.captures.registers import Accesses
 from fieldspec.captures.verdicts import MISMATCH, NO_FRAME, NO_REQUEST, OK
@@ -180,7 +181,7 @@ class LinkDecoder:
         for asked, answered in self.repeated:
             for way, part in ((REQUEST, asked), (RESPONSE, answered)):
                 own = direction[valid] == way
-                repeated[own] = number_at(rows.buffer(way), rows.parts[valid[own]] + part.offset, part.size, part.order)
+                repeated[own] = part_numbers(part, rows.buffer(way), rows.parts[valid[own]] + part.offset)
         current = Exchanges(
             payloads.stream[valid], direction[valid], repeated, rows.unit_address[valid], rows.code[valid],
             rows.message[valid], first[valid], payloads.time[valid], rows.address[valid], rows.count[valid],

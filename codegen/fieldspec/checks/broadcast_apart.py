@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
 from fieldspec.model.value import Kind
 
 _CODE = "broadcast_apart"
@@ -33,6 +34,7 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
         value = part.value if part is not None else None
         if value is None or value.type.kind is not Kind.INTEGER:
             continue
-        if not value.type.low <= stations.broadcast <= value.type.high:
-            text = f"the address {stations.broadcast} does not fit {value.type.name}"
+        if not value.low <= stations.broadcast <= value.high:
+            kind = digits_text(value) if value.digits else value.type.name
+            text = f"the address {stations.broadcast} does not fit {kind}"
             yield finding(_CODE, stations.place, "broadcast", text, "correct the address or the type")

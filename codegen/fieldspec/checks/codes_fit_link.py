@@ -17,10 +17,11 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
 from fieldspec.model.link import ExceptionResponse, Link
 from fieldspec.model.record import Message
 from fieldspec.model.sizes import messages_on
-from fieldspec.model.value import Kind
+from fieldspec.model.value import Kind, Value
 
 _CODE = "codes_fit_link"
 
@@ -30,25 +31,36 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
         codes = [part for part in (*link.request, *link.response) if part.role == "code" and part.value is not None]
         numbers = [part for part in codes if part.value is not None and part.value.type.kind is Kind.INTEGER]
         # Both directions mostly have the same one; of two, the narrower one decides.
-        part = min(numbers, key=lambda part: part.value.type.high if part.value else 0, default=None)
+        part = min(numbers, key=lambda part: part.value.high if part.value else 0, default=None)
         if part is None or part.value is None:
             continue
-        high = part.value.type.high
+        high = part.value.high
         if link.exception_response is not None and not 0 < _mark(link.exception_response) <= high:
             error = link.exception_response
             mark = f"the code {error.code:#x}" if error.code is not None else f"the bit {error.flag:#x}"
-            text = f"{part.name} is {part.value.type.name} and cannot hold {mark}"
+            text = f"{part.name} is {_kind(part.value)} and cannot hold {mark}"
             help = "correct the bit or the part's type"
             yield finding(
                 _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
             )
+        if link.exception_response is not None and link.exception_response.flag and part.value.digits == "decimal":
+            text = f"{part.name} is sent as decimal digits, in which no bit marks an exception response"
+            help = "state the mark as `code`, `part` or `field`"
+            there = label(part.place, "digits", part.name)
+            yield finding(_CODE, link.place, "exception_response", text, help, there)
         for message in messages_on(device, link):
             if message.code is not None and message.code > high:
-                text = f"the code {message.code:#x} does not fit {part.name}, which is {part.value.type.name}"
+                code = str(message.code) if part.value.digits == "decimal" else f"{message.code:#x}"
+                text = f"the code {code} does not fit {part.name}, which is {_kind(part.value)}"
                 help = "correct the code or the part's type"
                 yield finding(_CODE, message.place, "code", text, help, label(part.place, "type", part.name))
             else:
                 yield from _check_flag(link, message)
+
+
+def _kind(value: Value) -> str:
+    """`u8`, `2 decimal digits`"""
+    return digits_text(value) if value.digits else value.type.name
 
 
 def _mark(error: ExceptionResponse) -> int:

@@ -1,6 +1,7 @@
 """A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
 hexadecimal number has the digits of its whole type. Digits are those of fields and registers whose raw value is free:
-not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers.
+not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
+of a frame may be any of these; its digits have no sign.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
 take the characters for one.
@@ -21,6 +22,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.digits import BCD, digit_bounds, digit_count, digits_text
 from fieldspec.model.fact import Fact
+from fieldspec.model.link import Part
 from fieldspec.model.record import Field
 from fieldspec.model.value import Kind, Value
 
@@ -38,6 +40,9 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, fact.place, "places", text, "add `digits: decimal`, or use `scale`")
             continue
         yield from _of_form(fact, value)
+        if isinstance(fact, Part):
+            yield from _of_part(fact, value)
+            continue
         use = taken.get(id(fact)) or _use(fact, value)
         if use:
             text = f"{fact.name} {use}, and is sent as digits"
@@ -69,6 +74,16 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, "use a wider type, with a range")
+
+
+def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
+    """The findings of a part of a frame, whose digits have no sign and are bytes of their own."""
+    if part.role == "plain" and value.type.kind is Kind.INTEGER and value.type.signed:
+        text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"
+        yield finding(_CODE, part.place, "type", text, "use an unsigned type")
+    if part.bits is not None:
+        text = f"{part.name} is sent as digits, which the bits of an identifier are not"
+        yield finding(_CODE, part.place, "digits", text, "remove `digits` and `length`")
 
 
 def _use(fact: Fact, value: Value) -> str:

@@ -87,7 +87,7 @@ def _of_data(
     if both is None or part.value is None:
         return
     value, unit = part.value, part.unit_size
-    low, high = (value.type.low, value.type.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
+    low, high = (value.low, value.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
     least, most = (shape.span_size(part, size) for size in both)
     there = label(part.place, "type", part.name)
     longest, shortest = -(-most // unit) + part.plus, least // unit + part.plus

@@ -17,7 +17,7 @@ from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, outside, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.digits import digits_text
+from fieldspec.model.digits import digit_count, digits_text
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link
 from fieldspec.model.ranges import Ranges, bound_text
@@ -108,9 +108,8 @@ def _of_unit_addresses(link: Link) -> Iterator[Diagnostic]:
     part = next((p for p in link.request if p.role == "unit_address" and p.value is not None), None)
     if link.unit_addresses is None or part is None or part.value is None or part.value.type.kind not in _WHOLE:
         return
-    primitive = part.value.type
-    if outside(link.unit_addresses.ranges, primitive.low, primitive.high):
-        text = f"{part.name} cannot be {_text(link.unit_addresses.ranges)} as {_type_range(primitive)}"
+    if outside(link.unit_addresses.ranges, part.value.low, part.value.high):
+        text = f"{part.name} cannot be {_text(link.unit_addresses.ranges)} as {_range_of(part.value)}"
         yield finding("range_within_type", link.unit_addresses.place, "range", text, _HELP)
 
 
@@ -121,7 +120,8 @@ def _type_range(primitive: Primitive) -> str:
 def _range_of(value: Value) -> str:
     if not value.digits:
         return _type_range(value.type)
-    return f"{digits_text(value)}, which have the range {value.low}..{value.high}"
+    verb = "has" if digit_count(value) == 1 else "have"
+    return f"{digits_text(value)}, which {verb} the range {value.low}..{value.high}"
 
 
 def _text(ranges: Ranges | None) -> str:

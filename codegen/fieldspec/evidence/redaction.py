@@ -79,9 +79,9 @@ class Redaction:
         end = len(parts) - shape.trailer_size
         head, tail = bytearray(parts[: shape.header_size]), bytearray(parts[end:])
         for part in (*shape.header, *shape.trailer):
-            if part.reserved and part.constant is None:
+            if part.reserved and part.constant is not None:
                 own, at = (head, part.offset) if part in shape.header else (tail, part.at(len(parts)) - end)
-                own[at : at + part.size] = bytes(part.size)
+                own[at : at + part.size] = part.data(part.constant)
         body = self._body(decoded, parts[shape.header_size : end], asked)
         clean = codec_of_link.with_checksum(direction, bytes(head) + body + bytes(tail))
         return codec_of_link.joined_parts(direction, clean)

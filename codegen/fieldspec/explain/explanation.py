@@ -189,8 +189,8 @@ class _Frame:
             checks = tuple(check for check in checks if not check.escaped)
         if length is None or not checks or not self.wrapped.whole:
             return data, b""
-        number = whole(data[length.offset : length.offset + length.size], length.order)
-        stated = number * length.unit_size + length.base
+        number = length.read(data[length.offset : length.offset + length.size])
+        stated = number * length.unit_size + length.base if number is not None else 0
         early = self.shape.header_size + self.shape.trailer_size <= stated < len(data)
         if early and not _is_right(checks, data) and _is_right(checks, data[:stated]):
             return data[:stated], data[stated:]
@@ -221,7 +221,8 @@ class _Frame:
         if part.reserved:
             return decode_value(self.layout.device, part.value, raw, part.order, False, reserved=True)
         read = decode_value(self.layout.device, part.value, raw, part.order, False)
-        assert isinstance(read.number, int)
+        if not isinstance(read.number, int):
+            return read
         if part.role == "length":
             return self._judged_length(part, read)
         if part.offset < 0:

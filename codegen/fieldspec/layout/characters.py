@@ -13,16 +13,16 @@ _TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies")
 
 
 def character_refusals(
-    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False
+    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False, reads_frames: bool = True
 ) -> list[Diagnostic]:
     """A finding for each value that is sent as digits, and for each text in a form of its own.
 
-    `reader` is what does not convert them.
+    `reader` is what does not convert them. One that does not read whole frames has no use for their parts.
     """
     facts = {
         fact.place.path: (fact, value)
         for layout in versions
-        for fact, value in _values(layout)
+        for fact, value in (*(_part_values(layout) if reads_frames else ()), *_values(layout))
         if value is not None and (value.digits or value.text_form is not None or value.width)
     }
     return [(_of_digits if value.digits else _of_text)(fact, reader, for_controllers) for fact, value in facts.values()]
@@ -55,3 +55,10 @@ def _values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value | None]]:
     for record in (*layout.records.values(), *bodies):
         for field in record.fields:
             yield field.field, field.value
+
+
+def _part_values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value | None]]:
+    """The parts of frames with their values."""
+    for link in layout.links.values():
+        for part in (*link.request.parts, *link.response.parts):
+            yield part.part, part.value

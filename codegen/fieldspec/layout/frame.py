@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.checksums import checksum_bytes
@@ -10,6 +11,7 @@ from fieldspec.layout.escapes import original_places
 from fieldspec.layout.exception_mark import ExceptionMark, exception_mark
 from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.layout.subcodes import Subcode, subcode
+from fieldspec.model.digits import digits_bytes, digits_number
 from fieldspec.model.escape import Escape
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Message
@@ -75,10 +77,36 @@ class PartLayout:
         """The bytes of the checksum over its part of all parts."""
         return checksum_bytes(self.algorithm, self.digits, self.order, self.size, data[self.start : self.stop])
 
+    def number_text(self, number: int) -> str:
+        """A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits."""
+        if self.form == "decimal":
+            return f"{number:0{self.size}d}"
+        return f"0x{number:0{self.size if self.form else 2 * self.size}X}"
+
+    def data(self, number: int) -> bytes:
+        """The bytes, or the digits, of a number that they can express."""
+        assert self.value is not None
+        if self.value.digits:
+            return digits_bytes(self.value, number)
+        order: Literal["big", "little"] = "little" if self.order == "little" else "big"
+        return number.to_bytes(self.size, order, signed=self.value.type.signed)
+
     def number(self, length: int) -> int | None:
         """The value of a length part if all parts together have `length` bytes; None if it cannot express that."""
         units, over = divmod(length - self.base, self.unit_size)
-        return units if not over and self.value and self.value.type.low <= units <= self.value.type.high else None
+        return units if not over and self.value and self.value.low <= units <= self.value.high else None
+
+    @property
+    def form(self) -> str:
+        """The form of the digits that its number is sent as; empty for a binary number, and for a checksum."""
+        return self.value.digits if self.value is not None else ""
+
+    def read(self, data: bytes) -> int | None:
+        """The number in exactly its bytes; None for bytes that are not its digits."""
+        assert self.value is not None
+        if self.value.digits:
+            return digits_number(self.value, data) if len(data) == self.size else None
+        return int.from_bytes(data, "little" if self.order == "little" else "big", signed=self.value.type.signed)
 
 
 def original_parts(frame: FrameLayout, sent: bytes) -> bytes:
@@ -125,16 +153,13 @@ class FrameLayout:
         return (*self.header, *self.trailer)
 
     def numbers(self, data: bytes) -> dict[str, int]:
-        """The numbers of the parts before the body, by name; as far as the data reach."""
-        return {
-            part.name: int.from_bytes(
-                data[part.offset : part.offset + part.size],
-                "little" if part.order == "little" else "big",
-                signed=part.value.type.signed,
-            )
-            for part in self.header
-            if part.value is not None
-        }
+        """The numbers of the parts before the body, by name; -1 for what is not the digits of a number."""
+        numbers = {}
+        for part in self.header:
+            if part.value is not None:
+                number = part.read(data[part.offset : part.offset + part.size])
+                numbers[part.name] = -1 if number is None else number
+        return numbers
 
     def role(self, role: str) -> PartLayout | None:
         """The first part with a role, None if there is none."""
@@ -155,6 +180,11 @@ class FrameLayout:
             waiting.remove(ready)
             computed.append(ready)
         return tuple(computed)
+
+    @property
+    def digits(self) -> tuple[PartLayout, ...]:
+        """The parts that are sent as digits, of which a receiver refuses any other bytes."""
+        return tuple(part for part in self.parts if part.form and not part.reserved)
 
     @property
     def constants(self) -> tuple[PartLayout, ...]:
@@ -235,11 +265,15 @@ class LinkLayout:
     def code_text(self, message: MessageLayout, direction: str) -> str:
         """`08`, or `08 with 0001 at byte 2` for a message that shares its code."""
         code = message.message.code
-        shared = self.subcodes(direction).get(code) if code is not None else None
+        if code is None:
+            return "no code"
+        part = self.frame(direction).role("code")
+        text = f"{code:02X}" if part is None or not part.form else part.number_text(code).removeprefix("0x")
+        shared = self.subcodes(direction).get(code)
         if shared is None:
-            return "no code" if code is None else f"{code:02X}"
+            return text
         place = self.frame(direction).header_size + shared.offset
-        return f"{code:02X} with {shared.number_of(message):0{2 * shared.size}X} at byte {place}"
+        return f"{text} with {shared.number_of(message):0{2 * shared.size}X} at byte {place}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
         """The messages in one direction: all requests, and the responses to those that are answered on the link."""

@@ -97,7 +97,7 @@ class Client:
         fields = self.layout.messages[message].request
         fixed = {name: raw for name, raw in self.fixed.items() if fields.named(name) is not None}
         for part in self.counters:
-            most = part.value.type.high if part.value is not None else 0xFF
+            most = part.value.high if part.value is not None else 0xFF
             self.head[part.name] = self.head.get(part.name, 0) % most + 1
         return self.frames.encode("request", message, {**self.head, **fixed, **values})
 

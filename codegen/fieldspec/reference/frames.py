@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import construct
@@ -11,6 +11,7 @@ from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.digits import digits_text
 from fieldspec.reference.checksums import checksum, checksum_digits
 from fieldspec.reference.escapes import escaped, unescaped
 from fieldspec.reference.records import CodecError, Values, decoded, encoded, record_struct, value_construct
@@ -80,6 +81,7 @@ class FrameCodec:
         head = dict(self.heads[direction].parse(data[: shape.header_size]))
         head.pop("_io", None)
         tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
+        self._check_digits(shape.digits, {**head, **tail}, data)
         self._check_length(shape, head, data, True)
         self._check_sum(shape, {**head, **tail}, data, True)
         for part in shape.constants:
@@ -120,6 +122,9 @@ class FrameCodec:
             for part in shape.parts
             if not part.escaped
         }
+        length = shape.role("length")
+        if length is not None and length in shape.digits and not length.escaped:
+            self._check_digits((length,), sent, data)
         self._check_length(shape, sent, data, False)
         self._check_sum(shape, sent, data, False)
         offset = len(shape.start) + start
@@ -128,6 +133,14 @@ class FrameCodec:
         if len(result) < least:
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(result)}", len(result))
         return result
+
+    @staticmethod
+    def _check_digits(parts: Iterable[PartLayout], numbers: Values, data: bytes) -> None:
+        """Refuses bytes that are not the digits of a number; `numbers` has None for these."""
+        for part in parts:
+            if numbers[part.name] is None:
+                assert part.value is not None
+                raise CodecError("unknown_value", f"{part.name} is not {digits_text(part.value)}", part.at(len(data)))
 
     def _check_length(self, shape: FrameLayout, head: Values, data: bytes, is_original: bool) -> None:
         part = shape.role("length")
@@ -292,7 +305,11 @@ class FrameCodec:
             if own is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.exception_response
-            return own | refusal.flag if error and refusal else own
+            own |= refusal.flag if error and refusal else 0
+            assert part.value is not None
+            if not 0 <= own <= part.value.high:
+                raise CodecError("unknown_code", f"{part.name} cannot be {own}")
+            return own
         number = values.get(part.name)
         if not isinstance(number, int):
             raise CodecError("missing_value", f"{part.name} is not given")
@@ -305,7 +322,7 @@ class FrameCodec:
             allowed = addresses.ranges
             if number == addresses.broadcast:
                 return number
-        if not part.value.type.low <= number <= part.value.type.high or (allowed is not None and number not in allowed):
+        if not part.value.low <= number <= part.value.high or (allowed is not None and number not in allowed):
             raise CodecError("out_of_range", f"{part.name} is {number}")
         return number
 

@@ -71,6 +71,8 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
             continue
         for row in rows:
             raw = "" if row.path in checksums else raw_text(row, row.path in addresses)
+            if code is not None and code.form and row.path == code.name and isinstance(row.number, int):
+                raw = code.number_text(row.number)
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)

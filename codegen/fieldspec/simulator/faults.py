@@ -11,6 +11,7 @@ from fieldspec.reference.records import CodecError
 if TYPE_CHECKING:
     from typing import Any
 
+    from fieldspec.layout.frame import PartLayout
     from fieldspec.simulator.server import Server
 
 KINDS: Mapping[str, str] = {
@@ -155,11 +156,20 @@ class Faults:
             return frames.joined_parts("response", bytes(parts))
         addressed = shape.role("unit_address")
         if kind == "wrong_unit" and addressed is not None:
-            parts[addressed.at(len(parts))] += 1
+            at = addressed.at(len(parts))
+            parts[at : at + addressed.size] = addressed.data(_another_number(addressed, bytes(parts)))
         if kind == "inserted_word":
             middle = shape.header_size + (len(parts) - shape.header_size - shape.trailer_size) // 2
             parts[middle:middle] = self.chance.randrange(0x10000).to_bytes(2, "big")
         return frames.joined_parts("response", frames.with_checksum("response", bytes(parts)))
+
+
+def _another_number(part: PartLayout, parts: bytes) -> int:
+    """The next number of a part, or 0 behind its last one."""
+    number = part.read(parts[part.offset : part.offset + part.size])
+    assert number is not None
+    assert part.value is not None
+    return (number + 1) % (part.value.high + 1)
 
 
 def hold(server: Server, fault: Fault) -> None:

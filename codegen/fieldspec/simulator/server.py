@@ -62,6 +62,9 @@ class Server:
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
         except CodecError as error:
             return Answer(b"", f"damaged: {error.detail}")
+        garbled = next((p for p in shape.digits if p.read(parts[(at := p.at(len(parts))) : at + p.size]) is None), None)
+        if garbled is not None:
+            return Answer(b"", f"damaged: {garbled.name} is no number")
         if shape.checksums and not frames.has_right_checksum(frame, "request"):
             return Answer(b"", "damaged: wrong checksum")
         broadcast = False
@@ -376,7 +379,7 @@ def _reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
     shape = frames.link.request
     coded = shape.role("code")
     parts = frames.original_parts(frame, "request")
-    code = int.from_bytes(parts[coded.offset : coded.offset + coded.size], "big") if coded is not None else None
+    code = coded.read(parts[coded.offset : coded.offset + coded.size]) if coded is not None else None
     announced = frames.link.message_with_code(code) if code is not None else None
     selector = announced.request.selector if announced is not None else None
     if selector is not None and error.offset == shape.header_size + selector.offset:

@@ -90,6 +90,7 @@ function frame({ header, trailer, start, end, checksums, escape, escapeStart, es
     escape,
     escapeStart,
     escapeStop,
+    digits: parts.filter((part) => part.digits && part.role !== "checksum" && !part.reserved),
     constants: parts.filter((part) => part.constant !== null && !part.reserved),
     visible: header.filter((part) => part.key !== null),
     keys: Object.assign({ __proto__: null }, ...parts.filter((part) => part.key !== null).map((part) => ({ [part.key]: 0 }))),
@@ -124,7 +125,9 @@ function isOfSent(shape, part) {
 /** The parts before they were escaped. Throws CodecError for what is wrong around them, and for a wrong escape. */
 export function originalParts(shape, data) {
   if (shape.escape === null) return data;
-  const wrong = wrongSize(shape, data) ?? wrongLength(shape, data, true) ?? wrongChecksum(shape, data, true);
+  const lengths = shape.digits.filter((part) => part.role === "length" && isOfSent(shape, part));
+  const early = wrongSize(shape, data) ?? wrongDigits(lengths, data);
+  const wrong = early ?? wrongLength(shape, data, true) ?? wrongChecksum(shape, data, true);
   if (wrong !== null) throw wrong;
   const [first, stop] = [shape.escapeStart, place(shape.escapeStop, data.length)];
   const inner = shape.escape.original(data.subarray(first, stop), shape.start.length + first);
@@ -148,10 +151,14 @@ function joined(...pieces) {
   return bytes;
 }
 
-/** The first reason why the parts of a frame are wrong: its size, a length, a checksum or a constant; null for none. */
+/**
+ * The first reason why the parts of a frame are wrong: its size, the digits of a part, a length, a checksum or a
+ * constant; null for none.
+ */
 export function wrongParts(shape, data) {
   return (
     wrongSize(shape, data) ??
+    wrongDigits(shape.digits, data) ??
     wrongLength(shape, data, false) ??
     wrongChecksum(shape, data, false) ??
     wrongConstant(shape, data)
@@ -161,6 +168,16 @@ export function wrongParts(shape, data) {
 function wrongSize(shape, data) {
   const [size, least] = [data.length, shape.headerSize + shape.trailerSize];
   return size < least ? new CodecError("incomplete", `a frame has at least ${least} bytes, not ${size}`, size) : null;
+}
+
+function wrongDigits(parts, data) {
+  for (const part of parts) {
+    const at = place(part.offset, data.length);
+    if (Number.isNaN(readPart(data, at, part))) {
+      return new CodecError("unknown_value", `${part.name} is not ${part.size} digits`, at);
+    }
+  }
+  return null;
 }
 
 function wrongLength(shape, data, ofSent) {

@@ -157,6 +157,9 @@ class EscapedFrames(PartFrames):
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
         numbers = self._numbers(data)
         if self.length in self.sent:
+            wrong = self._no_digits(data, numbers, self.digits.keys() & {self.length})
+            if wrong is not None:
+                raise wrong
             self._compare_length(numbers[self.length][2], size)
         wrong = self._wrong_checksum(data, numbers, self.sent)
         if wrong is not None:

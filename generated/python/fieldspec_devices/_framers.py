@@ -16,7 +16,11 @@ from ._frames import Frames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from ._digits import Digits
     from ._typing import Data
+
+_NO_DIGITS = 1 << 64
+"""What is read where a part has no digits: no code, no unit address, no flag of a code and no length of a frame."""
 
 
 class Framer:
@@ -40,6 +44,8 @@ class Framer:
         self.frames, self.shortest, self.longest = frames, shortest, longest
         self.unit_address_offset, self.unit_address_size = unit_address_offset, unit_address_size
         self.unit_addresses = unit_addresses
+        self._address_form = frames.forms.get(unit_address_offset)
+        self._address_is_byte = unit_address_size == 1 and self._address_form is None
         self.little = order == "little"
         self.dropped = 0
         self._buffer = bytearray()
@@ -59,7 +65,7 @@ class Framer:
         """The possible values of single bytes at the beginning of a frame, by their place."""
         start = self.frames.start
         known = {place: frozenset((byte,)) for place, byte in enumerate(start)}
-        if self.unit_addresses and self.unit_address_size == 1:
+        if self.unit_addresses and self._address_is_byte:
             known[len(start) + self.unit_address_offset] = self.unit_addresses
         return known
 
@@ -121,14 +127,22 @@ class Framer:
             return buffer[at]
         return int.from_bytes(buffer[at : at + size], "little" if self.little else "big")
 
+    def _read(self, buffer: bytearray, at: int, size: int, form: Digits | None) -> int:
+        """The number of some bytes, which may be digits; for others than these, one that no part of a frame has."""
+        if form is None:
+            return self._number(buffer, at, size)
+        (number,) = form.unpack(buffer[at : at + size])
+        return _NO_DIGITS if number is None else number
+
     def _foreign(self, buffer: bytearray, at: int) -> bool:
         """Whether the parts that begin at a byte have an invalid unit address."""
         if not self.unit_addresses:
             return False
         at += self.unit_address_offset
         # Nearly all addresses are one byte; a call for each would take as long as all the rest.
-        number = buffer[at] if self.unit_address_size == 1 else self._number(buffer, at, self.unit_address_size)
-        return number not in self.unit_addresses
+        if self._address_is_byte:
+            return buffer[at] not in self.unit_addresses
+        return self._read(buffer, at, self.unit_address_size, self._address_form) not in self.unit_addresses
 
     def _holds(self, frame: bytes) -> bool:
         """Whether the end delimiter and the checksum are right."""
@@ -156,6 +170,7 @@ class LengthFramer(Framer):
         order: str = "big",
     ) -> None:
         self.length_offset, self.length_size = frames.length_offset, length_size
+        self._length_form = frames.forms.get(frames.length_offset)
         super().__init__(
             frames,
             shortest=shortest,
@@ -216,6 +231,8 @@ class CodeFramer(Framer):
     ) -> None:
         self.code_offset, self.code_size = frames.code_offset, code_size
         self.extents, self.flag, self.refusal = extents, flag, refusal
+        self._code_form = frames.forms.get(frames.code_offset)
+        self._code_is_byte = code_size == 1 and self._code_form is None
         super().__init__(
             frames,
             shortest=shortest,
@@ -228,7 +245,7 @@ class CodeFramer(Framer):
 
     def _known(self) -> dict[int, frozenset[int]]:
         known = super()._known()
-        if self.code_size == 1:
+        if self._code_is_byte:
             codes = frozenset(code for code in range(256) if code in self.extents or code & self.flag)
             known[len(self.frames.start) + self.code_offset] = codes
         return known
@@ -240,7 +257,7 @@ class CodeFramer(Framer):
                 return 0
             at += len(self.frames.start)
         place = at + self.code_offset
-        code = buffer[place] if self.code_size == 1 else self._number(buffer, place, self.code_size)
+        code = buffer[place] if self._code_is_byte else self._read(buffer, place, self.code_size, self._code_form)
         extent = self.refusal if code & self.flag else self.extents.get(code)
         if extent is None or self._foreign(buffer, at):
             return 0

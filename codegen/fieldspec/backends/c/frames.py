@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from fieldspec.backends.c.checksums import compute_checksum, is_wrong, store_checksum
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, unwrap_function, wrap_frame
-from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.escapes import escape_call
 from fieldspec.backends.c.exceptions import mark_in_data, read_mark
 from fieldspec.backends.c.expressions import (
@@ -20,24 +19,17 @@ from fieldspec.backends.c.expressions import (
     SIZE_TYPE,
     ZERO,
     Call,
-    Cast,
     Expression,
-    Group,
     Identifier,
     Operation,
     PointerMember,
     Type,
-    add,
     add_size,
     address_of,
     all_of,
     any_of,
-    at_least,
-    at_most,
-    decimal,
     dereference,
     different,
-    equal,
     greater,
     less,
     multiply,
@@ -46,9 +38,9 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.fields import return_error
 from fieldspec.backends.c.naming import Naming, argument, frame_member
+from fieldspec.backends.c.parts import TOTAL, check_digits, length_number, part_pointer, part_value, write_part
 from fieldspec.backends.c.statements import (
     Body,
-    CompileIf,
     Return,
     Statement,
     Variable,
@@ -57,16 +49,12 @@ from fieldspec.backends.c.statements import (
 )
 from fieldspec.backends.c.subcodes import read_subcode, shared_codes
 from fieldspec.backends.c.values import (
-    WireValue,
     check_constant,
     declare_value,
     load,
-    out_of_range_test,
     refuse,
     return_ok,
     status_type,
-    store,
-    store_constant,
 )
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
@@ -74,23 +62,12 @@ from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 DIRECTIONS = ("request", "response")
 _SIZE_POINTER = Type("size_t", pointer=True)
 CODE_TYPE = Type("uint32_t")
-_CODE, _BODY_LENGTH, _TOTAL = Identifier("code"), Identifier("body_length"), Identifier("total")
+_BODY_LENGTH = Identifier("body_length")
 
 
 def header_parts(frame: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users set: neither the length nor the code, nor a constant."""
     return [part for part in frame.header if part.is_argument]
-
-
-def part_value(part: PartLayout) -> WireValue:
-    """The value of a part that has one."""
-    assert part.value is not None
-    return WireValue(part.value, part.order, False)
-
-
-def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
-    """`in + 2`, or behind the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
-    return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
 
 
 def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
@@ -208,11 +185,12 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
 
     Before bytes are turned into the original ones, only the lengths and checksums of what is sent are compared.
     """
-    body: Body = ()
     length = frame.role("length")
+    is_early = length is not None and _is_sent(frame, length) and bool(length.form)
+    body = check_digits(naming, frame.digits if is_original else (length,) if length is not None and is_early else ())
     if length is not None and _is_sent(frame, length) != is_original:
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
-        number, unrepresentable = _length_number(frame, length, LENGTH)
+        number, unrepresentable = length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
     for checksum in frame.checksums:
         if _is_sent(frame, checksum) == is_original:
@@ -223,21 +201,6 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
     for part in frame.constants if is_original else ():
         body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
-
-
-def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
-    """What a length part has in a frame of `total` bytes, and the tests of which each finds that no number says it.
-
-    Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
-    """
-    around = frame.header_size + frame.trailer_size
-    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
-    number = add_size(total, -part.base)
-    if part.unit_size > 1:
-        unit = unsigned(part.unit_size)
-        unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
-        number = Operation("/", (number, unit))
-    return number, unrepresentable
 
 
 def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
@@ -303,18 +266,18 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     sent_length = length if length is not None and _is_sent(frame, length) else None
     for part in frame.parts:
         if part.role != "checksum" and part is not sent_length:
-            body += _write_part(naming, layout, link, frame, part)
+            body += write_part(naming, layout, link, frame, part)
     body += _store_checksums(naming, [part for part in frame.checksums if not _is_sent(frame, part)])
     if frame.escape is not None:
         room = add_size(CAPACITY, -delimiters)
-        body += return_error(naming, escape_call(naming, link, frame, OUT, address_of(_TOTAL), room))
-        body += _write_part(naming, layout, link, frame, sent_length) if sent_length is not None else ()
+        body += return_error(naming, escape_call(naming, link, frame, OUT, address_of(TOTAL), room))
+        body += write_part(naming, layout, link, frame, sent_length) if sent_length is not None else ()
         body += _store_checksums(naming, [part for part in frame.checksums if _is_sent(frame, part)])
     if is_wrapped(link):
         body += wrap_frame(naming, link, direction)
     if not frame.parts and not is_wrapped(link):
         body.append(discard("out"))
-    size = _TOTAL if width == 1 else multiply(_TOTAL, unsigned(width))
+    size = TOTAL if width == 1 else multiply(TOTAL, unsigned(width))
     body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]
     name = naming.function("link", link.name, direction, "close")
     return [
@@ -328,8 +291,8 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
 def _store_checksums(naming: Naming, checksums: list[PartLayout]) -> Iterator[Statement]:
     """Writes checksums, each after those that it covers."""
     for checksum in checksums:
-        computed = compute_checksum(naming, checksum, OUT, _TOTAL)
-        yield store_checksum(naming, checksum, computed, part_pointer(OUT, checksum, _TOTAL))
+        computed = compute_checksum(naming, checksum, OUT, TOTAL)
+        yield store_checksum(naming, checksum, computed, part_pointer(OUT, checksum, TOTAL))
 
 
 OUTPUT_PARAMETERS = (Variable(OUTPUT_BYTES, "out"), Variable(SIZE_TYPE, "capacity"), Variable(_SIZE_POINTER, "length"))
@@ -347,49 +310,3 @@ def _check_capacity(naming: Naming, width: int, around: int, delimiters: int) ->
         room = Operation("/", (room, unsigned(width)))
     tests: list[Expression] = [less(CAPACITY, unsigned(least))] if least else []
     return refuse(naming, any_of([*tests, greater(_BODY_LENGTH, room)]), "err_capacity")
-
-
-def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: FrameLayout, part: PartLayout) -> Body:
-    """Checks a part other than the checksum, and writes it."""
-    wire = part_value(part)
-    target = part_pointer(OUT, part, _TOTAL)
-    number_type = f"uint{8 * wire.size}_t"
-    if part.role == "length":
-        highest = wire.value.type.high
-        number, unrepresentable = _length_number(frame, part, _TOTAL)
-        checks = refuse(naming, any_of(unrepresentable), "err_wrong_length") if unrepresentable else ()
-        limit = refuse(naming, greater(number, unsigned(highest)), "err_wrong_length")
-        if highest >= 0xFFFF:
-            limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
-        return (*checks, *limit, store(naming, wire.access, target, Cast(number_type, number)))
-    if part.role == "code":
-        highest = wire.value.type.high
-        limit = refuse(naming, greater(_CODE, unsigned(highest)), "err_unknown_code") if highest < 0xFFFFFFFF else ()
-        return (*limit, store(naming, wire.access, target, Cast(number_type, _CODE)))
-    if part.constant is not None:
-        return store_constant(naming, wire, part.constant, target)
-    value = Identifier(argument(part))
-    unknown = unknown_value_test(naming, layout.device, wire.value, value)
-    outside = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
-    if outside is None and not enum_implies_range(layout.device, wire.value):
-        outside = out_of_range_test(wire.value, value)
-    return (
-        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
-        *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
-        store(naming, wire.access, target, Cast(number_type, value)),
-    )
-
-
-def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
-    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is none of the link's."""
-    addresses = link.link.unit_addresses
-    if addresses is None or addresses.ranges is None:
-        return None
-    inside: list[Expression] = []
-    for low, high in addresses.ranges.intervals:
-        bounds: list[Expression] = [at_least(address, decimal(low))] if low > wire.value.type.low else []
-        bounds += [at_most(address, decimal(high))] if high < wire.value.type.high else []
-        inside.append(Group(all_of(bounds) if bounds else decimal(1)))
-    if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
-        inside.append(Group(equal(address, decimal(addresses.broadcast))))
-    return negate(Group(inside[0]) if len(inside) == 1 else any_of(inside))

@@ -19,7 +19,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.digits import BCD
-from fieldspec.model.value import Kind
+from fieldspec.model.value import Kind, Value
 
 _FOLDER = "backends/c/runtime"
 _PART = re.compile(r"^/\* ---- (\w+) ---- \*/\n\n", re.MULTILINE)
@@ -78,7 +78,8 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
         *(["hexadecimal"] if characters else []),
     ]
     odd = [[copy_runtime(naming, "odd_numbers.h", part)] for part in _odd_accesses(layout)]
-    digits = digits_parts([wire.value for wire in _wire_values(layout) if wire.value.digits])
+    numbers = [wire.value for wire in _wire_values(layout)] + list(_part_values(layout))
+    digits = digits_parts([value for value in numbers if value.digits])
     encoded = any(wire.value.text_form is not None for wire in _wire_values(layout))
     odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
@@ -93,7 +94,7 @@ def _accesses(layout: DeviceLayout) -> list[str]:
     used = {wire.access for wire in _wire_values(layout) if not wire.is_array and not wire.value.has_characters}
     for link in layout.links.values():
         for frame in (link.request, link.response):
-            used |= {access_name(part.size, part.order, False) for part in (*frame.header, *frame.trailer)}
+            used |= {access_name(part.size, part.order, False) for part in frame.parts if not part.form}
         used |= {access_name(4, "big", False)} if link.link.is_can else set()  # that of the identifier
     return [name for name in runtime_parts("numbers.h") if name in used]
 
@@ -122,6 +123,14 @@ def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
         for parameter in parameters.parameters:
             for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
                 yield WireValue(value, *orders.of(value))
+
+
+def _part_values(layout: DeviceLayout) -> Iterator[Value]:
+    """The values of the parts of frames that have one."""
+    for link in layout.links.values():
+        for part in (*link.request.parts, *link.response.parts):
+            if part.value is not None:
+                yield part.value
 
 
 def has_bits(layout: DeviceLayout) -> bool:

@@ -34,14 +34,15 @@ from fieldspec.backends.c.expressions import (
     unsigned,
 )
 from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.frames import header_parts, part_value
+from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, frame_member
+from fieldspec.backends.c.parts import part_value
 from fieldspec.backends.c.sample_values import form_of_values, record_value
 from fieldspec.backends.c.statements import If, Statement, Variable, Variables, assign, call
 from fieldspec.backends.c.values import status_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError
-from fieldspec.layout.frame import LinkLayout, original_parts
+from fieldspec.layout.frame import LinkLayout, PartLayout, original_parts
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.device import Device
@@ -118,7 +119,7 @@ def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], w
     frame = link.frame(example.direction)
     body: list[Statement] = []
     for part in header_parts(frame):
-        number = integer(values[part.name], part.size, part_value(part).value.type.signed)
+        number = _header_number(part, int(values[part.name]))
         body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part)), number))
     if frame.role("code") is not None:
         body.append(expect_equal(f"{what}: code", Member(_OPENED, "code"), _code(link, example)))
@@ -133,6 +134,12 @@ def _code(link: LinkLayout, example: Example) -> Expression:
     code, _ = _frame_code(link, example)
     assert code is not None
     return unsigned(code)
+
+
+def _header_number(part: PartLayout, number: int) -> Expression:
+    """The number of a part before the body, as a constant."""
+    value = part_value(part).value
+    return integer(number, value.number_size(part.size), value.type.signed)
 
 
 def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
@@ -151,7 +158,9 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
             return None, False
     if part is None or len(data) < part.offset + part.size:
         return None, False
-    number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")
+    number = part.read(data[part.offset : part.offset + part.size])
+    if number is None:
+        return None, False
     error = link.link.exception_response
     if error is None or example.direction == "request" or not number & error.flag:
         return number, False
@@ -200,9 +209,7 @@ def _encode_frame(
     """The function that writes the whole frame, and its arguments."""
     link = layout.links[example.link]
     frame = link.frame(example.direction)
-    arguments: list[Expression] = [
-        integer(int(values[part.name]), part.size, part_value(part).value.type.signed) for part in header_parts(frame)
-    ]
+    arguments: list[Expression] = [_header_number(part, int(values[part.name])) for part in header_parts(frame)]
     if example.exception_response and frame.role("code") is not None:
         arguments.append(_code(link, example))
     if members(record):

@@ -280,7 +280,7 @@ def decode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
 def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
     """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
     assert wire.value.const is not None
-    constant = integer(wire.value.const, wire.size, wire.value.type.signed)
+    constant = integer(wire.value.const, wire.value.number_size(wire.size), wire.value.type.signed)
     return refuse(naming, different(load(naming, wire, source), constant), "err_wrong_const")
 
 
@@ -372,6 +372,8 @@ def store_constant(naming: Naming, wire: WireValue, number: int, target: Express
     """`store_u16_be(out + 4, 3u);`: writes a number that no user sets, a constant or that of a reserved field."""
     if wire.is_array:
         return (clear_bytes(naming, target, unsigned(wire.size)),)
+    if wire.value.digits:
+        return (store_number(naming, wire, integer(number, wire.value.type.size, wire.value.type.signed), target),)
     raw = number & ((1 << (8 * wire.size)) - 1)
     return (store(naming, wire.access, target, integer(raw, wire.size, False)),)
 

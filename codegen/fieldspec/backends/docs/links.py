@@ -111,7 +111,8 @@ class FrameTable:
     def _role(self, part: PartLayout, record: RecordLayout | None, message_code: int | None) -> Iterator[Line]:
         """What a part holds by its role."""
         if part.role == "code" and message_code is not None:
-            yield (code(f"0x{message_code:0{2 * part.size}X}"), text_piece(f" ({message_code})"))
+            in_decimal = () if part.form == "decimal" else (text_piece(f" ({message_code})"),)
+            yield (code(part.number_text(message_code)), *in_decimal)
         elif part.role == "code":
             yield (text_piece("the code of the message"),)
         elif part.role == "unit_address" and not part.part.doc:

@@ -59,10 +59,11 @@ def _message(context: Context, message_layout: MessageLayout) -> Section:
 
 
 def _code(context: Context, number: int) -> str:
-    """A code in as many digits as the frames have bytes for it."""
-    parts = (link.frame(direction).role("code") for link in context.layout.links.values() for direction in DIRECTIONS)
-    size = max((part.size for part in parts if part is not None), default=1)
-    return f"0x{number:0{2 * size}X}"
+    """A code in as many digits as the widest of the parts that carry it."""
+    links = context.layout.links.values()
+    parts = [part for link in links for direction in DIRECTIONS if (part := link.frame(direction).role("code"))]
+    widest = max(parts, key=lambda part: part.size if part.form else 2 * part.size, default=None)
+    return f"0x{number:02X}" if widest is None else widest.number_text(number)
 
 
 def _frame(

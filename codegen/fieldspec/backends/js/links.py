@@ -151,11 +151,16 @@ def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> 
 
 def _header_type(frame: FrameLayout) -> str:
     rows = [
-        f"readonly {key}: {'bigint' if part.size > WIDE else 'number'}"
+        f"readonly {key}: {'bigint' if _is_wide(part) else 'number'}"
         for key, part in zip(argument_keys(frame.header), frame.header, strict=True)
         if key
     ]
     return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
+
+
+def _is_wide(part: PartLayout) -> bool:
+    """Whether the number of a part is a bigint."""
+    return (part.value.number_size(part.size) if part.value is not None else part.size) > WIDE
 
 
 def argument_keys(parts: Sequence[PartLayout]) -> list[str]:
@@ -182,9 +187,9 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "size": part.size,
             "order": part.order or "big",
             "signed": bool(part.value and part.value.type.signed),
-            "wide": part.size > WIDE and part.role not in ("length", "code", "checksum"),
-            "low": part.value.type.low if part.value else 0,
-            "high": part.value.type.high if part.value else (1 << 8 * part.size) - 1,
+            "wide": _is_wide(part) and part.role not in ("length", "code", "checksum"),
+            "low": part.value.low if part.value else 0,
+            "high": part.value.high if part.value else (1 << 8 * part.size) - 1,
             "reserved": part.reserved,
             "unitSize": part.unit_size,
             "base": part.base,
@@ -195,6 +200,8 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
         wide = row["wide"] and part.constant is not None
         more = ["constant: null" if part.constant is None else f"constant: {part.constant}{'n' * wide}"]
         more += [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
+        if part.form:
+            more.append(f"digits: {literal(part.form)}")
         if part.role == "checksum":
             more += [f"algorithm: {checksum_function(part.algorithm, part.order)}", f"digits: {literal(part.digits)}"]
         lines.append(
@@ -304,16 +311,15 @@ def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], name
 
 
 def _number(part: PartLayout) -> str:
-    return object_of(
-        {
-            "offset": str(part.offset),
-            "size": str(part.size),
-            "order": literal(part.order or "big"),
-            "signed": flag(bool(part.value and part.value.type.signed)),
-            "unitSize": str(part.unit_size),
-            "base": str(part.base),
-        }
-    )
+    row = {
+        "offset": str(part.offset),
+        "size": str(part.size),
+        "order": literal(part.order or "big"),
+        "signed": flag(bool(part.value and part.value.type.signed)),
+        "unitSize": str(part.unit_size),
+        "base": str(part.base),
+    }
+    return object_of(row | ({"digits": literal(part.form)} if part.form else {}))
 
 
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:

@@ -53,7 +53,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     counters = [
         f"({literal(part.name)}, {part.value.ranges.low}, {part.value.ranges.high})"
         if part.value is not None and part.value.ranges is not None
-        else f"({literal(part.name)}, 0, {part.value.type.high if part.value is not None else 255})"
+        else f"({literal(part.name)}, 0, {part.value.high if part.value is not None else 255})"
         for part in (*link.request.header, *link.request.trailer)
         if part.role == "plain" and part.is_argument and part.name in answered
     ]

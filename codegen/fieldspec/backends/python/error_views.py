@@ -54,7 +54,7 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
     if code is None or code.value is None:
         return None
     head = [head_value(part, f"code | {error.flag:#x}" if error.flag else "code") for part in frame.header]
-    limits = (code.value.type.low, code.value.type.high) if error.code is None else (error.code, error.code)
+    limits = (code.value.low, code.value.high) if error.code is None else (error.code, error.code)
     limit = f"_refused_number({literal(code.name)}, code, {limits[0]}, {limits[1]})"
     if error.code is not None:
         limit = f"_refused_code(code, {error.code:#04x})"

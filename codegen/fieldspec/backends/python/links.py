@@ -12,7 +12,6 @@ from fieldspec.backends.python.frames import (
     argument_views,
     code_literal,
     escape_call,
-    framer,
     frames_arguments,
     head_refusals,
     head_tests,
@@ -20,6 +19,7 @@ from fieldspec.backends.python.frames import (
     is_simple,
     marks_exceptions,
 )
+from fieldspec.backends.python.framing import framer
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
@@ -314,7 +314,7 @@ def _class_rows(link: LinkLayout, direction: str, carried: list[Exchange], views
 
 def _quick_key(code: PartLayout | None) -> str:
     """The place of a code of one byte, by which whole frames are unpacked; empty where there is none."""
-    return str(code.offset) if code is not None and code.size == 1 else ""
+    return str(code.offset) if code is not None and code.size == 1 and not code.form else ""
 
 
 def _message_names(message: MessageLayout) -> list[str]:

@@ -23,7 +23,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
     reader = "a query"
     inner_lists = inner_list_refusals(versions, reader)
-    return [*character_refusals(versions, reader), *base_refusals(versions, reader), *inner_lists]
+    return [*character_refusals(versions, reader, reads_frames=False), *base_refusals(versions, reader), *inner_lists]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

@@ -14,7 +14,7 @@ from fieldspec.reading.building.escapes import escape
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
 _VALUED = ("unit_address", "code", "length", "plain")
-_NUMBER_KEYS = frozenset({"type", "byte_order"})
+_NUMBER_KEYS = frozenset({"type", "byte_order", "digits", "length"})
 _KEYS = {
     "unit_address": _NUMBER_KEYS | {"range"},
     "code": _NUMBER_KEYS,
@@ -22,12 +22,12 @@ _KEYS = {
     "body": frozenset[str](),
     "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits"}),
     "plain": VALUE_KEYS
-    - {"length", "characters", "digits", "places", "sentinels", "parameter", "default", "unit_default"}
+    - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "digits", "reserved", "same_as"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
@@ -35,7 +35,7 @@ _HELP = {
     "counts": "move it to the part with `role: length`",
     "covers": "move it to the part with `role: checksum`",
     "checksum": "move it to the part with `role: checksum`",
-    "digits": "move it to the part with `role: checksum`",
+    "digits": "remove `digits`, and state them at the fields of messages",
     "algorithm": "add or remove `algorithm`",
     "reserved": "move it to a part without a `role`",
     "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
@@ -139,7 +139,7 @@ def _part(entry: Entry, link_order: str) -> Part:
     if (role == "checksum") != bool(algorithm):
         entry.refuse("wrong_form", "role", "a checksum has an algorithm, other parts have none", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
-    order, digits = entry.text("byte_order"), entry.text("digits")
+    order, digits = entry.text("byte_order"), entry.text("digits") if role == "checksum" else ""
     if role == "checksum" and algorithm not in SIMPLE:
         order = order or link_order
     if digits and entry.text("byte_order"):
@@ -176,10 +176,11 @@ def _bits(entry: Entry) -> tuple[int, int] | None:
 
 
 def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:
-    """The value of a part; one with bits has no greater number than these can hold."""
-    own = value(entry, takes_digits=False)
-    highest = (1 << bits[1] - bits[0] + 1) - 1 if bits is not None else own.type.high
-    if highest >= own.type.high or own.ranges is not None or own.const is not None or entry.text("role") == "code":
+    """The value of a part; one with bits, or sent as digits, has no greater number than these can hold."""
+    own = value(entry)
+    highest = (1 << bits[1] - bits[0] + 1) - 1 if bits is not None else own.high
+    is_free = own.ranges is None and own.const is None and entry.text("role") not in ("code", "length")
+    if highest >= own.type.high or not is_free:
         return own
     return replace(own, ranges=Ranges(((0, highest),)))
 

@@ -36,9 +36,9 @@ VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 """The keys for the encoding of a value and its meaning."""
 
 
-def value(entry: Entry, type_name: str = "", words: int | None = None, takes_digits: bool = True) -> Value:
+def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     """The value that an entry describes. A missing type is a finding; the value is then a `u16`."""
-    digits = entry.text("digits") if takes_digits else ""
+    digits = entry.text("digits")
     primitive = PRIMITIVES.get(entry.text("type") or type_name)
     if primitive is None:
         entry.refuse("type_present", "type", "this value has no type", "add a `type`")
@@ -53,7 +53,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
             text = f"a quantity depends on what the device has in {scale_by}"
             entry.refuse("wrong_form", key, text, f"state `{key.removeprefix('unit_')}`, in counts")
     size = _size(entry, primitive, words, digits)
-    varies = entry.flag("varies") and takes_digits
+    varies = entry.flag("varies")
     return Value(
         type=primitive,
         size=size + (varies and primitive.signed and digits == "decimal"),

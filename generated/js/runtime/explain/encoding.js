@@ -194,7 +194,8 @@ function sentBytes(shape, data) {
 }
 
 function partBytes(part, number) {
-  return number instanceof Uint8Array ? number : bytesOfNumber(number, part.size, part.order ?? "big");
+  if (number instanceof Uint8Array) return number;
+  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big");
 }
 
 function partNumber(link, direction, part, values, message, error) {

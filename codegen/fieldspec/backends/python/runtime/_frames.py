@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any, ClassVar, Literal
 
+    from ._digits import Digits
     from ._typing import Data
 
 _CHECKS = {"crc16_modbus": (crc16_modbus, 2), "lrc": (lrc, 1), "sum8": (sum8, 1)}
@@ -68,7 +69,7 @@ class Frames:
 
     `head` is the format of the Struct of the header; `code` and `length` are the places of these parts in it, -1 where
     there is none. The length counts all parts. `constants` are the constant header parts: place, name, value and offset
-    of each.
+    of each. `forms` are the digits of header parts by the offsets of these.
     """
 
     __slots__ = (
@@ -78,6 +79,7 @@ class Frames:
         "code_offset",
         "constants",
         "end",
+        "forms",
         "head",
         "head_size",
         "hexadecimal",
@@ -117,6 +119,7 @@ class Frames:
         self.code, self.code_offset = code, code_offset
         self.length, self.length_offset, self.length_name, self.longest = length, length_offset, length_name, longest
         self.start, self.end, self.hexadecimal, self.constants = start, end, hexadecimal, constants
+        self.forms: dict[int, Digits] = {}
 
     def unmarked(self, frame: Data) -> Data:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""

@@ -2,31 +2,38 @@
 
 from __future__ import annotations
 
+from ._digits import digits, no_digits
 from ._error import CodecError, wrong_const
 from ._framers import LengthFramer
 from ._frames import Frames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import Literal
 
     from ._typing import Data
 
-    Part = tuple[str, int, Literal["big", "little"], bool, int | None, bool]
+    Order = Literal["big", "little"]
+    Form = Literal["decimal", "upper_hex", "lower_hex"]
+    Part = tuple[str, int, Order | Form, bool, int | None, bool]
     Check = tuple[int, Callable[[Data], int], int, int | None, str]
+
+
+_FORMS = ("decimal", "upper_hex", "lower_hex")
+_NO_DIGITS = -1
 
 
 class PartFrames(Frames):
     """The frames of one link in one direction, as rows of parts: those before the body, and those after it.
 
     A row is the name, the size in bytes, the order, whether it has a sign, the constant, and whether any other number
-    is refused. `checks` are the checksums in the order in which they are computed: the place in these rows, the
-    function, the bounds of the bytes that it covers, and the digits of one that is sent as characters. A length of n
-    means that the parts have `unit` * n + `base` bytes.
+    is refused. In place of an order, a part that is sent as digits has their form. `checks` are the checksums in the
+    order in which they are computed: the place in these rows, the function, the bounds of the bytes that it covers, and
+    the digits of one that is sent as characters. A length of n means that the parts have `unit` * n + `base` bytes.
     """
 
-    __slots__ = ("base", "checks", "rows", "tail", "unit")
+    __slots__ = ("base", "checks", "digits", "rows", "tail", "unit")
 
     def __init__(
         self,
@@ -62,16 +69,29 @@ class PartFrames(Frames):
         self.rows, self.tail, self.checks, self.unit, self.base = head, tail, checks, unit, base
         self.head_size = sum(row[1] for row in head)
         self.tail_size = sum(row[1] for row in tail)
+        rows = (*head, *tail)
+        self.digits = {
+            place: digits(f">u64 {form} {size} 0")
+            for place, (_, size, form, _, _, _) in enumerate(rows)
+            if form in _FORMS
+        }
+        offsets = (sum(row[1] for row in head[:place]) for place in range(len(head)))
+        self.forms = {offset: self.digits[place] for place, offset in enumerate(offsets) if place in self.digits}
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
-        """The row, the offset and the number of each part of a frame that is long enough."""
+        """The row, the offset and the number of each part of a frame that is long enough; -1 for what are no digits."""
         numbers = []
         at = 0
         for place, row in enumerate((*self.rows, *self.tail)):
             if place == len(self.rows):
                 at = len(data) - self.tail_size
             _, size, order, signed, _, _ = row
-            numbers.append((row, at, int.from_bytes(data[at : at + size], order, signed=signed)))
+            if order == "big" or order == "little":
+                number = int.from_bytes(data[at : at + size], order, signed=signed)
+            else:
+                (digits_number,) = self.digits[place].unpack(data[at : at + size])
+                number = _NO_DIGITS if digits_number is None else digits_number
+            numbers.append((row, at, number))
             at += size
         return numbers
 
@@ -79,14 +99,22 @@ class PartFrames(Frames):
         self, data: Data, numbers: list[tuple[Part, int, int]], places: frozenset[int] | None = None
     ) -> CodecError | None:
         """The error of the first wrong checksum, of all or of those at some places; None where they are right."""
-        for place, function, start, stop, digits in self.checks:
+        for place, function, start, stop, form in self.checks:
             if places is not None and place not in places:
                 continue
             (_, size, order, _, _, _), at, have = numbers[place]
-            want = _number(function(data[start:stop]), size, order, digits)
+            want = _number(function(data[start:stop]), size, _order(order), form)
             if have != want:
                 text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
                 return CodecError("wrong_check", text, at)
+        return None
+
+    def _no_digits(self, data: Data, numbers: list[tuple[Part, int, int]], places: Iterable[int]) -> CodecError | None:
+        """The error of the first part of some that is not sent as its digits, although not everything is accepted."""
+        for place in places:
+            (name, size, _, _, constant, compared), at, number = numbers[place]
+            if number == _NO_DIGITS and (compared or constant is None):
+                return no_digits(name, bytes(data[at : at + size]), at)
         return None
 
     def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
@@ -101,7 +129,10 @@ class PartFrames(Frames):
 
     def agrees(self, data: Data) -> bool:
         """Whether the checksum and the constants are right."""
-        return len(data) >= self.head_size + self.tail_size and self._wrong(data, self._numbers(data)) is None
+        if len(data) < self.head_size + self.tail_size:
+            return False
+        numbers = self._numbers(data)
+        return self._no_digits(data, numbers, self.digits) is None and self._wrong(data, numbers) is None
 
     def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
         """The header and the body of the parts of a frame. Raises CodecError."""
@@ -110,6 +141,9 @@ class PartFrames(Frames):
             least = self.head_size + self.tail_size
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
         numbers = self._numbers(data)
+        wrong = self._no_digits(data, numbers, self.digits)
+        if wrong is not None:
+            raise wrong
         if self.length >= 0 and (self._own is None or self.length in self._own):
             self._compare_length(numbers[self.length][2], size)
         wrong = self._wrong(data, numbers)
@@ -145,18 +179,22 @@ class PartFrames(Frames):
             if over or not 0 <= units <= self.longest:
                 raise CodecError("wrong_length", f"{self.length_name} cannot say that the frame has {total} bytes")
             numbers[self.length] = units
-        for place, function, start, stop, digits in self.checks:
+        for place, function, start, stop, form in self.checks:
             _, size, order, _, _, _ = (*self.rows, *self.tail)[place]
             data = self._packed(numbers, body)
             if own is not None and place not in own:
                 data = self._sent(data)
-            numbers[place] = _number(function(data[start:stop]), size, order, digits)
+            numbers[place] = _number(function(data[start:stop]), size, _order(order), form)
         return self.marked(self._sent(self._packed(numbers, body)))
 
     def _packed(self, numbers: list[int], body: bytes) -> bytes:
         packed = [
             number.to_bytes(size, order, signed=signed)
-            for number, (_, size, order, signed, _, _) in zip(numbers, (*self.rows, *self.tail), strict=True)
+            if order == "big" or order == "little"
+            else self.digits[place].data(number)
+            for place, (number, (_, size, order, signed, _, _)) in enumerate(
+                zip(numbers, (*self.rows, *self.tail), strict=True)
+            )
         ]
         packed.insert(len(self.rows), body)
         return b"".join(packed)
@@ -168,6 +206,11 @@ def _number(checksum: int, size: int, order: Literal["big", "little"], digits: s
         return checksum
     text = f"{checksum:0{size}d}" if digits == "decimal" else f"{checksum:0{size}x}"
     return int.from_bytes((text.upper() if digits == "upper_hex" else text).encode(), order)
+
+
+def _order(order: Order | Form) -> Order:
+    """The byte order of a checksum, whose digits are no concern of its row."""
+    return "little" if order == "little" else "big"
 
 
 class CountFramer(LengthFramer):
@@ -187,5 +230,6 @@ class CountFramer(LengthFramer):
         at += len(frames.start)
         if self._foreign(buffer, at):
             return 0
-        extent = self._number(buffer, at + self.length_offset, self.length_size) * frames.unit + frames.base + marks
+        units = self._read(buffer, at + self.length_offset, self.length_size, self._length_form)
+        extent = units * frames.unit + frames.base + marks
         return extent if self.shortest <= extent <= self.longest else 0

@@ -1,4 +1,5 @@
-import { bytesOfHex } from "./texts.js";
+import { digitsBytes } from "./digits.js";
+import { bytesOfHex, latinOf } from "./texts.js";
 
 /**
  * The data of a device, indexed for the explainer. Everything that is looked up by a name or a number which a user or
@@ -134,9 +135,11 @@ export function codeText(link, direction, message) {
   if (message.code === undefined) return "no code";
   const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
   const shared = link.subcodes[direction].get(message.code);
-  if (!shared) return digits(message.code, 1);
+  const part = link[direction].code;
+  const own = part?.value.digits ? latinOf(digitsBytes(part.value, message.code)).toUpperCase() : digits(message.code, 1);
+  if (!shared) return own;
   const [number] = shared.messages.find(([, name]) => name === message.name);
-  return `${digits(message.code, 1)} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
+  return `${own} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */

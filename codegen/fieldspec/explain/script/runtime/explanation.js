@@ -5,6 +5,8 @@ import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from
 import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
 import { accessedSpan, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
+import { digitsNumber } from "./digits.js";
+import { isWhole } from "./numbers.js";
 
 const NOTHING = new Map();
 
@@ -134,7 +136,7 @@ class ExplainedFrame {
       checks = checks.filter(({ escaped }) => !escaped);
     }
     if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
-    const number = Number(wholeOf(data.subarray(length.offset, length.offset + length.size), length.order, false));
+    const number = Number(numberOf(length, data));
     const stated = number * (length.unitSize ?? 1) + (length.base ?? 0);
     const early = this.shape.headerSize + this.shape.trailerSize <= stated && stated < data.length;
     const isRight = (bytes) => checks.every((check) => {
@@ -168,7 +170,7 @@ class ExplainedFrame {
   partValue(part, raw) {
     if (part.role === "checksum") return this.checkedValue(part, raw);
     const read = decodeValue(this.device, part.value, raw, part.order ?? "big", false, part.reserved);
-    if (part.reserved) return read;
+    if (part.reserved || !isWhole(read.number)) return read;
     if (part.role === "length") return this.judgedLength(part, read);
     if (part.offset < 0) return read;
     this.values.set(part.name, read.number);
@@ -229,8 +231,7 @@ class ExplainedFrame {
 
   /** The number of a part before the body, as far as the bytes reach. */
   partNumber(name) {
-    const { offset, size, order, value } = this.shape.header.find((part) => part.name === name);
-    return wholeOf(this.data.subarray(offset, offset + size), order === "little" ? "little" : "big", value.signed);
+    return numberOf(this.shape.header.find((part) => part.name === name), this.data);
   }
 
   addressValue(read) {
@@ -294,6 +295,13 @@ class ExplainedFrame {
     }
     return rows;
   }
+}
+
+/** The number of a part before the body, as far as the bytes reach; NaN for what are not its digits. */
+function numberOf({ offset, size, order, value }, data) {
+  const bytes = data.subarray(offset, offset + size);
+  if (value.digits) return (bytes.length === size ? digitsNumber(value, bytes) : undefined) ?? NaN;
+  return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
 /** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
