@@ -26,6 +26,7 @@ from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, value_cells
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.record import Message
 from fieldspec.model.value import Conversion, Signal
 
 DIRECTIONS = ("request", "response")
@@ -54,16 +55,24 @@ def _message(context: Context, message_layout: MessageLayout) -> Section:
         for direction in (way for way in DIRECTIONS if message.name in link.carried(way)):
             blocks.append(_frame(context, message_layout, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
-    code_pieces: Line = () if message.code is None else (code(_code(context, message.code)), text_piece(" "))
+    code_pieces: Line = () if message.code is None else (code(_code(context, message)), text_piece(" "))
     return Section(path, (*code_pieces, *context.section_title(title, message)), tuple(blocks))
 
 
-def _code(context: Context, number: int) -> str:
-    """A code in as many digits as the widest of the parts that carry it."""
+def _code(context: Context, message: Message) -> str:
+    """The code of a message in as many digits as the widest of the parts that carry it."""
     links = context.layout.links.values()
-    parts = [part for link in links for direction in DIRECTIONS if (part := link.frame(direction).role("code"))]
+    carriers = [link for link in links if message.name in link.messages]
+    parts = [part for link in carriers for direction in DIRECTIONS if (part := link.frame(direction).role("code"))]
     widest = max(parts, key=lambda part: part.size if part.form else 2 * part.size, default=None)
+    number = message.code or 0
     return f"0x{number:02X}" if widest is None else widest.number_text(number)
+
+
+def _code_pieces(context: Context, message: Message) -> Line:
+    """A code, and its number where that is not what the code looks like."""
+    text = _code(context, message)
+    return (code(text),) if text.isdecimal() else (code(text), text_piece(f" ({message.code})"))
 
 
 def _frame(
@@ -109,7 +118,7 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     if message.group:
         yield "Group", ((text_piece(" ".join(message.group.split("_"))),),)
     if message.code is not None:
-        yield "Code", ((code(_code(context, message.code)), text_piece(f" ({message.code})")),)
+        yield "Code", (_code_pieces(context, message),)
         yield from _subcodes(context, message_layout)
     printed = [
         f"{direction} {many(length, 'byte')}"
