@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import random
 from functools import reduce
 from operator import xor
@@ -15,7 +16,7 @@ from fieldspec.explain.explanation import explained
 from fieldspec.reference import CodecError, codec
 from fieldspec.testing import simulation
 from layouts import TEST_SPECS, newest
-from python_package import codec_error, link_of, module_of
+from python_package import codec_error, link_of, module_of, runtime
 from serial_lines import SECONDS
 
 LAYOUT = newest(TEST_SPECS, "ladder")
@@ -118,3 +119,15 @@ def test_a_client_reads_and_writes_words_by_name(capsys: pytest.CaptureFixture[s
         assert device.value("parameters/words/target") == 2500
         assert main(["live", "ladder", "read", "target", *more]) == 0
         assert "2500" in capsys.readouterr().out
+
+
+def test_a_generated_client_counts_its_requests_in_digits() -> None:
+    client_module = importlib.import_module(f"{LADDER.__package__}.client")
+    with simulation("ladder", ports={"loop": "tcp://127.0.0.1:0"}, unit_address=63, folder=str(TEST_SPECS)) as device:
+        host, port = device.place.removeprefix("tcp://").split(":")
+        with runtime("transports").tcp(host, int(port)) as transport:
+            client = client_module.Client(transport, link="loop", unit_address=63)
+            replies = [client.ask(LADDER.ReadLevelRequest(channel)) for channel in (1, 8)]
+            assert client.ask(LADDER.StoreRequest([0x0D])).message == LADDER.StoreResponse()
+    assert [reply.message.level for reply in replies] == [0, 0]
+    assert replies[1].number == replies[0].number + 1

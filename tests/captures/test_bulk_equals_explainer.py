@@ -125,7 +125,7 @@ def compare(layout: DeviceLayout, link: str, message: str, own: list[tuple[Examp
 
 def is_head(register: str) -> bool:
     """Whether a value is a part of the header, such as a status, and not a field of the body or a register."""
-    return register in ("status", "error", "instruction", "function")
+    return register in ("status", "error", "instruction", "function", "timer", "end_code")
 
 
 READABLE = ("tc100@2.0", "ck10@1", "meter@1", "wattmeter@2")

@@ -283,7 +283,7 @@ class Server:
     def _head(self, frames: FrameCodec, head: Mapping[str, Any]) -> dict[str, Any]:
         """The parts of the response's frame that nothing else decides: those of the request, or what is in memory."""
         values: dict[str, Any] = {}
-        for part in frames.link.response.parts:
+        for part in frames.link.response.header:
             if part.role in ("length", "checksum", "code"):
                 continue
             if part.role == "unit_address":
