@@ -22,6 +22,7 @@ from serial_lines import SECONDS
 LAYOUT = newest(TEST_SPECS, "ladder")
 LADDER = module_of(LAYOUT)
 LOOP = link_of(LADDER, "loop")
+RING = link_of(LADDER, "ring")
 REFERENCE = codec(LAYOUT).links["loop"]
 
 
@@ -96,6 +97,24 @@ def test_a_framer_finds_frames_by_the_digits_of_their_length() -> None:
         framer = LOOP.request_framer()
         split = [frame for at in range(0, len(stream), step) for frame in framer.feed(stream[at : at + step])]
         assert split + framer.idle() == frames
+
+
+def test_a_framer_finds_frames_by_the_digits_of_their_code() -> None:
+    requests = [RING.encode_request(unit, LADDER.ReadLevelRequest(unit)) for unit in (1, 8)]
+    assert requests[1] == b"!1F88" + b"%02x\r" % reduce(xor, b"1F88")
+    framer = RING.request_framer()
+    stream = b"!1f88" + requests[0] + b"!1F9810\r!" + requests[1]
+    assert [frame for byte in stream for frame in framer.feed(bytes((byte,)))] == requests
+    assert framer.dropped == len(stream) - len(b"".join(requests))
+    responses = [
+        RING.encode_response(2, LADDER.ReadLevelResponse(-5)),
+        RING.encode_error(2, 31, LADDER.Trouble(31, 0xAB)),
+    ]
+    assert responses[1][:8] == b"!9F2031A"
+    framer = RING.response_framer()
+    assert framer.feed(b"!9G" + b"".join(responses)) == responses
+    error = RING.decode_response(responses[1])
+    assert (error.code, error.exception.reason) == (31, 0xAB)
 
 
 def test_a_simulated_device_speaks_in_digits_over_a_line() -> None:
