@@ -178,6 +178,21 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
         yield finding(_CODE, part.place, "covers", text, help, label(other.place, "covers", other.name))
 
 
+def _of_sent_length(link: Link, direction: str) -> Iterator[Diagnostic]:
+    """Whether no escaped checksum covers a length that counts what is sent, as each would depend on the other."""
+    parts, escaped = link.parts(direction), link.escaped_span(direction) or (0, -1)
+    length = next((at for at, part in enumerate(parts) if part.role == "length"), None)
+    if length is None or escaped[0] <= length <= escaped[1]:
+        return
+    for at, part in enumerate(parts):
+        first, last = link.span(direction, part) or (0, -1)
+        if part.role == "checksum" and escaped[0] <= at <= escaped[1] and first <= length <= last:
+            text = f"{part.name} is escaped and covers {parts[length].name}, which counts what is sent"
+            there = label(parts[length].place, "name", "the length")
+            help = "begin behind the length under `covers`, or escape both parts or neither of them"
+            yield finding(_CODE, part.place, "name", text, help, there)
+
+
 def _escapable(link: Link) -> Iterator[Diagnostic]:
     """Whether the escape of a link applies to parts that it has, the body among them, and hides the end mark."""
     escape = link.escape
@@ -197,6 +212,7 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
         if not any(part.role == "body" for part in parts[first : last + 1]):
             text = f"the body of the {direction} of {link.name} is not escaped"
             yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
+        yield from _of_sent_length(link, direction)
     whole = not escape.first and not escape.last
     for end in dict.fromkeys((link.end, link.response_end)):
         bounded = {"replace": bool(end) and (end[0] in {byte for byte, _, _ in escape.pairs})}

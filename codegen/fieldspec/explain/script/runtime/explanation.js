@@ -106,6 +106,7 @@ class ExplainedFrame {
     if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
     rows.push(...endRows(this.wrapped));
     this.values = new Map();
+    this.error = false;
     return this.result(this.named, rows, [], []);
   }
 
