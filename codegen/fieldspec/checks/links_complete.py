@@ -8,7 +8,8 @@ Example: a link with two messages whose requests have no part with the role `cod
 
 Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
 code, length and user fields come before the body; constants and reserved parts may be anywhere. A length
-counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself. If
+counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself; an
+escaped one covers no length that counts what is sent. If
 frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
 caller of the decoder then states the message.
 """
