@@ -436,32 +436,91 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
+/** The bytes of a list, as its count in the image says. */
+function countedBytes({ at, length, little, unit }, image) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + image[at + (little ? length - 1 - place : place)];
+  return number * unit;
+}
+
 /**
- * The byte in data of a size for a byte of their image, in which a list comes last that begins `first` bytes behind the
- * start, and that `behind` bytes follow. Data with fewer bytes than these are their own image.
+ * The bytes of each list in some data; up to the first one for which they are not known, and why. In the image of a
+ * record with `lists`, these come last, each at its `room`; the other fields have `fixed` bytes, `first` of them before
+ * a list. It has `least` to `most` bytes, `element` for each element. The number of units of `unit` bytes is at `at` in
+ * the image; a `length` of 0 is that of the list whose size the data decide.
  */
-function placeAround({ first, behind }, size, at) {
-  if (at < first || size < first + behind) return at;
-  return at >= first + behind ? at - behind : at + size - first - behind;
+function sizesIn({ fixed, lists }, data) {
+  const sizes = [];
+  const image = [];
+  let before = 0;
+  for (const list of lists) {
+    const at = list.first + before;
+    const left = data.length - at - fixed + list.first;
+    if (left < 0) return { sizes, fault: { reason: "incomplete", at: data.length } };
+    image.push(...data.subarray(image.length + before, at));
+    const size = list.length ? countedBytes(list, image) : left;
+    const isWrong = size < list.least || size > list.most || size % list.element;
+    if (list.length && isWrong) {
+      return { sizes, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, sizes, list.at) } };
+    }
+    if (size > left) return { sizes, fault: { reason: "incomplete", at: data.length } };
+    sizes.push(size);
+    before += size;
+  }
+  return { sizes, fault: null };
+}
+
+/** The byte in data, whose lists have some sizes, for a byte of their image. */
+function placeAround({ lists }, sizes, at) {
+  let before = 0;
+  for (const [number, { first, room, length, most }] of lists.entries()) {
+    if (at >= room && (!length || at < room + most)) return first + before + at - room;
+    if (at < first) return at + before;
+    before += sizes[number] ?? 0;
+  }
+  return at + before;
+}
+
+/** The image of data whose lists have some sizes. */
+function imageOf({ fixed, lists }, data, sizes) {
+  const image = new Uint8Array(lists.at(-1).room + sizes.at(-1));
+  let [before, at] = [0, 0];
+  for (const [number, { first, room }] of lists.entries()) {
+    image.set(data.subarray(at + before, first + before), at);
+    image.set(data.subarray(first + before, first + before + sizes[number]), room);
+    before += sizes[number];
+    at = first;
+  }
+  image.set(data.subarray(at + before, fixed + before), at);
+  return image;
 }
 
 /** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 function readAround(inner, read, bytes, offset, end) {
-  const size = end - offset;
-  const image = Uint8Array.from({ length: size }, (_, at) => bytes[offset + placeAround(inner, size, at)]);
+  const data = bytes.subarray(offset, end);
+  const { sizes, fault } = sizesIn(inner, data);
+  if (fault) {
+    throw new CodecError(fault.reason, `${inner.lists[sizes.length].name} has another number of bytes`, offset + fault.at);
+  }
+  const image = imageOf(inner, data, sizes);
   try {
-    return read(image, 0, size);
+    return read(image, 0, image.length);
   } catch (error) {
     if (!(error instanceof CodecError) || error.offset === null) throw error;
-    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, size, error.offset));
+    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, sizes, error.offset));
   }
 }
 
-/** Moves the list in the image of a record, the bytes from `start` to `end`, to where it is sent. */
-function placeList({ first, behind }, bytes, start, end) {
-  const last = bytes.slice(start + first, start + first + behind);
-  bytes.copyWithin(start + first, start + first + behind, end);
-  bytes.set(last, end - behind);
+/** What is sent of an image whose last list has `last` bytes. */
+function sentOfImage({ fixed, lists }, image, last) {
+  const pieces = [];
+  let at = 0;
+  for (const list of lists) {
+    const size = list.length ? countedBytes(list, image) : last;
+    pieces.push(...image.subarray(at, list.first), ...image.subarray(list.room, list.room + size));
+    at = list.first;
+  }
+  return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
 }
 
 const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
@@ -1915,6 +1974,17 @@ function withPercentages(device, row, field, number) {
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
 
+/** The fields of a record with fields behind a list, in the order of the wire. */
+function sentFields({ fields, inner, named }) {
+  const others = fields.filter(({ repeat }) => !repeat);
+  const sent = [];
+  for (const { name, first } of inner.lists) {
+    while (others.length && others[0].offset < first) sent.push(others.shift());
+    sent.push(named.get(name));
+  }
+  return [...sent, ...others];
+}
+
 /**
  * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
  * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
@@ -1925,6 +1995,8 @@ class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
+    const known = this.record.inner ? sizesIn(this.record.inner, data.subarray(start, end)) : { sizes: [], fault: null };
+    Object.assign(this, known);
     this.rows = [];
     this.explainFields();
   }
@@ -1958,25 +2030,49 @@ class ExplainedBody {
 
   /** Adds the rows of a record with fields behind a list, in the order of the wire. */
   explainAround() {
-    const { fields, inner } = this.record;
-    const list = fields.at(-1);
-    const before = fields.slice(0, -1).filter(({ offset }) => offset < inner.first);
-    const sent = [...before, list, ...fields.slice(before.length, -1)];
-    const isWhole = this.end - this.start >= inner.first + inner.behind;
+    const sent = sentFields(this.record);
     let at = this.start;
+    let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
-      const isInner = field === list;
-      const count = this.countOf(field);
-      const stop = isInner && isWhole ? this.end - inner.behind : this.end;
-      const room = isInner && !isWhole ? 0 : Math.max(0, Math.min(count, Math.floor((stop - at) / field.size)));
-      this.explainField(field, at, room);
-      at += room * field.size;
-      if (room < count || (isInner && !isWhole)) {
-        this.rows.push(this.missingRow(isWhole ? [field] : sent.slice(number), at, stop));
-        if (!isWhole) return;
-      } else if (isInner && at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
-      if (isInner) at = stop;
+      if (!field.repeat) {
+        const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
+        this.explainField(field, at, room);
+        at += room * field.size;
+        if (room < field.count) {
+          this.rows.push(this.missingRow(sent.slice(number), at));
+          return;
+        }
+        continue;
+      }
+      if (numberOfList === this.sizes.length) {
+        this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
+        return;
+      }
+      const stop = at + this.sizes[numberOfList++];
+      const count = this.itemsOf(field);
+      this.explainField(field, at, count);
+      at += count * field.size;
+      if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
+      else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      at = stop;
     }
+  }
+
+  /** The row from a list on whose bytes nobody knows. */
+  unknownListRow(fields, list, at) {
+    const [{ name }] = fields;
+    if (this.fault.reason === "wrong_measure") {
+      const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
+      return this.wrongRow(fields[0], at, "wrong_measure", text);
+    }
+    if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
+    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
+  }
+
+  /** How many elements of a list of a record with fields behind a list there are. */
+  itemsOf(field) {
+    const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
+    return Math.min(Math.floor(this.sizes[number] / field.size), field.repeat[1]);
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -2065,8 +2161,10 @@ class ExplainedBody {
   /** The value of a field of a record, with its scale where another field beside it has the exponent. */
   byExponent({ value }, record, start) {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
+    const { inner } = record;
     const place = exponent?.offset ?? 0;
-    const at = start + (record.inner ? placeAround(record.inner, this.end - this.start, place) : place);
+    if (inner && this.fault && place >= inner.lists[this.sizes.length].first) return value;
+    const at = start + (inner ? placeAround(inner, this.sizes, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }
@@ -2095,11 +2193,25 @@ class ExplainedBody {
     const [of, name] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
+    if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
     const items = other.isList ? most : 1;
     const should = of === "bytes" ? items * other.size : items;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  /** The value of a field that measures a list of a record with fields behind a list. */
+  measuredList(field, other, read) {
+    const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
+    if (number < this.sizes.length) {
+      const should = this.itemsOf(other) * (field.measures[0] === "bytes" ? other.size : 1);
+      return judged(read, sameValue(read.number, should), should, "wrong_measure");
+    }
+    const { countName, least, most, unit } = this.record.inner.lists[number];
+    const isWrong = this.fault?.reason === "wrong_measure" && number === this.sizes.length;
+    if (!isWrong || countName !== field.name) return read;
+    return judged(read, false, `${Math.floor(least / unit)} to ${Math.floor(most / unit)}`, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */
@@ -3261,14 +3373,21 @@ function encodeRecord(device, record, values) {
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(form.fields.map((field) => {
-    if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
+    if (!field.measures) {
+      const own = joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
+      const room = form.inner?.lists.find(({ name, length }) => length && name === field.name);
+      return room ? joinedBytes([own, new Uint8Array(room.most - own.length)]) : own;
+    }
     const [of, name] = field.measures;
     const other = form.named.get(name);
     const items = other.isList ? known.get(name).length : 1;
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  if (form.inner) placeList(form.inner, bytes, 0, bytes.length);
+  if (form.inner) {
+    const last = form.fields.at(-1);
+    return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
+  }
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 

@@ -84,7 +84,7 @@ def add_exponent(draft: Draft, fields: list[Spec], kind: str) -> int:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner"))
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists"))
     if form == "empty":
         return []
     if form == "short":
@@ -99,6 +99,8 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     if form in ("measured", "inner"):
         behind = [fixed_field(draft)[0] for _ in range(draft.number(1, 3))] if form == "inner" else []
         return [*_measured(draft, fields), *behind]
+    if form == "lists":
+        return _lists(draft, fields)
     if form == "choice":
         return _choosing(draft, fields)
     if form == "counted":
@@ -150,6 +152,21 @@ def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
     what = draft.pick(("items", "bytes"))
     measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures={what: repeated["name"]})
     return [*_inserted(draft, fields, measure), repeated]
+
+
+def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Several lists, each behind the field that counts it; the last one may be counted by nothing."""
+    for number in range(draft.number(2, 3)):
+        repeated = _repeated(draft, fields)
+        if number and draft.chance(15):
+            return [*fields, repeated]
+        measure = draft.fact(
+            type=draft.pick(("u8", "u16")), measures={draft.pick(("items", "bytes")): repeated["name"]}
+        )
+        fields = [*_inserted(draft, fields, measure), repeated]
+        if draft.chance(20):
+            fields.append(draft.fact(type="u16", measures={draft.pick(("items", "bytes")): repeated["name"]}))
+    return [*fields, *(fixed_field(draft)[0] for _ in range(draft.number(0, 2)))]
 
 
 def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:

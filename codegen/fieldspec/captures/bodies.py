@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby, takewhile
 
 import numpy as np
@@ -17,6 +17,12 @@ from fieldspec.layout.widths import WidthError, extents, image_of
 
 _UNFIT = {"incomplete": INCOMPLETE, "unknown_value": UNKNOWN_VALUE, "wrong_length": WRONG_LENGTH}
 """The verdicts of bodies whose values vary in width."""
+
+
+Rooms = dict[str, Numbers]
+"""The numbers of elements of lists with others behind them, for each body, or one of the numbers below zero."""
+UNKNOWN, MISCOUNT = -2, -1
+"""A list that begins nobody knows where, or has less bytes than its count says; one whose count cannot be right."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,9 +66,12 @@ class BodyReader:
 
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
         self.record, self.decoders, self.emits = record, decoders, emits
+        self.has_lists: bool = False
+        """Whether it reads the images of bodies with fields behind lists."""
         self.slots = list(slots(record)) if record.selector is None else []
-        self.image = BodyReader(record.image, decoders, emits) if record.spans or record.inner_list else None
+        self.image = BodyReader(record.image, decoders, emits) if record.spans or record.inner_lists else None
         if self.image is not None:
+            self.image.has_lists = record.inner_lists is not None
             self.image.slots = self.slots  # in the order of the wire, in which the first fault counts
         self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
 
@@ -74,8 +83,9 @@ class BodyReader:
         A verdict that is not yet another one becomes that of the first fault.
         """
         if self.image is not None:
-            image, starts, sizes = self._images(buffer, at, size, verdict)
-            yield from self.image._fields(image, starts, sizes, verdict)
+            images = self._list_images if self.record.inner_lists is not None else self._images
+            image, starts, sizes, rooms = images(buffer, at, size, verdict)
+            yield from self.image._fields(image, starts, sizes, verdict, rooms)
             return
         if self.record.selector is None:
             yield from self._fields(buffer, at, size, verdict)
@@ -100,17 +110,12 @@ class BodyReader:
 
     def _images(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
-    ) -> tuple[Bytes, Numbers, Numbers]:
-        """The images of bodies, where each begins, and how far it goes."""
+    ) -> tuple[Bytes, Numbers, Numbers, Rooms]:
+        """The images of bodies whose values vary in width, where each begins, and how far it goes."""
         images: list[bytes] = []
         sizes = np.zeros(len(at), np.int64)
-        inner = self.record.inner_list
         for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
-            if inner is not None:
-                images.append(inner.image_of(data) if len(data) >= inner.fixed else data[: inner.first])
-                sizes[row] = len(images[-1])
-                continue
             try:
                 image, _ = image_of(self.record.spans, data)
             except WidthError as error:
@@ -119,14 +124,39 @@ class BodyReader:
                 blame_rows(verdict, np.array([row]), _UNFIT[error.reason])
             sizes[row] = len(image)
             images.append(image.ljust(self.record.image.least, b"\0"))
-        starts = np.cumsum([0, *map(len, images)])[:-1]
-        # One more byte, since nothing is taken from a buffer without any.
-        return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts, sizes
+        return *_joined(images), sizes, {}
+
+    def _list_images(
+        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+    ) -> tuple[Bytes, Numbers, Numbers, Rooms]:
+        """The same of bodies with fields behind lists; and for each list that has a room there, its elements."""
+        images: list[bytes] = []
+        sizes = np.zeros(len(at), np.int64)
+        inner = self.record.inner_lists
+        assert inner is not None
+        rooms = {own.name: np.full(len(at), UNKNOWN) for own in inner.lists[:-1]}
+        for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+            data = buffer[first : first + max(length, 0)].tobytes()
+            list_sizes, fault = inner.sizes_in(data)
+            images.append(inner.image_of(data, list_sizes))
+            sizes[row] = len(images[-1])
+            if fault is not None:
+                sizes[row] = min(inner.lists[len(list_sizes)].first, len(data) - sum(list_sizes))
+            for own, own_size in zip(inner.lists[:-1], list_sizes, strict=False):
+                rooms[own.name][row] = own_size // own.element
+            if fault is not None and fault.reason == "wrong_measure":
+                rooms[inner.lists[len(list_sizes)].name][row] = MISCOUNT
+        return *_joined(images), sizes, rooms
 
     def _fields(
-        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self,
+        buffer: Bytes,
+        at: Numbers,
+        size: Numbers,
+        verdict: npt.NDArray[np.int8],
+        rooms: Rooms | None = None,
     ) -> Iterator[tuple[Numbers, FieldRows]]:
-        counts = {field.name: self._count(field, size) for field in self.record.fields}
+        counts = {field.name: self._count(field, size) for field in self.record.fields} | (rooms or {})
         last = self.record.fields[-1] if self.record.fields else None
         for _, own_slots in groupby(self.slots, lambda slot: id(slot.field)):
             for slot in own_slots:
@@ -205,11 +235,29 @@ class BodyReader:
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases:
             return
+        room = self.record.room_of(other)
+        if room is not None and room.count == slot.path:
+            blame(verdict, counts[other.name] == MISCOUNT, WRONG_MEASURE)
+            return
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
         items = np.maximum(items, 0) if other.is_list else np.ones(len(at), np.int64)
         should = items * other.size if measure.of == "bytes" else items
         number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
+        if room is not None:
+            should = counts[other.name] * (other.size if measure.of == "bytes" else 1)
+            blame(verdict, (number != should) & (should >= 0), WRONG_MEASURE)
+            return
+        if self.has_lists:
+            blame(verdict, (number != should) & (other.offset <= size), WRONG_MEASURE)
+            return
         blame(verdict, (number != should) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+
+
+def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:
+    """Images one behind the other, and where each begins."""
+    starts = np.cumsum([0, *map(len, images)])[:-1]
+    # One more byte, since nothing is taken from a buffer without any.
+    return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts
 
 
 def values_at(values: ValueColumns, rows: Numbers | Mask) -> ValueColumns:

@@ -1,5 +1,6 @@
-"""A field that repeats comes last, and its elements have a fixed size. In a message, other fields of fixed size may
-come behind the only such field, if a field before it measures it.
+"""A field that repeats comes last, and its elements have a fixed size. In a message, other fields may come behind such
+a field, if a field before it measures it; where one of them repeats too, that field is a binary number of one or two
+bytes without a sign.
 
 Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
 Elements of varying size cannot be separated.
@@ -18,7 +19,7 @@ from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.record import Field, Message, Record, list_count
 from fieldspec.model.sizes import RecordSizes
 
 _CODE = "repeat_last"
@@ -59,12 +60,19 @@ def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Dia
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
         return
+    following = next((other for other in behind if other.repeat is not None), None)
+    if following is not None and list_count(layer, field) is None:
+        count = next(other for other in layer.fields[:at] if other in counts)
+        text = f"{count.name} counts {field.name}, which {following.name} follows, and is no binary `u8` or `u16`"
+        there = label(following.place, "repeat", "repeats too")
+        yield finding(
+            _CODE, count.place, "type", text, "state the number as `u8` or `u16`, or a message of its own", there
+        )
     for other in behind:
-        if other.repeat is not None or other.choice is not None:
-            key, what = ("repeat", "repeats") if other.repeat is not None else ("choice", "has several types")
-            text = f"{other.name} {what} behind {field.name}, which repeats too"
+        if other.choice is not None:
+            text = f"{other.name} has several types behind {field.name}, which repeats"
             there = label(field.place, "repeat", "is counted by a field")
-            yield finding(_CODE, other.place, key, text, "state its `count`, or a message of its own", there)
+            yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", there)
         for key in ("span", "word_span"):
             if key in other.place:
                 text = f"{other.name} has no place of its own, as {field.name} before it repeats"

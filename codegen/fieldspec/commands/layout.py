@@ -55,8 +55,9 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
         if record.spans:
             varying = next(span.name for span in record.spans if span.value is not None)
             raise UsageError(f"{record.name} has no layout: {varying} varies in width")
-        if record.inner_list is not None:
-            raise UsageError(f"{record.name} has no layout: fields come behind {record.inner_list.name}, which repeats")
+        if record.inner_lists is not None:
+            first = record.inner_lists.lists[0].name
+            raise UsageError(f"{record.name} has no layout: fields come behind {first}, which repeats")
         for decided, chosen in choices(record):
             yield chosen, fact, f"{record.name}, {decided}" if decided else record.name
 

@@ -90,15 +90,19 @@ class Redaction:
         record = decoded.body
         if record is None:
             return bytes(len(data))
-        inner = record.inner_list
-        data = data if inner is None else inner.image_of(data)
+        inner = record.inner_lists
+        if inner is not None:
+            sizes, fault = inner.sizes_in(data)
+            if fault is not None:
+                return bytes(len(data))
+            data = inner.image_of(data, sizes)
         result = bytearray(len(data))
         access = decoded.message.message.accesses if decoded.message is not None and not decoded.error else None
         values = {**asked, **decoded.values}
         if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
             values[_FIRST] = values.get(indexed.name)
-        self._record(record, data, result, 0, values, access)
-        return bytes(result) if inner is None or len(data) < inner.fixed else inner.data_of(bytes(result))
+        self._record(record.image if inner is not None else record, data, result, 0, values, access)
+        return bytes(result) if inner is None else inner.data_of(bytes(result))
 
     def _record(
         self,
@@ -112,7 +116,8 @@ class Redaction:
         """Takes over the fields of a record from `start` on."""
         for field in (record.of_data(data[start:]) or record).fields:
             at = start + field.offset
-            room = len(data) - at
+            own_room = record.room_of(field)
+            room = len(data) - at if own_room is None else own_room.size_of(own_room.count_in(data[start:])) or 0
             count = field.count if field.count is not None else room // field.size if field.size else 0
             if access is not None and field.name == access.values:
                 end = at + min(field.size * count, room)

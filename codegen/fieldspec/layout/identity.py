@@ -126,8 +126,8 @@ def _span(part: PartLayout) -> Iterator[Words]:
 
 def _record(record: RecordLayout) -> Iterator[Words]:
     yield "record", record.name
-    if record.inner_list is not None:
-        yield "inner list", record.inner_list.first, record.inner_list.behind
+    if record.inner_lists is not None:
+        yield "inner lists", [inner.first for inner in record.inner_lists.lists]
     for field in record.fields:
         yield from _field(field)
 

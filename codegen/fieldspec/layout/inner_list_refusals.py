@@ -13,11 +13,13 @@ def inner_list_refusals(
 ) -> list[Diagnostic]:
     """A finding for each list with fields behind it; `reader` is what does not read it."""
     lists = {
-        body.fields[-1].field.place.path: body.fields[-1].field
+        field.place.path: field
         for layout in versions
         for message in layout.messages.values()
         for body in message.bodies
-        if body.inner_list is not None
+        if body.inner_lists is not None
+        for field in body.record.fields
+        if field.repeat is not None and field is not body.record.fields[-1]
     }
     return [
         Diagnostic(

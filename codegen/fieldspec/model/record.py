@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact
 from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Handling, Value
+from fieldspec.model.value import Handling, Kind, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +58,11 @@ class Field(Fact):
     handling: Handling
     same_as: str
 
+    @property
+    def is_list(self) -> bool:
+        """Whether it is a list of elements."""
+        return self.count is not None or self.repeat is not None
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record(Fact):
@@ -74,6 +79,21 @@ class Record(Fact):
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""
         return next((field for field in self.fields if field.name == name), None)
+
+
+def list_count(record: Record, field: Field) -> Field | None:
+    """The field before a list that decides how many elements it has if another list follows, None if there is none.
+
+    It is a binary number of one or two bytes without a sign.
+    """
+    for other in record.fields[: record.fields.index(field)]:
+        value = other.value
+        if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
+            continue
+        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        if is_number and value.size <= 2:
+            return other
+    return None
 
 
 @dataclass(frozen=True, slots=True)

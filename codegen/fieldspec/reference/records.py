@@ -8,7 +8,7 @@ from typing import Any
 
 import construct
 
-from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.inner_lists import InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
@@ -36,27 +36,26 @@ Values = dict[str, Any]
 
 def record_struct(record: RecordLayout) -> construct.Struct:
     """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
-    inner = record.inner_list.name if record.inner_list is not None else ""
-    return construct.Struct(
-        *(
-            field.name / (_inner_list(record, field) if field.name == inner else _construct(field))
-            for field in record.sent_fields
-        )
-    )
+    return construct.Struct(*(field.name / _construct(record, field) for field in record.sent_fields))
 
 
-def _inner_list(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """A list with fields behind it: as many elements as another field says."""
+def _counted_list(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    """A list with something behind it: as many elements as another field says, in its room in an image."""
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
     unit = field.size if measure.of == "bytes" else 1
-    return construct.Array(lambda context: context[name] // unit, _element(field))
+    elements = construct.Array(lambda context: context[name] // unit, _element(field))
+    room = record.room_of(field)
+    return elements if room is None else construct.Padded(room.most, elements)
 
 
-def _construct(field: FieldLayout) -> construct.Construct:
+def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     element = _element(field)
+    if record.room_of(field) is not None:
+        return _counted_list(record, field)
     if field.field.repeat is not None:
-        return construct.GreedyRange(element)
+        is_last = field.field is record.record.fields[-1] or record.inner_lists is None
+        return construct.GreedyRange(element) if is_last else _counted_list(record, field)
     return element[field.count] if field.is_list else element
 
 
@@ -145,8 +144,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         record = chosen
     if record.spans:
         return _decoded_image(record, data, device, offset)
-    if record.inner_list is not None:
-        return _decoded_inner_list(record, record.inner_list, data, device, offset)
+    if record.inner_lists is not None:
+        return _decoded_inner_lists(record, record.inner_lists, data, device, offset)
     _check_length(record, len(data), offset)
     parsed = record_struct(record).parse(data)
     values: Values = {}
@@ -169,13 +168,16 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
         raise CodecError(error.reason, error.detail, at) from None
 
 
-def _decoded_inner_list(record: RecordLayout, inner: InnerList, data: bytes, device: Device, offset: int) -> Values:
+def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, device: Device, offset: int) -> Values:
     """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
+    sizes, fault = inner.sizes_in(data)
+    if fault is not None:
+        raise CodecError(fault.reason, f"{inner.lists[len(sizes)].name} has another number of bytes", offset + fault.at)
     try:
-        values = decoded(record.image, inner.image_of(data), device)
+        values = decoded(record.image, inner.image_of(data, sizes), device)
         return {field.name: values[field.name] for field in record.sent_fields}
     except CodecError as error:
-        at = None if error.offset is None else offset + inner.place_in_data(len(data), error.offset)
+        at = None if error.offset is None else offset + inner.place_in_data(sizes, error.offset)
         raise CodecError(error.reason, error.detail, at) from None
 
 
@@ -292,8 +294,8 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
     data: bytes = record_struct(record.image).build(raw)
-    if record.inner_list is not None:
-        return record.inner_list.data_of(data)
+    if record.inner_lists is not None:
+        return record.inner_lists.data_of(data)
     if not record.spans:
         return data
     try:

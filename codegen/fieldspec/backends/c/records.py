@@ -23,6 +23,7 @@ from fieldspec.backends.c.expressions import (
     add,
     address_of,
     any_of,
+    decimal,
     dereference,
     different,
     greater,
@@ -48,7 +49,7 @@ from fieldspec.backends.c.fields import (
     switch_cases,
     walk_elements,
 )
-from fieldspec.backends.c.inner_lists import decode_inner_list, encode_inner_list
+from fieldspec.backends.c.inner_lists import decode_inner_lists, encode_inner_lists
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.packing import check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.backends.c.statements import (
@@ -99,12 +100,12 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
         declarations += [BLANK, *declare_packing(naming, record, checks)]
     writing = comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written.")
     reading = comment(f"Reads {name} from exactly {size}.")
-    inner = varying.inner_list
+    inner = varying.inner_lists
     if varying.spans or inner is not None:
-        last = "the list comes last"
+        last = "the list comes last" if inner is None or len(inner.lists) == 1 else "all lists come last"
         about_image = f"in which {last if inner is not None else 'each value has all the bytes that it may have'}"
-        encode = encode_widths(naming, varying) if inner is None else encode_inner_list(naming, varying, inner)
-        decode = decode_widths(naming, varying) if inner is None else decode_inner_list(naming, varying, inner)
+        encode = encode_widths(naming, varying) if inner is None else encode_inner_lists(naming, varying, inner)
+        decode = decode_widths(naming, varying) if inner is None else decode_inner_lists(naming, varying, inner)
         return [
             *declarations,
             *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
@@ -314,7 +315,20 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
     if last.cases or last.size > 1:
         body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
     count = PointerMember(OUT, count_member(record, last))
-    return (*body, Assignment(count, Operation("/", (rest, size))))
+    return (*body, *_counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))
+
+
+def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
+    """`out->points_count = load_u8(in + 1) / 4u;` for each list of an image that has another one behind it."""
+    body: Body = ()
+    for room in record.rooms:
+        field, count = record.named(room.name), record.named(room.count)
+        assert field is not None
+        assert count is not None
+        number = load(naming, field_value(count), Operation("+", (IN, decimal(count.offset))))
+        items = number if room.unit == room.element else Operation("/", (number, unsigned(room.element)))
+        body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
+    return body
 
 
 def _read_fields(naming: Naming, device: Device, record: RecordLayout, selector: Expression | None) -> Body:

@@ -149,8 +149,10 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
             data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
-    if record.inner_list is not None:
-        return record.inner_list.data_of(data)
+        room = record.image.room_of(field)
+        data = data if room is None else data.ljust(room.room + room.most, b"\0")
+    if record.inner_lists is not None:
+        return record.inner_lists.data_of(data)
     return data_of(record.spans, data) if record.spans else data
 
 

@@ -354,7 +354,8 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
         and field.size <= 4
         and record.has_place(field)
     ]
-    if not measures or tail.cases or measures[0].field.measures is None:
+    is_one_list = sum(field.count is None for field in record.fields) == 1
+    if not measures or tail.cases or measures[0].field.measures is None or not is_one_list:
         return "{ length: 0, size: -1 }"
     measure = measures[0]
     unit = 1 if measures[0].field.measures.of == "bytes" else tail.size

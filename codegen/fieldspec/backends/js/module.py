@@ -47,7 +47,7 @@ IMPORTS = {
         "textOf",
         "within",
     ),
-    "lists": ("placeList", "readAround"),
+    "lists": ("readAround", "sentOfImage"),
     "widths": ("narrowedImage", "readImage"),
 }
 """The helpers of the runtime by module."""

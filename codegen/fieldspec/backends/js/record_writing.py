@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.backends.js.declaration import Names
+from fieldspec.backends.js.inner_lists import write_lists
 from fieldspec.backends.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.backends.js.record_reading import CHOOSES_NOTHING
 from fieldspec.backends.js.text import literal
@@ -19,9 +20,8 @@ def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
     lines: list[str] = []
     if record.spans:
         return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
-    if record.inner_list is not None:
-        fields = [*_write_fields(record, f"writeImage{name}", names), *_count_bytes(record, f"size{name}")]
-        return [*fields, *_place_list(name)]
+    if record.inner_lists is not None:
+        return [*_write_fields(record, f"writeImage{name}", names), *write_lists(record, name)]
     for suffix, shape in shapes_of(record):
         lines += _write_fields(shape, f"write{name}{suffix}", names)
         if shape.size is None:
@@ -105,16 +105,6 @@ def _count_bytes(record: RecordLayout, name: str) -> list[str]:
     length = f"listLength({literal(field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
     size = length if field.size == 1 else f"{length} * {field.size}"
     return [f"function {name}(value) {{", f"  return {field.offset} + {size};", "}"]
-
-
-def _place_list(name: str) -> list[str]:
-    """The function that writes a value with fields behind a list."""
-    return [
-        f"function write{name}(value, b, o) {{",
-        f"  writeImage{name}(value, b, o);",
-        f"  placeList(inner{name}, b, o, o + size{name}(value));",
-        "}",
-    ]
 
 
 def _select(record: RecordLayout, name: str) -> list[str]:

@@ -1,6 +1,6 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
-import { placeList } from "../lists.js";
+import { sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
@@ -99,14 +99,21 @@ export function encodeRecord(device, record, values) {
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(form.fields.map((field) => {
-    if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
+    if (!field.measures) {
+      const own = joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
+      const room = form.inner?.lists.find(({ name, length }) => length && name === field.name);
+      return room ? joinedBytes([own, new Uint8Array(room.most - own.length)]) : own;
+    }
     const [of, name] = field.measures;
     const other = form.named.get(name);
     const items = other.isList ? known.get(name).length : 1;
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  if (form.inner) placeList(form.inner, bytes, 0, bytes.length);
+  if (form.inner) {
+    const last = form.fields.at(-1);
+    return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
+  }
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 
