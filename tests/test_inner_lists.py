@@ -44,21 +44,22 @@ BODIES = {
 
 
 SEVERAL = {
-    "0A 2C31323334 2C30303031 01 0200 0001 FFFF 04 03 AABBCC 8000": [[1234, 1], [1, -1], [0xAA, 0xBB, 0xCC], -32768],
-    "05 2C31323334 01 0200 0001 FFFF 04 03 AABBCC 8000": [[1234], [1, -1], [0xAA, 0xBB, 0xCC], -32768],
-    "00 01 0100 FFFF 02 00 7FFF": [[], [-1], [], 32767],
-    "04 01 0100 FFFF 02 00 7FFF": ("wrong_measure", 0),
-    "14 01 0100 FFFF 02 00 7FFF": ("wrong_measure", 0),
-    "0F 01 0100 FFFF 02 00 7FFF": ("incomplete", 10),
-    "05 2C31323334 01 0000 00 00 7FFF": ("wrong_measure", 7),
-    "05 2C31323334 01 0600 FFFF 02 00 7FFF": ("wrong_measure", 7),
-    "05 2C31323334 01 0300 FFFF 02 00 7FFF": ("incomplete", 15),
-    "05 2C31323334 05 0100 FFFF 02 00 7FFF": ("unknown_value", 6),
-    "05 2C31323334 01 0100 FFFF 04 00 7FFF": ("wrong_measure", 11),
-    "05 2C31323334 01 0100 FFFF 02 01 7FFF": ("wrong_measure", 12),
-    "00 01 0100 FFFF 02 07 01020304050607 7FFF": ("wrong_length", 14),
-    "00 01 0100 FFFF 02 00 7F": ("incomplete", 9),
-    "00 01": ("incomplete", 2),
+    "0C 2C31323334 2C30303031 01 0100 0001 FFFF 04 03 AABBCC 8000": [[1234, 1], [1, -1], [0xAA, 0xBB, 0xCC], -32768],
+    "07 2C31323334 01 0100 0001 FFFF 04 03 AABBCC 8000": [[1234], [1, -1], [0xAA, 0xBB, 0xCC], -32768],
+    "02 01 0000 FFFF 02 00 7FFF": [[], [-1], [], 32767],
+    "06 01 0000 FFFF 02 00 7FFF": ("wrong_measure", 0),
+    "16 01 0000 FFFF 02 00 7FFF": ("wrong_measure", 0),
+    "01 01 0000 FFFF 02 00 7FFF": ("wrong_measure", 0),
+    "11 01 0000 FFFF 02 00 7FFF": ("incomplete", 10),
+    "07 2C31323334 01 FFFF 00 00 7FFF": ("wrong_measure", 7),
+    "07 2C31323334 01 0500 FFFF 02 00 7FFF": ("wrong_measure", 7),
+    "07 2C31323334 01 0200 FFFF 02 00 7FFF": ("incomplete", 15),
+    "07 2C31323334 05 0000 FFFF 02 00 7FFF": ("unknown_value", 6),
+    "07 2C31323334 01 0000 FFFF 04 00 7FFF": ("wrong_measure", 11),
+    "07 2C31323334 01 0000 FFFF 02 01 7FFF": ("wrong_measure", 12),
+    "02 01 0000 FFFF 02 07 01020304050607 7FFF": ("wrong_length", 14),
+    "02 01 0000 FFFF 02 00 7F": ("incomplete", 9),
+    "02 01": ("incomplete", 2),
 }
 """Data of a response with three lists: the lists and the last field, or why and at which byte it is refused."""
 

@@ -437,17 +437,17 @@ function textBytes(form, size, text, little) {
 }
 
 /** The bytes of a list, as its count in the image says. */
-function countedBytes({ at, length, little, unit }, image) {
+function countedBytes({ at, length, little, unit, plus = 0 }, image) {
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + image[at + (little ? length - 1 - place : place)];
-  return number * unit;
+  return (number - plus) * unit;
 }
 
 /**
  * The bytes of each list in some data; up to the first one for which they are not known, and why. In the image of a
  * record with `lists`, these come last, each at its `room`; the other fields have `fixed` bytes, `first` of them before
- * a list. It has `least` to `most` bytes, `element` for each element. The number of units of `unit` bytes is at `at` in
- * the image; a `length` of 0 is that of the list whose size the data decide.
+ * a list. It has `least` to `most` bytes, `element` for each element. At `at` in the image is the number of units of
+ * `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the data decide.
  */
 function sizesIn({ fixed, lists }, data) {
   const sizes = [];
@@ -2190,14 +2190,14 @@ class ExplainedBody {
 
   /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
-    const [of, name] = field.measures ?? [];
+    const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
     if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
     const items = other.isList ? most : 1;
-    const should = of === "bytes" ? items * other.size : items;
+    const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
   }
 
@@ -2205,13 +2205,14 @@ class ExplainedBody {
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
     if (number < this.sizes.length) {
-      const should = this.itemsOf(other) * (field.measures[0] === "bytes" ? other.size : 1);
+      const [of, , plus = 0] = field.measures;
+      const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
       return judged(read, sameValue(read.number, should), should, "wrong_measure");
     }
-    const { countName, least, most, unit } = this.record.inner.lists[number];
+    const { countName, least, most, unit, plus = 0 } = this.record.inner.lists[number];
     const isWrong = this.fault?.reason === "wrong_measure" && number === this.sizes.length;
     if (!isWrong || countName !== field.name) return read;
-    return judged(read, false, `${Math.floor(least / unit)} to ${Math.floor(most / unit)}`, "wrong_measure");
+    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */
@@ -3378,10 +3379,10 @@ function encodeRecord(device, record, values) {
       const room = form.inner?.lists.find(({ name, length }) => length && name === field.name);
       return room ? joinedBytes([own, new Uint8Array(room.most - own.length)]) : own;
     }
-    const [of, name] = field.measures;
+    const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);
     const items = other.isList ? known.get(name).length : 1;
-    const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
+    const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
   if (form.inner) {

@@ -149,9 +149,14 @@ def _repeated(draft: Draft, fields: list[Spec]) -> Spec:
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """A number of elements or bytes somewhere before the repeat that it counts."""
     repeated = _repeated(draft, fields)
-    what = draft.pick(("items", "bytes"))
-    measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures={what: repeated["name"]})
+    measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures=_measure(draft, repeated))
     return [*_inserted(draft, fields, measure), repeated]
+
+
+def _measure(draft: Draft, field: Spec) -> Spec:
+    """What a field contains that counts another one, now and then with a constant number in addition."""
+    plus = draft.pick((-1, 1, 2, 5)) if draft.chance(25) else 0
+    return {draft.pick(("items", "bytes")): field["name"], **({"plus": plus} if plus else {})}
 
 
 def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -160,12 +165,10 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
         repeated = _repeated(draft, fields)
         if number and draft.chance(15):
             return [*fields, repeated]
-        measure = draft.fact(
-            type=draft.pick(("u8", "u16")), measures={draft.pick(("items", "bytes")): repeated["name"]}
-        )
+        measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
         fields = [*_inserted(draft, fields, measure), repeated]
         if draft.chance(20):
-            fields.append(draft.fact(type="u16", measures={draft.pick(("items", "bytes")): repeated["name"]}))
+            fields.append(draft.fact(type="u16", measures=_measure(draft, repeated)))
     return [*fields, *(fixed_field(draft)[0] for _ in range(draft.number(0, 2)))]
 
 
@@ -175,7 +178,7 @@ def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if not countable:
         return fields
     other = draft.pick(countable)
-    measure = draft.fact(type=draft.pick(("u16", "u8")), measures={draft.pick(("items", "bytes")): other["name"]})
+    measure = draft.fact(type=draft.pick(("u16", "u8")), measures=_measure(draft, other))
     return _inserted(draft, fields, measure)
 
 

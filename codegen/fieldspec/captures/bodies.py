@@ -241,11 +241,11 @@ class BodyReader:
             return
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
         items = np.maximum(items, 0) if other.is_list else np.ones(len(at), np.int64)
-        should = items * other.size if measure.of == "bytes" else items
+        should = (items * other.size if measure.of == "bytes" else items) + measure.plus
         number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
         if room is not None:
-            should = counts[other.name] * (other.size if measure.of == "bytes" else 1)
-            blame(verdict, (number != should) & (should >= 0), WRONG_MEASURE)
+            should = counts[other.name] * (other.size if measure.of == "bytes" else 1) + measure.plus
+            blame(verdict, (number != should) & (counts[other.name] >= 0), WRONG_MEASURE)
             return
         if self.has_lists:
             blame(verdict, (number != should) & (other.offset <= size), WRONG_MEASURE)

@@ -306,7 +306,7 @@ class Body:
         start = self.start + other.offset
         items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
         items = (other.count or 0) if self.record.spans else items
-        should = items * other.size if measure.of == "bytes" else items
+        should = measure.number(items, other.size)
         return read.judged(read.number == should, should, "wrong_measure")
 
     def _measured_list(
@@ -318,13 +318,14 @@ class Body:
         number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)
         if number < len(self.sizes):
             items = self._items(other)
-            should = items * other.size if measure.of == "bytes" else items
+            should = measure.number(items, other.size)
             return read.judged(read.number == should, should, "wrong_measure")
         own = inner.lists[number]
         is_wrong = self.fault is not None and self.fault.reason == "wrong_measure" and number == len(self.sizes)
         if not is_wrong or own.count != field.name:
             return read
-        return read.judged(False, f"{own.least // own.unit} to {own.most // own.unit}", "wrong_measure")
+        low, high = (size // own.unit + own.plus for size in (own.least, own.most))
+        return read.judged(False, f"{low} to {high}", "wrong_measure")
 
     def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that repeats one of the request, judged by the value there."""

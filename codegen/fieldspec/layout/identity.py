@@ -137,7 +137,11 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     yield "field", field.name, field.offset, field.size, field.count, inner, field.order, field.swapped
     spec = field.field
     filled = spec.value.default if spec.value and spec.reserved else None
-    yield spec.measures, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
+    measures = spec.measures
+    text = None if measures is None else f"Measure(of={measures.of!r}, field={measures.field!r})"
+    if measures is not None and measures.plus:
+        yield "plus", measures.plus
+    yield text, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
     for case in field.cases:
         yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)
 

@@ -20,8 +20,8 @@ class InnerList:
     """The list `name` begins behind `first` bytes of other fields, not counting lists, and at `room` in the image.
 
     It has `least` to `most` bytes, `element` for each element. The field `count` is at `count_at` in the image and
-    has `count_size` bytes in the order `count_order`; its number is the number of units of `unit` bytes. `count` is
-    empty where the number is not needed, since the data end with the list and the fields behind it.
+    has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit` bytes.
+    `count` is empty where the number is not needed, since the data end with the list and the fields behind it.
     """
 
     name: str
@@ -35,10 +35,11 @@ class InnerList:
     count_size: int = 0
     count_order: str = "big"
     unit: int = 1
+    plus: int = 0
 
     def size_of(self, number: int) -> int | None:
         """The bytes of the list if its count is a number, None if it may not be that number."""
-        size = number * self.unit
+        size = (number - self.plus) * self.unit
         return None if size % self.element or not self.least <= size <= self.most else size
 
     def count_in(self, image: bytes) -> int:
@@ -133,7 +134,8 @@ def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
     for row in inner.lists:
         bounds = {"element": row.element, "least": row.least, "most": row.most}
         count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
+        plus = {"plus": row.plus} if row.plus else {}
         is_little = {"little": True} if row.count_order == "little" else {}
         names = {"name": row.name} | ({"countName": row.count} if row.count else {})
-        rows.append({**names, "first": row.first, "room": row.room, **bounds, **count, **is_little})
+        rows.append({**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little})
     return {"fixed": inner.fixed, "lists": rows}

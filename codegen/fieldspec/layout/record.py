@@ -276,10 +276,8 @@ def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) ->
         count = None if field is last else list_count(record, own)
         if count is not None and count.measures is not None:
             at = by_name[count.name]
-            unit = 1 if count.measures.of == "bytes" else field.size
-            inner = replace(
-                inner, count=at.name, count_at=at.offset, count_size=at.size, count_order=at.order, unit=unit
-            )
+            inner = replace(inner, count=at.name, count_at=at.offset, count_size=at.size, count_order=at.order)
+            inner = replace(inner, unit=count.measures.unit(field.size), plus=count.measures.plus)
         lists.append(inner)
     return InnerLists(tuple(lists), fixed)
 

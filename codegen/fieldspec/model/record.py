@@ -10,10 +10,19 @@ from fieldspec.model.value import Handling, Kind, Value
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """A field contains the size of another one: its `bytes`, or its number of `items`."""
+    """A field contains the size of another one, its `bytes` or its number of `items`, and a constant number more."""
 
     of: str
     field: str
+    plus: int = 0
+
+    def number(self, items: int, size: int) -> int:
+        """What the field contains for a number of elements of `size` bytes."""
+        return (items * size if self.of == "bytes" else items) + self.plus
+
+    def unit(self, size: int) -> int:
+        """The bytes for each unit of the number, where an element has `size` bytes."""
+        return 1 if self.of == "bytes" else size
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

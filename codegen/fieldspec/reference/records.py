@@ -39,12 +39,12 @@ def record_struct(record: RecordLayout) -> construct.Struct:
     return construct.Struct(*(field.name / _construct(record, field) for field in record.sent_fields))
 
 
-def _counted_list(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     """A list with something behind it: as many elements as another field says, in its room in an image."""
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
     unit = field.size if measure.of == "bytes" else 1
-    elements = construct.Array(lambda context: context[name] // unit, _element(field))
+    elements = construct.Array(lambda context: (context[name] - measure.plus) // unit, _element(field))
     room = record.room_of(field)
     return elements if room is None else construct.Padded(room.most, elements)
 
@@ -52,10 +52,10 @@ def _counted_list(record: RecordLayout, field: FieldLayout) -> construct.Constru
 def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     element = _element(field)
     if record.room_of(field) is not None:
-        return _counted_list(record, field)
+        return _list_of_count(record, field)
     if field.field.repeat is not None:
         is_last = field.field is record.record.fields[-1] or record.inner_lists is None
-        return construct.GreedyRange(element) if is_last else _counted_list(record, field)
+        return construct.GreedyRange(element) if is_last else _list_of_count(record, field)
     return element[field.count] if field.is_list else element
 
 
@@ -271,7 +271,7 @@ def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any
     assert other is not None
     value = values[measure.field]
     items = len(value) if other.is_list else 1
-    return items * other.size if measure.of == "bytes" else items
+    return measure.number(items, other.size)
 
 
 def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> bytes:

@@ -67,8 +67,8 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 
 
 def _row(inner: InnerList) -> str:
-    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, false}`: see the struct."""
+    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
-    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {is_little}}}"
+    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {inner.plus}L, {is_little}}}"

@@ -275,7 +275,7 @@ def _greatest_measure(record: RecordLayout, field: FieldLayout) -> int | None:
         return None
     repeat = other.field.repeat
     count = repeat.high if repeat is not None else other.count or 1
-    return count * other.size if measure.of == "bytes" else count
+    return measure.number(count, other.size)
 
 
 # Decoding
@@ -326,6 +326,9 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         assert field is not None
         assert count is not None
         number = load(naming, field_value(count), Operation("+", (IN, decimal(count.offset))))
+        if room.plus:
+            less_plus = Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus))))
+            number = Group(less_plus)
         items = number if room.unit == room.element else Operation("/", (number, unsigned(room.element)))
         body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
     return body

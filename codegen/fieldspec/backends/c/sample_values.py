@@ -174,7 +174,7 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
     other = record.named(measure.field)
     assert other is not None
     items = len(values[other.name]) if other.field.repeat is not None else other.count or 1
-    return items * other.size if measure.of == "bytes" else items
+    return measure.number(items, other.size)
 
 
 def _element_bytes(field: FieldLayout, item: Any) -> bytes:

@@ -254,7 +254,8 @@ def _relations(field: FieldLayout) -> Iterator[Line]:
     """What a field has to do with other fields."""
     measures = field.field.measures
     if measures is not None:
-        yield (text_piece(f"the number of {measures.of} of "), code(measures.field))
+        more = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(measures.plus)
+        yield (text_piece(f"the number of {measures.of} of "), code(measures.field), *more)
     if field.field.same_as:
         yield (text_piece("the same as "), code(field.field.same_as), text_piece(" of the request"))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.members import Member, members_of, most_bytes, shapes_of, slot_of
-from fieldspec.backends.js.text import literal
+from fieldspec.backends.js.text import literal, plus
 from fieldspec.backends.js.values import place, throw_wrong_number
 from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -91,6 +91,7 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
     room = record.room_of(field)
     if room is not None:
         number = _count_number(record, room, names)
+        number = f"({plus(number, -room.plus)})" if room.plus else number
         count = number if room.unit == room.element else f"{number} / {room.element}"
     if field.record is not None:
         element, checks = f"read{names.records[field.record.record.name]}(b, at)", []
@@ -127,17 +128,19 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
     slot = slot_of(field, names)
     number, at = slot.number("o", field.offset), place("o", field.offset)
     if other.count is not None:
-        items = other.count if other.is_list else 1
-        measured = str(items * other.size if measure.of == "bytes" else items)
+        measured = str(measure.number(other.count if other.is_list else 1, other.size))
     elif (room := record.room_of(other)) is not None:
         if room.count == field.name:
             return []
         unit = room.unit if measure.of == "bytes" else room.unit / room.element
         units = _count_number(record, room, names)
+        units = f"({plus(units, -room.plus)})" if room.plus else units
         measured = units if unit == 1 else f"{units} * {room.unit}" if unit > 1 else f"{units} / {room.element}"
+        measured = plus(measured, measure.plus)
     else:
         left = f"(end - o - {other.offset})"
         measured = left if measure.of == "bytes" or other.size == 1 else f"{left} / {other.size}"
+        measured = plus(measured, measure.plus)
     expected = f"BigInt({measured})" if slot.wide else measured
     detail = f"`but there are ${{{measured}}}`"
     wrong = throw_wrong_number("wrong_measure", field.name, number, detail, at)

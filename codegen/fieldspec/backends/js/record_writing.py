@@ -8,7 +8,7 @@ from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.inner_lists import write_lists
 from fieldspec.backends.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.backends.js.record_reading import CHOOSES_NOTHING
-from fieldspec.backends.js.text import literal
+from fieldspec.backends.js.text import literal, plus
 from fieldspec.backends.js.values import place, throw_wrong_number
 from fieldspec.backends.js.widths import write_widths
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -80,9 +80,9 @@ def _write_implied(record: RecordLayout, member: Member, names: Names, keys: Map
     if measure is not None and other is not None:
         unit = other.size if measure.of == "bytes" else 1
         if other.count is not None:
-            return slot.constant((other.count if other.is_list else 1) * unit, "o", field.offset)
+            return slot.constant(measure.number(other.count if other.is_list else 1, other.size), "o", field.offset)
         length = f"value.{keys[other.name]}.length"
-        count = length if unit == 1 else f"{length} * {unit}"
+        count = plus(length if unit == 1 else f"{length} * {unit}", measure.plus)
         count = f"BigInt({count})" if slot.wide else count
         return [f"const {member.variable} = {count};", *slot.write(member.variable, "o", field.offset)]
     number = slot.value.const

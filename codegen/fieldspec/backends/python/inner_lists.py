@@ -20,5 +20,5 @@ def _row(field: Slots, inner: InnerList) -> str:
     """`_InnerList("H", 2, (0, 4), 2, 7)`: see the class."""
     bounds = (inner.least // inner.element, inner.most // inner.element)
     order = literal(inner.count_order)
-    count = f", ({inner.count_at}, {inner.count_size}, {order}, {inner.unit})" if inner.count else ""
+    count = f", ({inner.count_at}, {inner.count_size}, {order}, {inner.unit}, {inner.plus})" if inner.count else ""
     return f"_InnerList({literal(field.letters)}, {inner.element}, {bounds}, {inner.first}, {inner.room}{count})"

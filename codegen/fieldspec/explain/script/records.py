@@ -43,6 +43,7 @@ def _span(span: Span) -> dict[str, Data]:
 def _field(field: FieldLayout, words: str) -> dict[str, Data]:
     own = field.field
     measures, repeat = own.measures, own.repeat
+    plus = [measures.plus] if measures is not None and measures.plus else []
     return {
         **fact_data(own),
         "name": field.name,
@@ -59,7 +60,7 @@ def _field(field: FieldLayout, words: str) -> dict[str, Data]:
                 "record": field.record.name if field.record is not None else "",
                 "cases": bool(field.cases),
                 "reserved": own.reserved,
-                "measures": [measures.of, measures.field] if measures is not None else None,
+                "measures": [measures.of, measures.field, *plus] if measures is not None else None,
                 "sameAs": own.same_as,
                 "signal": own.signal,
             }

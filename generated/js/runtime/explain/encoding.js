@@ -104,10 +104,10 @@ export function encodeRecord(device, record, values) {
       const room = form.inner?.lists.find(({ name, length }) => length && name === field.name);
       return room ? joinedBytes([own, new Uint8Array(room.most - own.length)]) : own;
     }
-    const [of, name] = field.measures;
+    const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);
     const items = other.isList ? known.get(name).length : 1;
-    const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
+    const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
   if (form.inner) {

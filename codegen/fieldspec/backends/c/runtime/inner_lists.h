@@ -3,8 +3,8 @@
 /**
  * A list with fields behind it, which begins behind `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
- * element. The number of units of `unit` bytes is at `count_at` in the image, in one byte or in two; a `count_size` of 0
- * is that of the list whose size the data decide.
+ * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
+ * `count_size` of 0 is that of the list whose size the data decide.
  */
 typedef struct device_inner_list {
     size_t first;
@@ -15,10 +15,11 @@ typedef struct device_inner_list {
     size_t count_at;
     size_t count_size;
     size_t unit;
+    long plus;
     bool is_little;
 } device_inner_list;
 
-/** The bytes of a list, as its count in an image says. */
+/** The bytes of a list, as its count in an image says; SIZE_MAX for a count below the least one. */
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
     const uint8_t *count = image + list->count_at;
@@ -26,7 +27,10 @@ static inline size_t device_list_size(const device_inner_list *list, const uint8
     if (list->count_size > 1u) {
         number = list->is_little ? number + count[1] * 256u : number * 256u + count[1];
     }
-    return number * list->unit;
+    if (list->plus > 0 && number < (size_t)list->plus) {
+        return SIZE_MAX;
+    }
+    return (list->plus < 0 ? number + (size_t)-list->plus : number - (size_t)list->plus) * list->unit;
 }
 
 static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t size)

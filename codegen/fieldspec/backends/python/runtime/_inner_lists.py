@@ -19,11 +19,11 @@ class InnerList:
     """A list behind `first` bytes of other fields; in refusals of the image, its place is `room`.
 
     It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
-    at `at` in the image, with `length` bytes in an order; its number is that of units of `unit` bytes. `length` is 0
-    for the list whose size the data decide.
+    at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
+    `length` is 0 for the list whose size the data decide.
     """
 
-    __slots__ = ("at", "first", "length", "letters", "order", "room", "size", "sizes", "unit")
+    __slots__ = ("at", "first", "length", "letters", "order", "plus", "room", "size", "sizes", "unit")
 
     def __init__(
         self,
@@ -32,11 +32,11 @@ class InnerList:
         bounds: tuple[int, int],
         first: int,
         room: int,
-        count: tuple[int, int, Literal["big", "little"], int] = (0, 0, "big", 1),
+        count: tuple[int, int, Literal["big", "little"], int, int] = (0, 0, "big", 1, 0),
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
-        self.at, self.length, self.order, self.unit = count
+        self.at, self.length, self.order, self.unit, self.plus = count
 
 
 class InnerLists(dict[tuple[int, ...], Struct]):
@@ -69,7 +69,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             left = len(data) - at - self.fixed + inner.first
             if left < 0:
                 raise self._incomplete(inner, data)
-            size = self._counted(inner, fields, sizes) if inner.length else self._checked(inner, left, at)
+            size = self._size_of_count(inner, fields, sizes) if inner.length else self._checked(inner, left, at)
             if size > left:
                 raise self._incomplete(inner, data)
             lists += data[at : at + size]
@@ -92,9 +92,9 @@ class InnerLists(dict[tuple[int, ...], Struct]):
     @staticmethod
     def _number(inner: InnerList, image: bytes) -> int:
         """The bytes of a list, as its count says."""
-        return int.from_bytes(image[inner.at : inner.at + inner.length], inner.order) * inner.unit
+        return (int.from_bytes(image[inner.at : inner.at + inner.length], inner.order) - inner.plus) * inner.unit
 
-    def _counted(self, inner: InnerList, image: bytes, sizes: list[int]) -> int:
+    def _size_of_count(self, inner: InnerList, image: bytes, sizes: list[int]) -> int:
         """The same, refused where there cannot be so many."""
         size = self._number(inner, image)
         if size not in inner.sizes:

@@ -236,14 +236,14 @@ export class ExplainedBody {
 
   /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
-    const [of, name] = field.measures ?? [];
+    const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
     if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
     const items = other.isList ? most : 1;
-    const should = of === "bytes" ? items * other.size : items;
+    const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
   }
 
@@ -251,13 +251,14 @@ export class ExplainedBody {
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
     if (number < this.sizes.length) {
-      const should = this.itemsOf(other) * (field.measures[0] === "bytes" ? other.size : 1);
+      const [of, , plus = 0] = field.measures;
+      const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
       return judged(read, sameValue(read.number, should), should, "wrong_measure");
     }
-    const { countName, least, most, unit } = this.record.inner.lists[number];
+    const { countName, least, most, unit, plus = 0 } = this.record.inner.lists[number];
     const isWrong = this.fault?.reason === "wrong_measure" && number === this.sizes.length;
     if (!isWrong || countName !== field.name) return read;
-    return judged(read, false, `${Math.floor(least / unit)} to ${Math.floor(most / unit)}`, "wrong_measure");
+    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */

@@ -1,17 +1,17 @@
 import { CodecError } from "./error.js";
 
 /** The bytes of a list, as its count in the image says. */
-function countedBytes({ at, length, little, unit }, image) {
+function countedBytes({ at, length, little, unit, plus = 0 }, image) {
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + image[at + (little ? length - 1 - place : place)];
-  return number * unit;
+  return (number - plus) * unit;
 }
 
 /**
  * The bytes of each list in some data; up to the first one for which they are not known, and why. In the image of a
  * record with `lists`, these come last, each at its `room`; the other fields have `fixed` bytes, `first` of them before
- * a list. It has `least` to `most` bytes, `element` for each element. The number of units of `unit` bytes is at `at` in
- * the image; a `length` of 0 is that of the list whose size the data decide.
+ * a list. It has `least` to `most` bytes, `element` for each element. At `at` in the image is the number of units of
+ * `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the data decide.
  */
 export function sizesIn({ fixed, lists }, data) {
   const sizes = [];
