@@ -436,60 +436,102 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
-/** The bytes of a list, as its count in the image says. */
-function countedBytes({ at, length, little, unit, plus = 0 }, image) {
+/** The bytes of a list in the image, as its count in some bytes says. */
+function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
   let number = 0;
-  for (let place = 0; place < length; place++) number = number * 256 + image[at + (little ? length - 1 - place : place)];
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
   return (number - plus) * unit;
 }
 
+const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
+
+/** The bytes of an element that some bytes begin with, which ends with a list; -1 for a wrong count. */
+function elementBytes(tail, bytes) {
+  if (bytes.length < tail.room) return tail.room;
+  const size = countedBytes(tail, bytes);
+  return isRight(tail, size) ? tail.room + size : -1;
+}
+
+/** The bytes of each element of a list whose elements differ in size, or why they are not known. */
+function elementsIn(list, data, size, start) {
+  const elements = [];
+  let at = 0;
+  while (size === null ? at < data.length : elements.length * list.element < size) {
+    if (elements.length * list.element === list.most) return { fault: { reason: "wrong_length", at: start + at } };
+    const own = elementBytes(list.tail, data.subarray(at));
+    if (own < 0) return { fault: { reason: "wrong_measure", at: start + at + list.tail.at } };
+    if (at + own > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
+    elements.push(own);
+    at += own;
+  }
+  if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
+  return { size: at, elements };
+}
+
 /**
- * The bytes of each list in some data; up to the first one for which they are not known, and why. In the image of a
- * record with `lists`, these come last, each at its `room`; the other fields have `fixed` bytes, `first` of them before
- * a list. It has `least` to `most` bytes, `element` for each element. At `at` in the image is the number of units of
- * `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the data decide.
+ * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
+ * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
+ * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
+ * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the
+ * data decide. `tail` is the list at the end of each element whose elements differ in size.
  */
-function sizesIn({ fixed, lists }, data) {
-  const sizes = [];
+function extentsIn({ fixed, lists }, data) {
+  const extents = [];
   const image = [];
   let before = 0;
   for (const list of lists) {
     const at = list.first + before;
     const left = data.length - at - fixed + list.first;
-    if (left < 0) return { sizes, fault: { reason: "incomplete", at: data.length } };
+    if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
-    const size = list.length ? countedBytes(list, image) : left;
-    const isWrong = size < list.least || size > list.most || size % list.element;
-    if (list.length && isWrong) {
-      return { sizes, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, sizes, list.at) } };
+    const counted = list.length ? countedBytes(list, image) : null;
+    if (counted !== null && !isRight(list, counted)) {
+      return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
     }
-    if (size > left) return { sizes, fault: { reason: "incomplete", at: data.length } };
-    sizes.push(size);
-    before += size;
+    const extent = list.tail
+      ? elementsIn(list, data.subarray(at, at + left), counted, at)
+      : { size: counted ?? left, elements: [] };
+    if (extent.fault) return { extents, fault: extent.fault };
+    if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    extents.push(extent);
+    before += extent.size;
   }
-  return { sizes, fault: null };
+  return { extents, fault: null };
 }
 
-/** The byte in data, whose lists have some sizes, for a byte of their image. */
-function placeAround({ lists }, sizes, at) {
+/** The byte in data, whose lists have some extents, for a byte of their image. */
+function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, length, most }] of lists.entries()) {
-    if (at >= room && (!length || at < room + most)) return first + before + at - room;
+  for (const [number, { first, room, length, most, element, tail }] of lists.entries()) {
+    const { size, elements } = extents[number] ?? { size: 0, elements: [] };
+    if (at >= room && (!length || at < room + most)) {
+      const index = tail ? Math.floor((at - room) / element) : 0;
+      return first + before + at - room - index * element + sumOf(elements.slice(0, index));
+    }
     if (at < first) return at + before;
-    before += sizes[number] ?? 0;
+    before += size;
   }
   return at + before;
 }
 
-/** The image of data whose lists have some sizes. */
-function imageOf({ fixed, lists }, data, sizes) {
-  const image = new Uint8Array(lists.at(-1).room + sizes.at(-1));
+const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
+
+/** The image of data whose lists have some extents. */
+function imageOf({ fixed, lists }, data, extents) {
+  const last = extents.at(-1);
+  const { room, element, tail } = lists.at(-1);
+  const image = new Uint8Array(room + (tail ? last.elements.length * element : last.size));
   let [before, at] = [0, 0];
-  for (const [number, { first, room }] of lists.entries()) {
-    image.set(data.subarray(at + before, first + before), at);
-    image.set(data.subarray(first + before, first + before + sizes[number]), room);
-    before += sizes[number];
-    at = first;
+  for (const [number, list] of lists.entries()) {
+    const { size, elements } = extents[number];
+    image.set(data.subarray(at + before, list.first + before), at);
+    let from = list.first + before;
+    for (const [index, own] of (list.tail ? elements : [size]).entries()) {
+      image.set(data.subarray(from, from + own), list.room + index * list.element);
+      from += own;
+    }
+    before += size;
+    at = list.first;
   }
   image.set(data.subarray(at + before, fixed + before), at);
   return image;
@@ -498,29 +540,43 @@ function imageOf({ fixed, lists }, data, sizes) {
 /** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 function readAround(inner, read, bytes, offset, end) {
   const data = bytes.subarray(offset, end);
-  const { sizes, fault } = sizesIn(inner, data);
+  const { extents, fault } = extentsIn(inner, data);
   if (fault) {
-    throw new CodecError(fault.reason, `${inner.lists[sizes.length].name} has another number of bytes`, offset + fault.at);
+    const { name } = inner.lists[extents.length];
+    throw new CodecError(fault.reason, `${name} has another number of bytes`, offset + fault.at);
   }
-  const image = imageOf(inner, data, sizes);
+  const image = imageOf(inner, data, extents);
   try {
     return read(image, 0, image.length);
   } catch (error) {
     if (!(error instanceof CodecError) || error.offset === null) throw error;
-    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, sizes, error.offset));
+    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, extents, error.offset));
   }
 }
 
-/** What is sent of an image whose last list has `last` bytes. */
+/** What is sent of an image whose last list has `last` bytes there. */
 function sentOfImage({ fixed, lists }, image, last) {
   const pieces = [];
   let at = 0;
   for (const list of lists) {
+    const { first, room, element, tail } = list;
     const size = list.length ? countedBytes(list, image) : last;
-    pieces.push(...image.subarray(at, list.first), ...image.subarray(list.room, list.room + size));
-    at = list.first;
+    pieces.push(...image.subarray(at, first));
+    for (let from = room; from < room + size; from += tail ? element : size) {
+      const own = tail ? elementBytes(tail, image.subarray(from, from + element)) : size;
+      pieces.push(...image.subarray(from, from + own));
+    }
+    at = first;
   }
   return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
+}
+
+/** The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. */
+function elementsLength(items, codec) {
+  return items.reduce((sum, item) => {
+    codec.check(item);
+    return sum + codec.size(item);
+  }, 0);
 }
 
 const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
@@ -1995,8 +2051,8 @@ class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
-    const known = this.record.inner ? sizesIn(this.record.inner, data.subarray(start, end)) : { sizes: [], fault: null };
-    Object.assign(this, known);
+    const { inner } = this.record;
+    Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
     this.rows = [];
     this.explainFields();
   }
@@ -2044,14 +2100,15 @@ class ExplainedBody {
         }
         continue;
       }
-      if (numberOfList === this.sizes.length) {
+      if (numberOfList === this.extents.length) {
         this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
         return;
       }
-      const stop = at + this.sizes[numberOfList++];
+      const { size, elements } = this.extents[numberOfList++];
+      const stop = at + size;
       const count = this.itemsOf(field);
-      this.explainField(field, at, count);
-      at += count * field.size;
+      this.explainField(field, at, count, elements);
+      at = elements.length ? stop : at + count * field.size;
       if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
       else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
       at = stop;
@@ -2061,9 +2118,13 @@ class ExplainedBody {
   /** The row from a list on whose bytes nobody knows. */
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
-    if (this.fault.reason === "wrong_measure") {
+    if (this.hasWrongCount(list)) {
       const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
+    }
+    if (list.tail) {
+      const text = `the elements of ${name} do not end with their bytes: see byte ${this.start + this.fault.at}`;
+      return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
     if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
     return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
@@ -2072,7 +2133,14 @@ class ExplainedBody {
   /** How many elements of a list of a record with fields behind a list there are. */
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
-    return Math.min(Math.floor(this.sizes[number] / field.size), field.repeat[1]);
+    const { size, elements } = this.extents[number];
+    return this.record.inner.lists[number].tail ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+  }
+
+  /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
+  hasWrongCount(list) {
+    if (!list.length || this.fault?.reason !== "wrong_measure") return false;
+    return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -2126,31 +2194,36 @@ class ExplainedBody {
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  explainField(field, at, count) {
+  /** Adds the rows of the elements of a field; `sizes` are those that differ. */
+  explainField(field, at, count, sizes = []) {
     const values = [];
+    let place = at;
     for (let index = 0; index < count; index++) {
       const path = field.isList ? `${field.name}[${index}]` : field.name;
-      values.push(this.explainElement(field, path, at + index * field.size, index));
+      const size = sizes[index] ?? field.size;
+      values.push(this.explainElement(field, path, place, index, size));
+      place += size;
     }
     if (field.isList) this.values.set(field.name, values);
     else if (values.length) this.values.set(field.name, values[0]);
   }
 
-  explainElement(field, path, at, index) {
-    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
+  explainElement(field, path, at, index, size) {
+    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at, size);
     return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
-  explainRecord(record, path, at) {
+  explainRecord(record, path, at, size) {
     const values = new Map();
     for (const field of record.fields) {
       const elements = [];
-      for (let index = 0; index < (field.count ?? 0); index++) {
+      const count = field.count ?? Math.floor((size - field.offset) / field.size);
+      for (let index = 0; index < count; index++) {
         const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
         const place = at + field.offset + index * field.size;
         elements.push(field.record
-          ? this.explainRecord(this.device.records.get(field.record), inner, place)
+          ? this.explainRecord(this.device.records.get(field.record), inner, place, field.size)
           : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
@@ -2163,8 +2236,8 @@ class ExplainedBody {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
     const { inner } = record;
     const place = exponent?.offset ?? 0;
-    if (inner && this.fault && place >= inner.lists[this.sizes.length].first) return value;
-    const at = start + (inner ? placeAround(inner, this.sizes, place) : place);
+    if (inner && this.fault && place >= inner.lists[this.extents.length].first) return value;
+    const at = start + (inner ? placeAround(inner, this.extents, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }
@@ -2204,14 +2277,14 @@ class ExplainedBody {
   /** The value of a field that measures a list of a record with fields behind a list. */
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
-    if (number < this.sizes.length) {
+    if (number < this.extents.length) {
       const [of, , plus = 0] = field.measures;
       const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
       return judged(read, sameValue(read.number, should), should, "wrong_measure");
     }
-    const { countName, least, most, unit, plus = 0 } = this.record.inner.lists[number];
-    const isWrong = this.fault?.reason === "wrong_measure" && number === this.sizes.length;
-    if (!isWrong || countName !== field.name) return read;
+    const list = this.record.inner.lists[number];
+    const { countName, least, most, unit, plus = 0 } = list;
+    if (number !== this.extents.length || countName !== field.name || !this.hasWrongCount(list)) return read;
     return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
@@ -3296,6 +3369,10 @@ function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
 }
 
+function padded(bytes, size) {
+  return joinedBytes([bytes, new Uint8Array(size - bytes.length)]);
+}
+
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
@@ -3375,9 +3452,10 @@ function encodeRecord(device, record, values) {
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(form.fields.map((field) => {
     if (!field.measures) {
-      const own = joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
-      const room = form.inner?.lists.find(({ name, length }) => length && name === field.name);
-      return room ? joinedBytes([own, new Uint8Array(room.most - own.length)]) : own;
+      const list = form.inner?.lists.find(({ name }) => name === field.name);
+      const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      const own = joinedBytes(list?.tail ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      return list?.length ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);

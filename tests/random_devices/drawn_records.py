@@ -8,7 +8,19 @@ from random_devices.drawn_values import size_of, value, varying_value
 
 def records(draft: Draft) -> list[Spec]:
     """Records that nest in one another; some consist of whole registers, for tables."""
-    return [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
+    fixed = [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
+    return [*fixed, *(_record_with_tail(draft) for _ in range(draft.number(0, 2) if draft.chance(40) else 0))]
+
+
+def _record_with_tail(draft: Draft) -> Spec:
+    """A record that ends with a list which it counts, so that its elements differ in size."""
+    record = draft.fact(fields=[])
+    fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0, 2))]
+    repeated = _repeated(draft, fields, low_limits=True)
+    measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
+    record["fields"] = [*_inserted(draft, fields, measure), repeated]
+    draft.tails.append(record["name"])
+    return record
 
 
 def _record(draft: Draft, words: bool) -> Spec:
@@ -137,13 +149,15 @@ def _limits(draft: Draft) -> str:
     return f"{low}..{low + draft.number(1, 20)}"
 
 
-def _repeated(draft: Draft, fields: list[Spec]) -> Spec:
-    """A field that goes on to the end."""
+def _repeated(draft: Draft, fields: list[Spec], low_limits: bool = False) -> Spec:
+    """A field that goes on to the end; in a record that counts it, a short one of elements of one size."""
+    if draft.tails and not low_limits and draft.chance(40):
+        return draft.fact(record=draft.pick(draft.tails), repeat=f"{draft.number(0, 1)}..{draft.number(1, 6)}")
     nested = [record for record in draft.records if not record.apart]
     if nested and draft.chance(25):
         return draft.fact(record=draft.pick(nested).name, repeat=_limits(draft))
     keys = {k: v for k, v in value(draft, "field").items() if k not in ("const", "default", "unit_default")}
-    return draft.fact(**keys, repeat=_limits(draft))
+    return draft.fact(**keys, repeat=f"0..{draft.number(1, 6)}" if low_limits else _limits(draft))
 
 
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -156,7 +170,8 @@ def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
 def _measure(draft: Draft, field: Spec) -> Spec:
     """What a field contains that counts another one, now and then with a constant number in addition."""
     plus = draft.pick((-1, 1, 2, 5)) if draft.chance(25) else 0
-    return {draft.pick(("items", "bytes")): field["name"], **({"plus": plus} if plus else {})}
+    what = "items" if field.get("record") in draft.tails else draft.pick(("items", "bytes"))
+    return {what: field["name"], **({"plus": plus} if plus else {})}
 
 
 def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:

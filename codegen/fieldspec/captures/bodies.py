@@ -10,29 +10,52 @@ import numpy.typing as npt
 
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.captures.decoders import Decoders, ValueColumns
-from fieldspec.captures.verdicts import INCOMPLETE, OK, REFUSED, UNKNOWN_VALUE, WRONG_LENGTH, WRONG_MEASURE
-from fieldspec.classes import dataclass
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.captures.verdicts import (
+    INCOMPLETE,
+    OK,
+    REFUSED,
+    UNKNOWN_VALUE,
+    VERDICT_NUMBERS,
+    WRONG_LENGTH,
+    WRONG_MEASURE,
+)
+from fieldspec.classes import dataclass, replace
+from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.record import FieldLayout, RecordLayout, tail_of
 from fieldspec.layout.widths import WidthError, extents, image_of
 
 _UNFIT = {"incomplete": INCOMPLETE, "unknown_value": UNKNOWN_VALUE, "wrong_length": WRONG_LENGTH}
 """The verdicts of bodies whose values vary in width."""
 
 
-Rooms = dict[str, Numbers]
-"""The numbers of elements of lists with others behind them, for each body, or one of the numbers below zero."""
+@dataclass(frozen=True, slots=True)
+class Rooms:
+    """Of bodies with fields behind lists, by the names of these: the elements, and the verdict of a list without bytes.
+
+    Instead of a number of elements there may be one of the numbers below zero.
+    """
+
+    items: dict[str, Numbers]
+    verdicts: dict[str, npt.NDArray[np.int8]]
+
+
 UNKNOWN, MISCOUNT = -2, -1
 """A list that begins nobody knows where, or has less bytes than its count says; one whose count cannot be right."""
 
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in."""
+    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
+
+    Of an element of the list at the end of a record that counts it, `tail` is that list, and `number` its number there.
+    """
 
     path: str
     offset: int
     layout: FieldLayout
     field: FieldLayout
+    tail: InnerList | None = None
+    number: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,13 +72,16 @@ def slots(record: RecordLayout, prefix: str = "", at: int = 0, outer: FieldLayou
     """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
     for field in record.sent_fields:
         many = field.is_list and not (outer is None and field.count is None)
-        for index in range(field.count or 1):
+        tail = tail_of(record) if outer is not None and field.count is None else None
+        most = 1 if tail is None else tail.most // tail.element
+        for index in range(field.count or most):
             path = f"{prefix}{field.name}[{index}]" if many else f"{prefix}{field.name}"
             place = at + field.offset + index * field.size
             if field.record is not None:
-                yield from slots(field.record, f"{path}.", place, outer or field)
+                own = slots(field.record, f"{path}.", place, outer or field)
+                yield from own if tail is None else (replace(slot, tail=tail, number=index) for slot in own)
             elif field.value is not None:
-                yield Slot(path, place, field, outer or field)
+                yield Slot(path, place, field, outer or field, tail, index)
 
 
 class BodyReader:
@@ -110,7 +136,7 @@ class BodyReader:
 
     def _images(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
-    ) -> tuple[Bytes, Numbers, Numbers, Rooms]:
+    ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
         """The images of bodies whose values vary in width, where each begins, and how far it goes."""
         images: list[bytes] = []
         sizes = np.zeros(len(at), np.int64)
@@ -124,29 +150,37 @@ class BodyReader:
                 blame_rows(verdict, np.array([row]), _UNFIT[error.reason])
             sizes[row] = len(image)
             images.append(image.ljust(self.record.image.least, b"\0"))
-        return *_joined(images), sizes, {}
+        return *_joined(images), sizes, None
 
     def _list_images(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
-    ) -> tuple[Bytes, Numbers, Numbers, Rooms]:
-        """The same of bodies with fields behind lists; and for each list that has a room there, its elements."""
+    ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
+        """The same of bodies with fields behind lists; and what is known of these."""
         images: list[bytes] = []
         sizes = np.zeros(len(at), np.int64)
         inner = self.record.inner_lists
         assert inner is not None
         rooms = {own.name: np.full(len(at), UNKNOWN) for own in inner.lists[:-1]}
+        verdicts = {own.name: np.full(len(at), OK, np.int8) for own in inner.lists}
         for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
-            list_sizes, fault = inner.sizes_in(data)
-            images.append(inner.image_of(data, list_sizes))
+            list_extents, fault = inner.extents_in(data)
+            images.append(inner.image_of(data, list_extents))
             sizes[row] = len(images[-1])
-            if fault is not None:
-                sizes[row] = min(inner.lists[len(list_sizes)].first, len(data) - sum(list_sizes))
-            for own, own_size in zip(inner.lists[:-1], list_sizes, strict=False):
-                rooms[own.name][row] = own_size // own.element
-            if fault is not None and fault.reason == "wrong_measure":
-                rooms[inner.lists[len(list_sizes)].name][row] = MISCOUNT
-        return *_joined(images), sizes, rooms
+            for own, extent in zip(inner.lists[:-1], list_extents, strict=False):
+                rooms[own.name][row] = len(extent.elements) if own.tail is not None else extent.size // own.element
+            if fault is None:
+                continue
+            own = inner.lists[len(list_extents)]
+            sizes[row] = min(own.first, len(data) - sum(extent.size for extent in list_extents))
+            if own.count and (fault.reason, fault.at) == (
+                "wrong_measure",
+                inner.place_in_data(list_extents, own.count_at),
+            ):
+                rooms[own.name][row] = MISCOUNT
+            elif own.tail is not None:
+                verdicts[own.name][row] = VERDICT_NUMBERS[fault.reason]
+        return *_joined(images), sizes, Rooms(rooms, verdicts)
 
     def _fields(
         self,
@@ -156,11 +190,15 @@ class BodyReader:
         verdict: npt.NDArray[np.int8],
         rooms: Rooms | None = None,
     ) -> Iterator[tuple[Numbers, FieldRows]]:
-        counts = {field.name: self._count(field, size) for field in self.record.fields} | (rooms or {})
+        counts = {field.name: self._count(field, size) for field in self.record.fields}
+        counts |= rooms.items if rooms is not None else {}
         last = self.record.fields[-1] if self.record.fields else None
         for _, own_slots in groupby(self.slots, lambda slot: id(slot.field)):
             for slot in own_slots:
                 field = slot.field
+                if rooms is not None and field.name in rooms.verdicts:
+                    own_verdicts = rooms.verdicts[field.name]
+                    verdict[verdict == OK] = own_verdicts[verdict == OK]
                 if field.count is None:
                     items = np.maximum(counts[field.name], 0)
                     rows, index = spread(items)
@@ -206,7 +244,15 @@ class BodyReader:
         layout, value = slot.layout, slot.layout.value
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
-        place = at[rows] + slot.offset + (0 if index is None else index * slot.field.size)
+        place = at[rows] + (0 if index is None else index * slot.field.size)
+        if slot.tail is not None and index is not None:
+            tail = slot.tail
+            units = number_at(buffer, place + slot.field.offset + tail.count_at, tail.count_size, tail.count_order)
+            is_there = (units - tail.plus) * tail.unit // tail.element > slot.number
+            rows, index, place = rows[is_there], index[is_there], place[is_there]
+            if not len(rows):
+                return
+        place = place + slot.offset
         values = self.decoders.items[key].decode(buffer, place)
         for number in REFUSED:
             blame_rows(verdict, rows[values.verdict == number], number)

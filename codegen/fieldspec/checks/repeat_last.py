@@ -1,9 +1,10 @@
 """A field that repeats comes last, and its elements have a fixed size. In a message, other fields may come behind such
 a field, if a field before it measures it; where one of them repeats too, that field is a binary number of one or two
-bytes without a sign.
+bytes without a sign. The elements of such a list in a message may be records that differ in size, each of which ends
+with a list that a field of it counts in the same way.
 
 Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
-Elements of varying size cannot be separated.
+Elements that differ in size are separated by their own counts.
 
 Example: a list of points with `repeat: 1..15` and a field after it, which nothing measures.
 
@@ -37,11 +38,27 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
                     text = f"{field.name} has a `count` and a `repeat`"
                     yield finding(_CODE, field.place, "count", text, "remove one of them")
             inner = device.records.get(field.record)
-            if inner is not None and inner.name not in sizes.endless and sizes.element(field) is None:
+            if inner is None or inner.name in sizes.endless or sizes.element(field) is not None:
+                continue
+            if field.repeat is not None and id(layer) in bodies and sizes.has_tail(inner.name):
+                yield from _differing(layer, field)
+            else:
                 text = f"{inner.name} has no fixed size, so it cannot be part of another record"
-                help = "move the repeated field to the outer record"
+                help = (
+                    "list it with `repeat` in a message, and let one field of it, a `u8` or `u16`, count its last one"
+                )
                 there = label(inner.place, "fields", "its last field repeats")
                 yield finding(_CODE, field.place, "record", text, help, there)
+
+
+def _differing(layer: Record, field: Field) -> Iterator[Diagnostic]:
+    """The findings of fields that count the bytes of a list whose elements differ in size."""
+    for other in layer.fields:
+        if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":
+            text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
+            yield finding(
+                _CODE, other.place, "measures", text, f"count the elements: `measures: {{items: {field.name}}}`"
+            )
 
 
 def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Diagnostic]:

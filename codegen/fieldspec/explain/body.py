@@ -89,7 +89,7 @@ class Body:
         self.is_request = isinstance(outer, Message) and record.record is outer.request
         self.values: dict[str, Raw] = {}
         inner = self.record.inner_lists
-        self.sizes, self.fault = ([], None) if inner is None else inner.sizes_in(data[start:end])
+        self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
         self.rows = list(self._rows())
 
     def _rows(self) -> Iterator[ExplanationRow]:
@@ -127,14 +127,15 @@ class Body:
                     yield self._missing(fields[number:], at)
                     return
                 continue
-            if number_of_list == len(self.sizes):
+            if number_of_list == len(self.extents):
                 yield self._unknown_list(fields[number:], inner.lists[number_of_list], at)
                 return
-            stop = at + self.sizes[number_of_list]
+            extent = self.extents[number_of_list]
+            stop = at + extent.size
             number_of_list += 1
             count = self._items(field)
-            yield from self._field(field, at, count)
-            at += count * field.size
+            yield from self._field(field, at, count, extent.elements)
+            at += sum(extent.elements) if extent.elements else count * field.size
             if field.field.repeat is not None and count < field.field.repeat.low:
                 yield self._missing((field,), at, stop)
             elif at < stop:
@@ -143,12 +144,27 @@ class Body:
 
     def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, at: int) -> ExplanationRow:
         """The row from a list on whose bytes nobody knows."""
-        if self.fault is not None and self.fault.reason == "wrong_measure":
+        assert self.fault is not None
+        if self._has_wrong_count(inner):
             text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
             return self._wrong(fields[0], at, "wrong_measure", text)
+        if inner.tail is not None:
+            text = (
+                f"the elements of {fields[0].name} do not end with their bytes: see byte {self.start + self.fault.at}"
+            )
+            return self._wrong(fields[0], at, self.fault.reason, text)
         if self.end - self.start < self.record.least:
             return self._missing(fields, at)
         return self._wrong(fields[0], at, "incomplete", f"{inner.count} counts more {fields[0].name} than there are")
+
+    def _has_wrong_count(self, inner: InnerList) -> bool:
+        """Whether the first list whose bytes nobody knows has a count that cannot be right."""
+        place = self.record.inner_lists.place_in_data(self.extents, inner.count_at) if self.record.inner_lists else 0
+        return (
+            bool(inner.count)
+            and self.fault is not None
+            and (self.fault.reason, self.fault.at) == ("wrong_measure", place)
+        )
 
     def _items(self, field: FieldLayout) -> int:
         """How many elements of a list of a record with fields behind a list there are."""
@@ -156,7 +172,12 @@ class Body:
         assert inner is not None
         assert repeat is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
-        return min(self.sizes[number] // field.size, repeat.high)
+        extent = self.extents[number]
+        return (
+            len(extent.elements)
+            if inner.lists[number].tail is not None
+            else min(extent.size // field.size, repeat.high)
+        )
 
     def _varying_rows(self) -> Iterator[ExplanationRow]:
         """The rows of a record whose values vary in width."""
@@ -212,12 +233,13 @@ class Body:
         row = wrong_row(self.spot, at, data, reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
-    def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[ExplanationRow]:
-        """The rows of the elements of one field. Adds their values to `values`."""
+    def _field(self, field: FieldLayout, at: int, count: int, sizes: tuple[int, ...] = ()) -> Iterator[ExplanationRow]:
+        """The rows of the elements of one field. Adds their values to `values`. `sizes` are those that differ."""
         values: list[Raw] = []
         for index in range(count):
             path = f"{field.name}[{index}]" if field.is_list else field.name
-            rows, value = self._element(field, path, at + index * field.size, index)
+            place, size = (at + sum(sizes[:index]), sizes[index]) if sizes else (at + index * field.size, field.size)
+            rows, value = self._element(field, path, place, index, size)
             values.append(value)
             yield from rows
         if field.is_list:
@@ -225,23 +247,26 @@ class Body:
         elif values:
             self.values[field.name] = values[0]
 
-    def _element(self, field: FieldLayout, path: str, at: int, index: int) -> tuple[list[ExplanationRow], Raw]:
+    def _element(
+        self, field: FieldLayout, path: str, at: int, index: int, size: int
+    ) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the value of one element of a field of the message."""
         if field.record is not None:
-            return self._inner(field.record, path, at)
+            return self._inner(field.record, path, at, size)
         return self._value(field, path, at, index, self._by_exponent(field, self.record, self.start), top=True)
 
-    def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[ExplanationRow], Raw]:
-        """The rows and the values of a record within the body. All of its bytes are there."""
+    def _inner(self, record: RecordLayout, path: str, at: int, size: int) -> tuple[list[ExplanationRow], Raw]:
+        """The rows and the values of a record within the body, which has `size` bytes. All of them are there."""
         rows: list[ExplanationRow] = []
         values: dict[str, Raw] = {}
         for field in record.fields:
             elements: list[Raw] = []
-            for index in range(field.count or 0):
+            count = (size - field.offset) // field.size if field.count is None else field.count
+            for index in range(count):
                 inner = f"{path}.{field.name}[{index}]" if field.is_list else f"{path}.{field.name}"
                 place = at + field.offset + index * field.size
                 if field.record is not None:
-                    more, value = self._inner(field.record, inner, place)
+                    more, value = self._inner(field.record, inner, place, field.size)
                 else:
                     own = self._by_exponent(field, record, at)
                     more, value = self._value(field, inner, place, index, own, top=False)
@@ -258,9 +283,9 @@ class Body:
             return field.value
         inner, offset = record.inner_lists, exponent.offset
         if inner is not None:
-            if self.fault is not None and offset >= inner.lists[len(self.sizes)].first:
+            if self.fault is not None and offset >= inner.lists[len(self.extents)].first:
                 return field.value
-            offset = inner.place_in_data(self.sizes, offset)
+            offset = inner.place_in_data(self.extents, offset)
         at = start + offset
         if at + exponent.size > self.end:
             return field.value
@@ -316,13 +341,12 @@ class Body:
         measure = field.field.measures
         assert measure is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)
-        if number < len(self.sizes):
+        if number < len(self.extents):
             items = self._items(other)
             should = measure.number(items, other.size)
             return read.judged(read.number == should, should, "wrong_measure")
         own = inner.lists[number]
-        is_wrong = self.fault is not None and self.fault.reason == "wrong_measure" and number == len(self.sizes)
-        if not is_wrong or own.count != field.name:
+        if number != len(self.extents) or own.count != field.name or not self._has_wrong_count(own):
             return read
         low, high = (size // own.unit + own.plus for size in (own.least, own.most))
         return read.judged(False, f"{low} to {high}", "wrong_measure")

@@ -1,8 +1,9 @@
-"""Lists with other fields behind them, which other fields count: where everything is in some data.
+"""Lists with other fields behind them, which other fields count, and lists of records that differ in size: where
+everything is in some data.
 
 Codecs work on the image of such a record: first all other fields, then the lists. Each list but the last one has room
-there for as many elements as it may have, so that everything in the image has its place. The last list goes on to the
-end of the image.
+there for as many elements as it may have, and each element for as many bytes as it may have, so that everything in the
+image has its place. The last list goes on to the end of the image.
 """
 
 from __future__ import annotations
@@ -19,9 +20,10 @@ if TYPE_CHECKING:
 class InnerList:
     """The list `name` begins behind `first` bytes of other fields, not counting lists, and at `room` in the image.
 
-    It has `least` to `most` bytes, `element` for each element. The field `count` is at `count_at` in the image and
-    has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit` bytes.
-    `count` is empty where the number is not needed, since the data end with the list and the fields behind it.
+    It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
+    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
+    bytes. `count` is empty where the number is not needed, since the data end with the list and the fields behind it.
+    `tail` is the list at the end of each element, whose count is in the element; None where all have the same size.
     """
 
     name: str
@@ -36,9 +38,10 @@ class InnerList:
     count_order: str = "big"
     unit: int = 1
     plus: int = 0
+    tail: InnerList | None = None
 
     def size_of(self, number: int) -> int | None:
-        """The bytes of the list if its count is a number, None if it may not be that number."""
+        """The bytes in the image if the count is a number, None if it may not be that number."""
         size = (number - self.plus) * self.unit
         return None if size % self.element or not self.least <= size <= self.most else size
 
@@ -46,6 +49,14 @@ class InnerList:
         """The number of the field that counts the list, in an image that goes that far."""
         order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
         return int.from_bytes(image[self.count_at : self.count_at + self.count_size], order)
+
+
+@dataclass(frozen=True, slots=True)
+class ListExtent:
+    """The bytes of a list in some data, and of each of its elements; `elements` is empty where all have the same."""
+
+    size: int
+    elements: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,74 +79,131 @@ class InnerLists:
         """The list that comes last, whose size the data decide."""
         return self.lists[-1]
 
-    def sizes_in(self, data: bytes) -> tuple[list[int], ListFault | None]:
+    def extents_in(self, data: bytes) -> tuple[list[ListExtent], ListFault | None]:
         """The bytes of each list in some data; up to the first one for which they are not known, and why."""
-        sizes: list[int] = []
+        extents: list[ListExtent] = []
         image = b""
+        before = 0
         for inner in self.lists:
-            at = inner.first + sum(sizes)
+            at = inner.first + before
             left = len(data) - at - (self.fixed - inner.first)
             if left < 0:
-                return sizes, ListFault("incomplete", len(data))
-            image += data[len(image) + sum(sizes) : at]
-            if inner is self.last:
-                sizes.append(left)
-                break
+                return extents, ListFault("incomplete", len(data))
+            image += data[len(image) + before : at]
+            extent = self._extent(inner, image, data[at : at + left], extents)
+            if isinstance(extent, ListFault):
+                return extents, extent
+            extents.append(extent)
+            before += extent.size
+        return extents, None
+
+    def _extent(self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
+        """The bytes of a list in data that begin with it, less the fields behind it."""
+        at = inner.first + sum(extent.size for extent in extents)
+        size = None
+        if inner.count:
             size = inner.size_of(inner.count_in(image))
             if size is None:
-                return sizes, ListFault("wrong_measure", self.place_in_data(sizes, inner.count_at))
-            if size > left:
-                return sizes, ListFault("incomplete", len(data))
-            sizes.append(size)
-        return sizes, None
+                return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
+        if inner.tail is not None:
+            return _elements(inner, inner.tail, data, size, at)
+        if size is not None and size > len(data):
+            return ListFault("incomplete", at + len(data) + self.fixed - inner.first)
+        return ListExtent(len(data) if size is None else size)
 
-    def image_of(self, data: bytes, sizes: Sequence[int]) -> bytes:
-        """The image of data whose lists have some sizes; it has zeros for fields behind a list of unknown size."""
-        lists, fields, at = b"", b"", 0
-        for inner, size in zip(self.lists, sizes, strict=False):
-            start = inner.first + at
-            fields += data[len(fields) + at : start]
-            piece = data[start : start + size]
+    def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
+        """The image of data whose lists have some extents; it has zeros for fields behind a list without one."""
+        lists, fields, before = b"", b"", 0
+        for inner, extent in zip(self.lists, extents, strict=False):
+            start = inner.first + before
+            fields += data[len(fields) + before : start]
+            piece = data[start : start + extent.size]
+            if inner.tail is not None:
+                at, pieces = 0, []
+                for size in extent.elements:
+                    pieces.append(piece[at : at + size].ljust(inner.element, b"\0"))
+                    at += size
+                piece = b"".join(pieces)
             lists += piece if inner is self.last else piece.ljust(inner.most, b"\0")
-            at += size
-        stop = None if len(sizes) == len(self.lists) else self.lists[len(sizes)].first + at
-        return (fields + data[len(fields) + at : stop]).ljust(self.fixed, b"\0") + lists
+            before += extent.size
+        stop = None if len(extents) == len(self.lists) else self.lists[len(extents)].first + before
+        return (fields + data[len(fields) + before : stop]).ljust(self.fixed, b"\0") + lists
 
     def data_of(self, image: bytes) -> bytes:
         """What is sent of an image."""
         data, at = b"", 0
         for inner in self.lists:
-            stop = None if inner is self.last else inner.room + self._size_in_image(inner, image)
-            data += image[at : inner.first] + image[inner.room : stop]
+            data += image[at : inner.first] + self._sent(inner, image)
             at = inner.first
         return data + image[at : self.fixed]
 
-    @staticmethod
-    def _size_in_image(inner: InnerList, image: bytes) -> int:
-        size = inner.size_of(inner.count_in(image))
-        assert size is not None
-        return size
+    def _sent(self, inner: InnerList, image: bytes) -> bytes:
+        """What is sent of a list in an image."""
+        piece = image[inner.room :]
+        if inner is not self.last:
+            piece = piece[: inner.size_of(inner.count_in(image))]
+        if inner.tail is None:
+            return piece
+        elements = [piece[at : at + inner.element] for at in range(0, len(piece), inner.element)]
+        return b"".join(element[: element_size(inner.tail, element)] for element in elements)
 
-    def place_in_data(self, sizes: Sequence[int], at: int) -> int:
-        """The byte in data, whose lists have some sizes, for a byte of their image."""
+    def place_in_data(self, extents: Sequence[ListExtent], at: int) -> int:
+        """The byte in data, whose lists have some extents, for a byte of their image."""
         before = 0
-        for inner, size in zip(self.lists, [*sizes, *[0] * (len(self.lists) - len(sizes))], strict=True):
+        unknown = [ListExtent(0)] * (len(self.lists) - len(extents))
+        for inner, extent in zip(self.lists, [*extents, *unknown], strict=True):
             if at >= inner.room and (inner is self.last or at < inner.room + inner.most):
-                return inner.first + before + at - inner.room
-            if at < self.fixed and at < inner.first:
+                return inner.first + before + _place_in_list(inner, extent, at - inner.room)
+            if at < inner.first:
                 return at + before
-            before += size
+            before += extent.size
         return at + before
+
+
+def _place_in_list(inner: InnerList, extent: ListExtent, at: int) -> int:
+    if inner.tail is None:
+        return at
+    index, rest = divmod(at, inner.element)
+    return sum(extent.elements[:index]) + rest
+
+
+def _elements(inner: InnerList, tail: InnerList, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
+    """The elements of a list whose elements differ in size: as many as have `size` bytes in the image, or all."""
+    sizes: list[int] = []
+    at = 0
+    while at < len(data) if size is None else len(sizes) * inner.element < size:
+        if len(sizes) * inner.element == inner.most:
+            return ListFault("wrong_length", start + at)
+        own = element_size(tail, data[at:])
+        if own is None:
+            return ListFault("wrong_measure", start + at + tail.count_at)
+        if at + own > len(data):
+            return ListFault("incomplete", start + len(data))
+        sizes.append(own)
+        at += own
+    if len(sizes) * inner.element < inner.least:
+        return ListFault("incomplete", start + at)
+    return ListExtent(at, tuple(sizes))
+
+
+def element_size(tail: InnerList, data: bytes) -> int | None:
+    """The bytes of an element that data begin with, which may be more than the data have; None for a wrong count."""
+    if len(data) < tail.room:
+        return tail.room
+    size = tail.size_of(tail.count_in(data))
+    return None if size is None else tail.room + size
 
 
 def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
     """The lists as programs in JavaScript have them."""
-    rows: list[dict[str, Any]] = []
-    for row in inner.lists:
-        bounds = {"element": row.element, "least": row.least, "most": row.most}
-        count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
-        plus = {"plus": row.plus} if row.plus else {}
-        is_little = {"little": True} if row.count_order == "little" else {}
-        names = {"name": row.name} | ({"countName": row.count} if row.count else {})
-        rows.append({**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little})
-    return {"fixed": inner.fixed, "lists": rows}
+    return {"fixed": inner.fixed, "lists": [_row(row) for row in inner.lists]}
+
+
+def _row(row: InnerList) -> dict[str, Any]:
+    names = {"name": row.name} | ({"countName": row.count} if row.count else {})
+    bounds = {"element": row.element, "least": row.least, "most": row.most}
+    count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
+    plus = {"plus": row.plus} if row.plus else {}
+    is_little = {"little": True} if row.count_order == "little" else {}
+    tail = {"tail": _row(row.tail)} if row.tail is not None else {}
+    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **tail}

@@ -135,6 +135,11 @@ class RecordLayout:
         at = next((other.offset for other in self.fields if other.value is not None and other.value.width), None)
         return at is None or field.offset <= at
 
+    @property
+    def has_tails(self) -> bool:
+        """Whether it has a list whose elements differ in size, each of which counts the list at its end."""
+        return self.inner_lists is not None and any(inner.tail is not None for inner in self.inner_lists.lists)
+
     def room_of(self, field: FieldLayout) -> InnerList | None:
         """The room of a list in an image that has another list behind it, None for other fields."""
         return next((room for room in self.rooms if room.name == field.name), None)
@@ -234,10 +239,11 @@ def _fixed(
     at = 0
     fields = []
     lists = [field for field in record.fields if field.repeat is not None]
-    is_inner = any(field is not record.fields[-1] for field in lists)
+    differing = [field for field in lists if field.record and records[field.record].size is None]
+    is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
     for field in _lists_last(record, lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
-        size = field.value.size if field.value else (nested.size or 0) if nested else 0
+        size = field.value.size if field.value else (nested.most or 0) if nested else 0
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
         sizes = _sizes(record, field, enums)
@@ -249,7 +255,8 @@ def _fixed(
     repeated = [(field.field.repeat, field.size) for field in fields if field.field.repeat is not None]
     if not repeated:
         return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
-    least = fixed + sum(repeat.low * size for repeat, size in repeated)
+    leasts = [size if field.record is None else field.record.least for field in fields if field.count is None]
+    least = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
     most = fixed + sum(repeat.high * size for repeat, size in repeated)
     inner_lists = _inner_lists(record, tuple(fields), fixed) if is_inner else None
     return RecordLayout(record, record.name, tuple(fields), None, least, most, inner_lists=inner_lists)
@@ -274,12 +281,30 @@ def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) ->
         least, most = own.repeat.low * field.size, own.repeat.high * field.size
         inner = InnerList(field.name, first, field.offset, field.size, least, most)
         count = None if field is last else list_count(record, own)
-        if count is not None and count.measures is not None:
-            at = by_name[count.name]
-            inner = replace(inner, count=at.name, count_at=at.offset, count_size=at.size, count_order=at.order)
-            inner = replace(inner, unit=count.measures.unit(field.size), plus=count.measures.plus)
+        inner = inner if count is None else _with_count(inner, by_name[count.name])
+        if field.record is not None and field.record.size is None:
+            inner = replace(inner, tail=tail_of(field.record))
         lists.append(inner)
     return InnerLists(tuple(lists), fixed)
+
+
+def tail_of(record: RecordLayout) -> InnerList:
+    """The list at the end of a record that counts it."""
+    field = record.fields[-1]
+    repeat, count = field.field.repeat, list_count(record.record, field.field)
+    assert repeat is not None
+    assert count is not None
+    at, size = field.offset, field.size
+    by_name = {own.name: own for own in record.fields}
+    return _with_count(InnerList(field.name, at, at, size, repeat.low * size, repeat.high * size), by_name[count.name])
+
+
+def _with_count(inner: InnerList, count: FieldLayout) -> InnerList:
+    """A list with the field that counts it."""
+    measures = count.field.measures
+    assert measures is not None
+    inner = replace(inner, count=count.name, count_at=count.offset, count_size=count.size, count_order=count.order)
+    return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
 
 
 def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:

@@ -48,7 +48,13 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
     """The names and numbers in both functions."""
     struct = naming.type("record", record.name) if members(record) else ""
     verbs = ("encode", "decode", "encode_image", "decode_image")
+    tails = [
+        f"    static const {naming.own('inner_list')} {row.name}_tail = {_row(row.tail)};"
+        for row in inner.lists
+        if row.tail
+    ]
     rows = ",\n".join(f"        {_row(row)}" for row in inner.lists)
+    declared = f"    static const {naming.own('inner_list')} lists[] = {{\n{rows},\n    }};"
     return {
         **{verb: naming.function("record", record.name, verb) for verb in verbs},
         "ok": naming.status("ok").name,
@@ -59,7 +65,7 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
         "passed": "in, " if struct else "",
         "result": f", {struct} *out" if struct else "",
         "returned": ", out" if struct else "",
-        "lists": f"    static const {naming.own('inner_list')} lists[] = {{\n{rows},\n    }};",
+        "lists": "\n".join([*tails, declared]),
         "count": len(inner.lists),
         "size": inner.last.room + inner.last.most,
         "fixed": inner.fixed,
@@ -67,8 +73,9 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 
 
 def _row(inner: InnerList) -> str:
-    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false}`: see the struct."""
+    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
-    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {inner.plus}L, {is_little}}}"
+    tail = f"&{inner.name}_tail" if inner.tail is not None else "NULL"
+    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {inner.plus}L, {is_little}, {tail}}}"

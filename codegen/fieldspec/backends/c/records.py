@@ -76,7 +76,7 @@ from fieldspec.backends.c.values import (
     store_constant,
 )
 from fieldspec.backends.c.widths import decode_widths, encode_widths
-from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, tail_of
 from fieldspec.model.device import Device
 
 
@@ -245,7 +245,7 @@ def _write_record(naming: Naming, device: Device, record: RecordLayout, value: E
     """Checks and writes a record within another."""
     if not is_packed(record):
         encode = naming.function("record", record.name, "encode")
-        sizes = unsigned(record.size or 0), address_of(INNER_LENGTH)
+        sizes = unsigned(record.most or 0), address_of(INNER_LENGTH)
         return return_error(naming, Call(encode, (*struct_argument(record, value), target, *sizes)))
     check, pack = (naming.function("record", record.name, verb) for verb in ("check", "pack"))
     struct = address_of(value)
@@ -377,5 +377,17 @@ def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Ex
     if is_packed(record) and not check_unpacked(naming, device, record):
         return (call(naming.function("record", record.name, "unpack"), source, address_of(value)),)
     decode = naming.function("record", record.name, "decode")
-    arguments = source, unsigned(record.size or 0), *struct_argument(record, value)
+    size = unsigned(record.size) if record.size is not None else _size_with_tail(naming, record, source)
+    arguments = source, size, *struct_argument(record, value)
     return return_error(naming, Call(decode, arguments))
+
+
+def _size_with_tail(naming: Naming, record: RecordLayout, source: Expression) -> Expression:
+    """`2u + load_u8(in + 3 + 1)`: the size of a record that counts the list at its end; its count has been judged."""
+    tail = tail_of(record)
+    count = record.named(tail.count)
+    assert count is not None
+    number = load(naming, field_value(count), Operation("+", (source, decimal(count.offset))))
+    units = number if tail.unit == 1 else multiply(number, unsigned(tail.unit))
+    fixed = tail.room - tail.plus * tail.unit
+    return Operation("+" if fixed >= 0 else "-", (units, unsigned(abs(fixed))))

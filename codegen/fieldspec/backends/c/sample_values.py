@@ -153,7 +153,8 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
         else:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
-            data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
+            element = record_bytes(field.record, item) if field.record else _element_bytes(field, item)
+            data += element.ljust(field.size, b"\0") if field.count is None else element
         room = record.image.room_of(field)
         data = data if room is None else data.ljust(room.room + room.most, b"\0")
     if record.inner_lists is not None:

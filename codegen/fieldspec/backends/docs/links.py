@@ -178,7 +178,8 @@ class FrameTable:
 
     def field_row(self, field: FieldLayout, position: Position, path: str, elements: str) -> TableRow:
         """The row of a field, or of each of its elements."""
-        place = position.text(field.size, self.start, self.width)
+        differs = field.record is not None and field.record.size is None
+        place = position.text(field.record.least if differs and field.record else field.size, self.start, self.width)
         if field.value is not None and field.value.width:
             place = f"from {position.text(1, self.start, self.width)}"
         cells = field_cells(self.context, field, path, elements, self.marks)
@@ -206,7 +207,10 @@ def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: st
     position = start.shifted(field.offset)
     elements = ""
     if field.is_list:
-        position = position.stepped(field.size, letter)
+        differs = field.record is not None and field.record.size is None
+        position = (
+            position.stepped(1, f"bytes before {path}[{letter}]") if differs else position.stepped(field.size, letter)
+        )
         path = f"{path}[{letter}]"
         elements = elements_text(field, letter)
     yield holder.field_row(field, position, path, elements)
@@ -228,7 +232,7 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
     elif field.record is not None:
         record = field.record.name
         cells = (
-            cell((code(record, f"#records/{record}"), text_piece(f" of {many(field.size, 'byte')}"))),
+            cell((code(record, f"#records/{record}"), text_piece(f" of {_bytes_of(field.record)}"))),
             Cell(),
             Cell(),
         )
@@ -241,6 +245,10 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
         meaning_cell(context, field.field, field.value, *more),
         sources(field.field),
     )
+
+
+def _bytes_of(record: RecordLayout) -> str:
+    return many(record.size, "byte") if record.size is not None else f"{record.least} to {record.most} bytes"
 
 
 def _case(field: FieldLayout, case: CaseLayout) -> Item:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.text import literal
 from fieldspec.layout.inner_lists import inner_lists_data
@@ -24,19 +25,23 @@ def list_table(record: RecordLayout, name: str) -> list[str]:
     ]
 
 
-def write_lists(record: RecordLayout, name: str) -> list[str]:
+def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The functions that write a value and count its bytes."""
     assert record.inner_lists is not None
-    lengths = []
+    lengths, sizes = [], []
     for member in members_of(record):
-        repeat = member.field.field.repeat
-        if repeat is not None:
-            length = f"listLength({literal(member.field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
-            lengths.append(length if member.field.size == 1 else f"{length} * {member.field.size}")
+        field, repeat = member.field, member.field.field.repeat
+        if repeat is None:
+            continue
+        length = f"listLength({literal(field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
+        lengths.append(length if field.size == 1 else f"{length} * {field.size}")
+        differs = field.record is not None and field.record.size is None
+        inner = names.records[field.record.record.name] if field.record is not None else ""
+        sizes.append(f"({length} && elementsLength(value.{member.key}, {inner}))" if differs else lengths[-1])
     last = record.inner_lists.last
     return [
         f"function size{name}(value) {{",
-        f"  return {' + '.join([str(record.inner_lists.fixed), *lengths])};",
+        f"  return {' + '.join([str(record.inner_lists.fixed), *sizes])};",
         "}",
         f"function write{name}(value, b, o) {{",
         f"  const image = new Uint8Array({last.room + last.most});",

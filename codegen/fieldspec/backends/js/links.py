@@ -354,7 +354,7 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
         and field.size <= 4
         and record.has_place(field)
     ]
-    is_single = sum(field.count is None for field in record.fields) == 1
+    is_single = sum(field.count is None for field in record.fields) == 1 and not record.has_tails
     if not measures or tail.cases or measures[0].field.measures is None or not is_single:
         return "{ length: 0, size: -1 }"
     measure = measures[0]

@@ -94,7 +94,7 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
         number = f"({plus(number, -room.plus)})" if room.plus else number
         count = number if room.unit == room.element else f"{number} / {room.element}"
     if field.record is not None:
-        element, checks = f"read{names.records[field.record.record.name]}(b, at)", []
+        element, checks = _element(record, field, names.records[field.record.record.name], names), []
     else:
         reading = slot_of(field, names).read("item", "at", 0)
         element, checks = reading.expression, list(reading.lines)
@@ -105,6 +105,16 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
         *(f"  {line}" for line in [*checks, *push]),
         "}",
     ]
+
+
+def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names) -> str:
+    """The expression of an element that is a record, with the bytes that it has where these differ."""
+    assert field.record is not None
+    if field.record.size is not None:
+        return f"read{name}(b, at)"
+    lists = [own.name for own in record.record.fields if own.repeat is not None]
+    tail = f"inner{names.records[record.name]}.lists[{lists.index(field.name)}].tail"
+    return f"check{name}(b, at, at + elementBytes({tail}, b.subarray(at, at + {field.size})))"
 
 
 def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:

@@ -21,7 +21,7 @@ def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
     if record.spans:
         return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
     if record.inner_lists is not None:
-        return [*_write_fields(record, f"writeImage{name}", names), *write_lists(record, name)]
+        return [*_write_fields(record, f"writeImage{name}", names), *write_lists(record, name, names)]
     for suffix, shape in shapes_of(record):
         lines += _write_fields(shape, f"write{name}{suffix}", names)
         if shape.size is None:

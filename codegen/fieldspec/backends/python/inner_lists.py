@@ -21,4 +21,5 @@ def _row(field: Slots, inner: InnerList) -> str:
     bounds = (inner.least // inner.element, inner.most // inner.element)
     order = literal(inner.count_order)
     count = f", ({inner.count_at}, {inner.count_size}, {order}, {inner.unit}, {inner.plus})" if inner.count else ""
-    return f"_InnerList({literal(field.letters)}, {inner.element}, {bounds}, {inner.first}, {inner.room}{count})"
+    tail = f", tail={_row(field, inner.tail)}" if inner.tail is not None else ""
+    return f"_InnerList({literal(field.letters)}, {inner.element}, {bounds}, {inner.first}, {inner.room}{count}{tail})"

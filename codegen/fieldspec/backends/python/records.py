@@ -142,6 +142,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     sentinels = sentinel_views(stored, constants)
     units, powers = power_views(record, stored, scope, constants, name)
     read, taken = _read(shaped, upper)
+    taken = [*taken, *_sent_elements(shaped, upper)]
     return RecordView(
         name=name,
         declared=_declared(shaped, upper),
@@ -229,6 +230,15 @@ def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
     lines, taken = unpacking_lines(shaped, "record", _unpacked(struct, fixed_size, unit), 8)
     test = f"if {_length_test(record, fixed_size, unit)}:"
     return [test, f"{wrong}, {fixed_size}, {unit})", new_record, *lines], taken
+
+
+def _sent_elements(shaped: RecordShape, upper: str) -> list[str]:
+    """Lines that take what is sent of the elements that differ in size, of which the image has all bytes."""
+    differing = [field for field in shaped.lists if field.field.record is not None and field.field.record.size is None]
+    names = [inner.name for inner in shaped.record.inner_lists.lists] if shaped.record.inner_lists is not None else []
+    return [
+        f"{local(field)} = {upper}_STRUCT.elements({names.index(field.title)}, {local(field)})" for field in differing
+    ]
 
 
 def _quoted(variable: str, names: list[str]) -> list[str]:

@@ -4,7 +4,8 @@
  * A list with fields behind it, which begins behind `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
- * `count_size` of 0 is that of the list whose size the data decide.
+ * `count_size` of 0 is that of the list whose size the data decide. `tail` is the list at the end of each element whose
+ * elements differ in size; each has `element` bytes in the image.
  */
 typedef struct device_inner_list {
     size_t first;
@@ -17,6 +18,7 @@ typedef struct device_inner_list {
     size_t unit;
     long plus;
     bool is_little;
+    const struct device_inner_list *tail;
 } device_inner_list;
 
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count below the least one. */
@@ -41,6 +43,46 @@ static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t si
     }
 }
 
+/** The bytes of an element that ends with a list, in `left` bytes that begin with it; 0 for a wrong count. */
+static inline size_t device_element_size(const device_inner_list *tail, const uint8_t *in, size_t left)
+{
+    size_t size;
+    if (left < tail->room) {
+        return tail->room;
+    }
+    size = device_list_size(tail, in);
+    return size < tail->least || size > tail->most || size % tail->element != 0u ? 0u : tail->room + size;
+}
+
+/**
+ * Writes the image of a list whose elements differ in size: as many of them as have `size` bytes there, or all to the
+ * end, where that is SIZE_MAX. `*size` receives the bytes in the image, `*taken` those that were read.
+ */
+static inline device_codec_status device_take_elements(const device_inner_list *list, const uint8_t *in, size_t left,
+        uint8_t *image, size_t *size, size_t *taken)
+{
+    size_t from = 0, to = 0;
+    while (*size == SIZE_MAX ? from < left : to < *size) {
+        size_t own;
+        if (to == list->most) {
+            return DEVICE_ERR_WRONG_LENGTH;
+        }
+        own = device_element_size(list->tail, in + from, left - from);
+        if (own == 0u) {
+            return DEVICE_ERR_WRONG_MEASURE;
+        }
+        if (own > left - from) {
+            return DEVICE_ERR_INCOMPLETE;
+        }
+        device_copy_bytes(image + to, in + from, own);
+        from += own;
+        to += list->element;
+    }
+    *size = to;
+    *taken = from;
+    return to < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
+}
+
 /** Writes the image of a record with lists, whose other fields have `fixed` bytes. */
 static inline device_codec_status device_take_lists(const device_inner_list *lists, size_t count, size_t fixed,
         const uint8_t *in, size_t length, uint8_t *image, size_t *image_length)
@@ -49,32 +91,61 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
     *image_length = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
-        size_t size;
+        size_t left, size = SIZE_MAX, taken;
         if (length - from < fixed - at) {
             return DEVICE_ERR_INCOMPLETE;
         }
         device_copy_bytes(image + at, in + from, list->first - at);
         from += list->first - at;
         at = list->first;
-        size = length - from - (fixed - at);
+        left = length - from - (fixed - at);
         if (list->count_size != 0u) {
-            size_t left = size;
             size = device_list_size(list, image);
             if (size < list->least || size > list->most || size % list->element != 0u) {
                 return DEVICE_ERR_WRONG_MEASURE;
             }
-            if (size > left) {
+        }
+        if (list->tail != NULL) {
+            device_codec_status status = device_take_elements(list, in + from, left, image + list->room, &size, &taken);
+            if (status != DEVICE_OK) {
+                return status;
+            }
+        } else {
+            if (size != SIZE_MAX && size > left) {
                 return DEVICE_ERR_INCOMPLETE;
             }
-        } else if (size > list->most) {
-            return DEVICE_ERR_WRONG_LENGTH;
+            size = size == SIZE_MAX ? left : size;
+            if (size > list->most) {
+                return DEVICE_ERR_WRONG_LENGTH;
+            }
+            device_copy_bytes(image + list->room, in + from, size);
+            taken = size;
         }
-        device_copy_bytes(image + list->room, in + from, size);
-        from += size;
+        from += taken;
         *image_length = list->room + size;
     }
     device_copy_bytes(image + at, in + from, fixed - at);
     return DEVICE_OK;
+}
+
+/** Writes what is sent of a list that has `size` bytes in an image, unless `out` is NULL; the number of these bytes. */
+static inline size_t device_place_list(const device_inner_list *list, const uint8_t *image, size_t size, uint8_t *out)
+{
+    size_t from, to = 0;
+    if (list->tail == NULL) {
+        if (out != NULL) {
+            device_copy_bytes(out, image, size);
+        }
+        return size;
+    }
+    for (from = 0; from < size; from += list->element) {
+        size_t own = device_element_size(list->tail, image + from, list->element);
+        if (out != NULL) {
+            device_copy_bytes(out + to, image + from, own);
+        }
+        to += own;
+    }
+    return to;
 }
 
 /** Writes what is sent of the image of a record with lists. */
@@ -84,7 +155,8 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
     size_t index, at = 0, to = 0, total = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
-        total += list->count_size != 0u ? device_list_size(list, image) : image_length - list->room;
+        size_t size = list->count_size != 0u ? device_list_size(list, image) : image_length - list->room;
+        total += device_place_list(list, image + list->room, size, NULL);
     }
     if (capacity < total) {
         return DEVICE_ERR_CAPACITY;
@@ -95,8 +167,7 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
         device_copy_bytes(out + to, image + at, list->first - at);
         to += list->first - at;
         at = list->first;
-        device_copy_bytes(out + to, image + list->room, size);
-        to += size;
+        to += device_place_list(list, image + list->room, size, out + to);
     }
     device_copy_bytes(out + to, image + at, fixed - at);
     *length = total;

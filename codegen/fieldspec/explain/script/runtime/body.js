@@ -1,4 +1,4 @@
-import { placeAround, sizesIn } from "../lists.js";
+import { extentsIn, placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
@@ -41,8 +41,8 @@ export class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
-    const known = this.record.inner ? sizesIn(this.record.inner, data.subarray(start, end)) : { sizes: [], fault: null };
-    Object.assign(this, known);
+    const { inner } = this.record;
+    Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
     this.rows = [];
     this.explainFields();
   }
@@ -90,14 +90,15 @@ export class ExplainedBody {
         }
         continue;
       }
-      if (numberOfList === this.sizes.length) {
+      if (numberOfList === this.extents.length) {
         this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
         return;
       }
-      const stop = at + this.sizes[numberOfList++];
+      const { size, elements } = this.extents[numberOfList++];
+      const stop = at + size;
       const count = this.itemsOf(field);
-      this.explainField(field, at, count);
-      at += count * field.size;
+      this.explainField(field, at, count, elements);
+      at = elements.length ? stop : at + count * field.size;
       if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
       else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
       at = stop;
@@ -107,9 +108,13 @@ export class ExplainedBody {
   /** The row from a list on whose bytes nobody knows. */
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
-    if (this.fault.reason === "wrong_measure") {
+    if (this.hasWrongCount(list)) {
       const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
+    }
+    if (list.tail) {
+      const text = `the elements of ${name} do not end with their bytes: see byte ${this.start + this.fault.at}`;
+      return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
     if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
     return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
@@ -118,7 +123,14 @@ export class ExplainedBody {
   /** How many elements of a list of a record with fields behind a list there are. */
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
-    return Math.min(Math.floor(this.sizes[number] / field.size), field.repeat[1]);
+    const { size, elements } = this.extents[number];
+    return this.record.inner.lists[number].tail ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+  }
+
+  /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
+  hasWrongCount(list) {
+    if (!list.length || this.fault?.reason !== "wrong_measure") return false;
+    return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -172,31 +184,36 @@ export class ExplainedBody {
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  explainField(field, at, count) {
+  /** Adds the rows of the elements of a field; `sizes` are those that differ. */
+  explainField(field, at, count, sizes = []) {
     const values = [];
+    let place = at;
     for (let index = 0; index < count; index++) {
       const path = field.isList ? `${field.name}[${index}]` : field.name;
-      values.push(this.explainElement(field, path, at + index * field.size, index));
+      const size = sizes[index] ?? field.size;
+      values.push(this.explainElement(field, path, place, index, size));
+      place += size;
     }
     if (field.isList) this.values.set(field.name, values);
     else if (values.length) this.values.set(field.name, values[0]);
   }
 
-  explainElement(field, path, at, index) {
-    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
+  explainElement(field, path, at, index, size) {
+    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at, size);
     return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
-  explainRecord(record, path, at) {
+  explainRecord(record, path, at, size) {
     const values = new Map();
     for (const field of record.fields) {
       const elements = [];
-      for (let index = 0; index < (field.count ?? 0); index++) {
+      const count = field.count ?? Math.floor((size - field.offset) / field.size);
+      for (let index = 0; index < count; index++) {
         const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
         const place = at + field.offset + index * field.size;
         elements.push(field.record
-          ? this.explainRecord(this.device.records.get(field.record), inner, place)
+          ? this.explainRecord(this.device.records.get(field.record), inner, place, field.size)
           : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
@@ -209,8 +226,8 @@ export class ExplainedBody {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
     const { inner } = record;
     const place = exponent?.offset ?? 0;
-    if (inner && this.fault && place >= inner.lists[this.sizes.length].first) return value;
-    const at = start + (inner ? placeAround(inner, this.sizes, place) : place);
+    if (inner && this.fault && place >= inner.lists[this.extents.length].first) return value;
+    const at = start + (inner ? placeAround(inner, this.extents, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }
@@ -250,14 +267,14 @@ export class ExplainedBody {
   /** The value of a field that measures a list of a record with fields behind a list. */
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
-    if (number < this.sizes.length) {
+    if (number < this.extents.length) {
       const [of, , plus = 0] = field.measures;
       const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
       return judged(read, sameValue(read.number, should), should, "wrong_measure");
     }
-    const { countName, least, most, unit, plus = 0 } = this.record.inner.lists[number];
-    const isWrong = this.fault?.reason === "wrong_measure" && number === this.sizes.length;
-    if (!isWrong || countName !== field.name) return read;
+    const list = this.record.inner.lists[number];
+    const { countName, least, most, unit, plus = 0 } = list;
+    if (number !== this.extents.length || countName !== field.name || !this.hasWrongCount(list)) return read;
     return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 

@@ -21,6 +21,10 @@ function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
 }
 
+function padded(bytes, size) {
+  return joinedBytes([bytes, new Uint8Array(size - bytes.length)]);
+}
+
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
@@ -100,9 +104,10 @@ export function encodeRecord(device, record, values) {
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(form.fields.map((field) => {
     if (!field.measures) {
-      const own = joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
-      const room = form.inner?.lists.find(({ name, length }) => length && name === field.name);
-      return room ? joinedBytes([own, new Uint8Array(room.most - own.length)]) : own;
+      const list = form.inner?.lists.find(({ name }) => name === field.name);
+      const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      const own = joinedBytes(list?.tail ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      return list?.length ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);
