@@ -41,7 +41,7 @@ class InnerList:
         self.at, self.length, self.order, self.unit, self.plus = count
         self.tail = tail
 
-    def counted_size(self, data: bytes) -> int:
+    def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
         return (int.from_bytes(data[self.at : self.at + self.length], self.order) - self.plus) * self.unit
 
@@ -49,7 +49,7 @@ class InnerList:
         """The bytes of an element that data begin with, where this is its tail; None for a wrong count."""
         if len(data) < self.room:
             return self.room
-        size = self.counted_size(data)
+        size = self.count_size(data)
         return self.room + size if size in self.sizes else None
 
     def sent(self, image: bytes) -> bytes:
@@ -91,7 +91,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             left = len(data) - at - self.fixed + inner.first
             if left < 0:
                 raise self._incomplete(len(data))
-            size = self._counted(inner, fields, extents) if inner.length else None
+            size = self._size_of_count(inner, fields, extents) if inner.length else None
             if inner.tail is not None:
                 sizes = self._elements(inner, inner.tail, data[at : at + left], size, at)
                 numbers.append(len(sizes))
@@ -116,7 +116,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         """What is sent of an image."""
         data, at, start = b"", 0, self.fixed
         for inner in self.lists:
-            size = inner.counted_size(image) if inner.length else len(image) - start
+            size = inner.count_size(image) if inner.length else len(image) - start
             data += image[at : inner.first] + inner.sent(image[start : start + size])
             at, start = inner.first, start + size
         return data + image[at : self.fixed]
@@ -126,9 +126,9 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         inner = self.lists[number]
         return [inner.sent(image) for image in images]
 
-    def _counted(self, inner: InnerList, image: bytes, extents: list[list[int]]) -> int:
+    def _size_of_count(self, inner: InnerList, image: bytes, extents: list[list[int]]) -> int:
         """The bytes of a list in the image as its count says, refused where there cannot be so many."""
-        size = inner.counted_size(image)
+        size = inner.count_size(image)
         if size not in inner.sizes:
             limits = f"{inner.sizes[0]} to {inner.sizes[-1]} bytes in steps of {inner.size}"
             at = self._place(extents, inner.at)
