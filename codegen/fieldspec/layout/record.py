@@ -140,6 +140,11 @@ class RecordLayout:
         """Whether it has a list whose elements differ in size, each of which counts the list at its end."""
         return self.inner_lists is not None and any(inner.tail is not None for inner in self.inner_lists.lists)
 
+    @property
+    def has_single_list(self) -> bool:
+        """Whether the number of elements of its only list decides its size."""
+        return sum(field.count is None for field in self.fields) == 1 and not self.has_tails
+
     def room_of(self, field: FieldLayout) -> InnerList | None:
         """The room of a list in an image that has another list behind it, None for other fields."""
         return next((room for room in self.rooms if room.name == field.name), None)

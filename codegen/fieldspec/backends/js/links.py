@@ -354,8 +354,7 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
         and field.size <= 4
         and record.has_place(field)
     ]
-    is_single = sum(field.count is None for field in record.fields) == 1 and not record.has_tails
-    if not measures or tail.cases or measures[0].field.measures is None or not is_single:
+    if not measures or tail.cases or measures[0].field.measures is None or not record.has_single_list:
         return "{ length: 0, size: -1 }"
     measure = measures[0]
     assert measure.field.measures is not None

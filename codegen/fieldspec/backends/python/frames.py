@@ -383,8 +383,7 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
         return around + record.first_bytes, 0, -2, 0
     measures = [field for field in record.fields if record.has_place(field) and _measures(field, tail, frame)]
     measure = min(measures, key=lambda field: field.size, default=None)  # one byte is read faster than two
-    is_single = sum(field.count is None for field in record.fields) == 1 and not record.has_tails
-    if measure is None or measure.field.measures is None or tail.cases or record.spans or not is_single:
+    if measure is None or measure.field.measures is None or tail.cases or record.spans or not record.has_single_list:
         return 0, 0, -1, 0
     unit, plus = measure.field.measures.unit(tail.size), measure.field.measures.plus
     return around + tail.offset - plus * unit, frame.header_size + measure.offset, measure.size, unit

@@ -200,9 +200,8 @@ def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, what: s
 def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
     beside = pair.old.place.path.rpartition("/")[0]
     old, new = _measure(pair.old.measures), _measure(pair.new.measures)
-    if pair.old.measures is not None:
-        renamed = comparison.renamed_to(beside, pair.old.measures.field)
-        old = _measure(Measure(pair.old.measures.of, renamed, pair.old.measures.plus))
+    if (measure := pair.old.measures) is not None:
+        old = _measure(Measure(measure.of, comparison.renamed_to(beside, measure.field), measure.plus))
     if old != new:
         yield _role_text(pair, "measures", "what it measures", old, new)
     by = comparison.renamed_to(beside, pair.old.choice.by) if pair.old.choice else ""
