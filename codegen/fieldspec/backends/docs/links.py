@@ -178,9 +178,8 @@ class FrameTable:
 
     def field_row(self, field: FieldLayout, position: Position, path: str, elements: str) -> TableRow:
         """The row of a field, or of each of its elements."""
-        differs = field.record is not None and field.record.size is None
-        place = position.text(field.record.least if differs and field.record else field.size, self.start, self.width)
-        if field.value is not None and field.value.width:
+        place = position.text(field.size, self.start, self.width)
+        if differs_in_size(field) or (field.value is not None and field.value.width):
             place = f"from {position.text(1, self.start, self.width)}"
         cells = field_cells(self.context, field, path, elements, self.marks)
         return TableRow((cell(code(place)), *cells), self._anchor(field.field))
@@ -207,10 +206,8 @@ def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: st
     position = start.shifted(field.offset)
     elements = ""
     if field.is_list:
-        differs = field.record is not None and field.record.size is None
-        position = (
-            position.stepped(1, f"bytes before {path}[{letter}]") if differs else position.stepped(field.size, letter)
-        )
+        step = (1, f"bytes of earlier {field.name}") if differs_in_size(field) else (field.size, letter)
+        position = position.stepped(*step)
         path = f"{path}[{letter}]"
         elements = elements_text(field, letter)
     yield holder.field_row(field, position, path, elements)
@@ -245,6 +242,11 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
         meaning_cell(context, field.field, field.value, *more),
         sources(field.field),
     )
+
+
+def differs_in_size(field: FieldLayout) -> bool:
+    """Whether the elements of a list are records that differ in size."""
+    return field.record is not None and field.record.size is None
 
 
 def _bytes_of(record: RecordLayout) -> str:

@@ -26,10 +26,16 @@ class Position:
         """`4`, `4..7`, `3 + 16k`: bytes, or characters where each byte is `width` of them behind `start`."""
         first = start + self.fixed * width
         last = first + length * width - 1
-        steps = "".join(f" + {size * width if size * width > 1 else ''}{letter}" for size, letter in self.steps)
+        steps = "".join(_step(size * width, letter) for size, letter in self.steps)
         if first == last:
             return f"{first}{steps}"
         return f"({first}..{last}){steps}" if steps else f"{first}..{last}"
+
+
+def _step(size: int, letter: str) -> str:
+    """` + 16k`, ` + k`, ` + 2 times length of weight`."""
+    times = " times " if " " in letter and not letter.startswith(" ") else ""
+    return f" + {size}{times}{letter}" if size > 1 else f" + {letter}"
 
 
 def field_starts(record: RecordLayout) -> list[Position]:
