@@ -194,6 +194,7 @@ class BodyReader:
         counts |= rooms.items if rooms is not None else {}
         last = self.record.fields[-1] if self.record.fields else None
         for _, own_slots in groupby(self.slots, lambda slot: id(slot.field)):
+            elements: list[tuple[int, Numbers, FieldRows]] = []
             for slot in own_slots:
                 field = slot.field
                 if rooms is not None and field.name in rooms.verdicts:
@@ -208,8 +209,11 @@ class BodyReader:
                 assert slot.layout.value is not None
                 judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
                 if len(rows) and (self.emits or judged):
-                    yield from self._slot(slot, buffer, at, rows, index, verdict)
+                    elements += self._slot(slot, buffer, at, rows, index, verdict)
                 self._measure(slot, buffer, at, size, counts, verdict)
+            # All values of an element come before those of the next one, as they are sent.
+            for _, frames, columns in sorted(elements, key=lambda element: element[0]):
+                yield frames, columns
             if slot.field is last:
                 self._end(size, counts, verdict)
         self._end(size, counts, verdict)
@@ -240,7 +244,8 @@ class BodyReader:
         rows: Numbers,
         index: Numbers | None,
         verdict: npt.NDArray[np.int8],
-    ) -> Iterator[tuple[Numbers, FieldRows]]:
+    ) -> Iterator[tuple[int, Numbers, FieldRows]]:
+        """The values of a slot, each with the number of its element in a list of free length."""
         layout, value = slot.layout, slot.layout.value
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
@@ -259,13 +264,13 @@ class BodyReader:
         if not self.emits:
             return
         if index is None:
-            yield rows, FieldRows(rows, slot.path, value.unit, values)
+            yield 0, rows, FieldRows(rows, slot.path, value.unit, values)
             return
         name = slot.field.name
         for number in range(int(index.max()) + 1):
             own = np.flatnonzero(index == number)
             path = slot.path.replace(name, f"{name}[{number}]", 1)
-            yield rows[own], FieldRows(rows[own], path, value.unit, values_at(values, own))
+            yield number, rows[own], FieldRows(rows[own], path, value.unit, values_at(values, own))
 
     def _measure(
         self,
