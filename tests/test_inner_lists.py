@@ -20,9 +20,9 @@ HEADER = 2
 """The bytes before the data: station and function."""
 
 
-def frame_of(function: str, data: str) -> bytes:
+def frame_of(function: str, data: str, direction: str = "request") -> bytes:
     """A frame of the bus with the right checksum."""
-    return CODEC.links["bus"].with_checksum("request", bytes.fromhex(f"01 {function} {data} 00 00"))
+    return CODEC.links["bus"].with_checksum(direction, bytes.fromhex(f"01 {function} {data} 00 00"))
 
 
 BODIES = {
@@ -41,6 +41,56 @@ BODIES = {
     "": ("incomplete", 0),
 }
 """Data of a request with samples: the samples, or why and at which byte it is refused."""
+
+
+SEVERAL = {
+    "0C 2C31323334 2C30303031 01 0100 0001 FFFF 04 03 AABBCC 8000": [[1234, 1], [1, -1], [0xAA, 0xBB, 0xCC], -32768],
+    "07 2C31323334 01 0100 0001 FFFF 04 03 AABBCC 8000": [[1234], [1, -1], [0xAA, 0xBB, 0xCC], -32768],
+    "02 01 0000 FFFF 02 00 7FFF": [[], [-1], [], 32767],
+    "06 01 0000 FFFF 02 00 7FFF": ("wrong_measure", 0),
+    "16 01 0000 FFFF 02 00 7FFF": ("wrong_measure", 0),
+    "01 01 0000 FFFF 02 00 7FFF": ("wrong_measure", 0),
+    "11 01 0000 FFFF 02 00 7FFF": ("incomplete", 10),
+    "07 2C31323334 01 FFFF 00 00 7FFF": ("wrong_measure", 7),
+    "07 2C31323334 01 0500 FFFF 02 00 7FFF": ("wrong_measure", 7),
+    "07 2C31323334 01 0200 FFFF 02 00 7FFF": ("incomplete", 15),
+    "07 2C31323334 05 0000 FFFF 02 00 7FFF": ("unknown_value", 6),
+    "07 2C31323334 01 0000 FFFF 04 00 7FFF": ("wrong_measure", 11),
+    "07 2C31323334 01 0000 FFFF 02 01 7FFF": ("wrong_measure", 12),
+    "02 01 0000 FFFF 02 07 01020304050607 7FFF": ("wrong_length", 14),
+    "02 01 0000 FFFF 02 00 7F": ("incomplete", 9),
+    "02 01": ("incomplete", 2),
+}
+"""Data of a response with three lists: the lists and the last field, or why and at which byte it is refused."""
+
+
+@pytest.mark.parametrize("data", SEVERAL)
+def test_several_lists_are_read_and_refused_alike(data: str) -> None:
+    frame, wanted = frame_of("42", data, "response"), SEVERAL[data]
+    reasons = explained(LAYOUT, "bus", "response", frame).reasons
+    (verdict,) = verdicts(decoded(LAYOUT, [Sent(0, "response", frame)], Choices("bus", "")))
+    assert verdict == (reasons[0] if reasons else "ok")
+    if isinstance(wanted, list):
+        values = CODEC.links["bus"].decode(frame, "response").values
+        read = BUS.decode_response(frame)
+        assert [
+            [limit["weight"] for limit in values["limits"]],
+            *map(values.get, ("samples", "marks", "drift")),
+        ] == wanted
+        message = read.message
+        assert [[limit.weight for limit in message.limits], message.samples, message.marks, message.drift] == wanted
+        assert bytes(BUS.encode_response(1, message)) == frame
+        assert CODEC.links["bus"].encode("response", "read_lists", {"station": 1, **values}) == frame
+        return
+    reason, at = wanted
+    with pytest.raises(CodecError) as expected:
+        CODEC.links["bus"].decode(frame, "response")
+    with pytest.raises(codec_error()) as refused:
+        BUS.decode_response(frame)
+    place = reason, HEADER + at
+    assert (expected.value.reason, expected.value.offset) == place
+    assert (refused.value.reason, refused.value.offset) == place
+    assert reason in reasons
 
 
 @pytest.mark.parametrize("data", BODIES)

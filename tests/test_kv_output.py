@@ -20,7 +20,7 @@ from fieldspec.backends.vectors.backend import vector
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import original_parts
 from fieldspec.layout.record import FieldLayout
-from fieldspec.reference.records import value_construct
+from fieldspec.reference.structs import value_construct
 from layouts import SPECS, TEST_SPECS, has_digits, layout_at, layouts, newest
 from spec_files import gadget
 from word_memory import ROOTS, Row, comments, memory, number, signed, texts, word_map

@@ -436,32 +436,147 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
+/** The bytes of a list in the image, as its count in some bytes says. */
+function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  return (number - plus) * unit;
+}
+
+const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
+
+/** The bytes of an element that some bytes begin with, which ends with a list; -1 for a wrong count. */
+function elementBytes(tail, bytes) {
+  if (bytes.length < tail.room) return tail.room;
+  const size = countedBytes(tail, bytes);
+  return isRight(tail, size) ? tail.room + size : -1;
+}
+
+/** The bytes of each element of a list whose elements differ in size, or why they are not known. */
+function elementsIn(list, data, size, start) {
+  const elements = [];
+  let at = 0;
+  while (size === null ? at < data.length : elements.length * list.element < size) {
+    if (elements.length * list.element === list.most) return { fault: { reason: "wrong_length", at: start + at } };
+    const own = elementBytes(list.tail, data.subarray(at));
+    if (own < 0) return { fault: { reason: "wrong_measure", at: start + at + list.tail.at } };
+    if (at + own > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
+    elements.push(own);
+    at += own;
+  }
+  if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
+  return { size: at, elements };
+}
+
 /**
- * The byte in data of a size for a byte of their image, in which a list comes last that begins `first` bytes behind the
- * start, and that `behind` bytes follow. Data with fewer bytes than these are their own image.
+ * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
+ * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
+ * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
+ * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the
+ * data decide. `tail` is the list at the end of each element whose elements differ in size.
  */
-function placeAround({ first, behind }, size, at) {
-  if (at < first || size < first + behind) return at;
-  return at >= first + behind ? at - behind : at + size - first - behind;
+function extentsIn({ fixed, lists }, data) {
+  const extents = [];
+  const image = [];
+  let before = 0;
+  for (const list of lists) {
+    const at = list.first + before;
+    const left = data.length - at - fixed + list.first;
+    if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
+    image.push(...data.subarray(image.length + before, at));
+    const counted = list.length ? countedBytes(list, image) : null;
+    if (counted !== null && !isRight(list, counted)) {
+      return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
+    }
+    const extent = list.tail
+      ? elementsIn(list, data.subarray(at, at + left), counted, at)
+      : { size: counted ?? left, elements: [] };
+    if (extent.fault) return { extents, fault: extent.fault };
+    if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    extents.push(extent);
+    before += extent.size;
+  }
+  return { extents, fault: null };
+}
+
+/** The byte in data, whose lists have some extents, for a byte of their image. */
+function placeAround({ lists }, extents, at) {
+  let before = 0;
+  for (const [number, { first, room, length, most, element, tail }] of lists.entries()) {
+    const { size, elements } = extents[number] ?? { size: 0, elements: [] };
+    if (at >= room && (!length || at < room + most)) {
+      const index = tail ? Math.floor((at - room) / element) : 0;
+      return first + before + at - room - index * element + sumOf(elements.slice(0, index));
+    }
+    if (at < first) return at + before;
+    before += size;
+  }
+  return at + before;
+}
+
+const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
+
+/** The image of data whose lists have some extents. */
+function imageOf({ fixed, lists }, data, extents) {
+  const last = extents.at(-1);
+  const { room, element, tail } = lists.at(-1);
+  const image = new Uint8Array(room + (tail ? last.elements.length * element : last.size));
+  let [before, at] = [0, 0];
+  for (const [number, list] of lists.entries()) {
+    const { size, elements } = extents[number];
+    image.set(data.subarray(at + before, list.first + before), at);
+    let from = list.first + before;
+    for (const [index, own] of (list.tail ? elements : [size]).entries()) {
+      image.set(data.subarray(from, from + own), list.room + index * list.element);
+      from += own;
+    }
+    before += size;
+    at = list.first;
+  }
+  image.set(data.subarray(at + before, fixed + before), at);
+  return image;
 }
 
 /** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 function readAround(inner, read, bytes, offset, end) {
-  const size = end - offset;
-  const image = Uint8Array.from({ length: size }, (_, at) => bytes[offset + placeAround(inner, size, at)]);
+  const data = bytes.subarray(offset, end);
+  const { extents, fault } = extentsIn(inner, data);
+  if (fault) {
+    const { name } = inner.lists[extents.length];
+    throw new CodecError(fault.reason, `${name} has another number of bytes`, offset + fault.at);
+  }
+  const image = imageOf(inner, data, extents);
   try {
-    return read(image, 0, size);
+    return read(image, 0, image.length);
   } catch (error) {
     if (!(error instanceof CodecError) || error.offset === null) throw error;
-    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, size, error.offset));
+    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, extents, error.offset));
   }
 }
 
-/** Moves the list in the image of a record, the bytes from `start` to `end`, to where it is sent. */
-function placeList({ first, behind }, bytes, start, end) {
-  const last = bytes.slice(start + first, start + first + behind);
-  bytes.copyWithin(start + first, start + first + behind, end);
-  bytes.set(last, end - behind);
+/** What is sent of an image whose last list has `last` bytes there. */
+function sentOfImage({ fixed, lists }, image, last) {
+  const pieces = [];
+  let at = 0;
+  for (const list of lists) {
+    const { first, room, element, tail } = list;
+    const size = list.length ? countedBytes(list, image) : last;
+    pieces.push(...image.subarray(at, first));
+    for (let from = room; from < room + size; from += tail ? element : size) {
+      const own = tail ? elementBytes(tail, image.subarray(from, from + element)) : size;
+      pieces.push(...image.subarray(from, from + own));
+    }
+    at = first;
+  }
+  return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
+}
+
+/** The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. */
+function elementsLength(items, codec) {
+  return items.reduce((sum, item) => {
+    codec.check(item);
+    return sum + codec.size(item);
+  }, 0);
 }
 
 const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
@@ -1931,6 +2046,17 @@ function withPercentages(device, row, field, number) {
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
 
+/** The fields of a record with fields behind a list, in the order of the wire. */
+function sentFields({ fields, inner, named }) {
+  const others = fields.filter(({ repeat }) => !repeat);
+  const sent = [];
+  for (const { name, first } of inner.lists) {
+    while (others.length && others[0].offset < first) sent.push(others.shift());
+    sent.push(named.get(name));
+  }
+  return [...sent, ...others];
+}
+
 /**
  * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
  * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
@@ -1941,6 +2067,8 @@ class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
+    const { inner } = this.record;
+    Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
     this.rows = [];
     this.explainFields();
   }
@@ -1974,25 +2102,61 @@ class ExplainedBody {
 
   /** Adds the rows of a record with fields behind a list, in the order of the wire. */
   explainAround() {
-    const { fields, inner } = this.record;
-    const list = fields.at(-1);
-    const before = fields.slice(0, -1).filter(({ offset }) => offset < inner.first);
-    const sent = [...before, list, ...fields.slice(before.length, -1)];
-    const isWhole = this.end - this.start >= inner.first + inner.behind;
+    const sent = sentFields(this.record);
     let at = this.start;
+    let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
-      const isInner = field === list;
-      const count = this.countOf(field);
-      const stop = isInner && isWhole ? this.end - inner.behind : this.end;
-      const room = isInner && !isWhole ? 0 : Math.max(0, Math.min(count, Math.floor((stop - at) / field.size)));
-      this.explainField(field, at, room);
-      at += room * field.size;
-      if (room < count || (isInner && !isWhole)) {
-        this.rows.push(this.missingRow(isWhole ? [field] : sent.slice(number), at, stop));
-        if (!isWhole) return;
-      } else if (isInner && at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
-      if (isInner) at = stop;
+      if (!field.repeat) {
+        const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
+        this.explainField(field, at, room);
+        at += room * field.size;
+        if (room < field.count) {
+          this.rows.push(this.missingRow(sent.slice(number), at));
+          return;
+        }
+        continue;
+      }
+      if (numberOfList === this.extents.length) {
+        this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
+        return;
+      }
+      const { size, elements } = this.extents[numberOfList++];
+      const stop = at + size;
+      const count = this.itemsOf(field);
+      this.explainField(field, at, count, elements);
+      at = elements.length ? stop : at + count * field.size;
+      if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
+      else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      at = stop;
     }
+  }
+
+  /** The row from a list on whose bytes nobody knows. */
+  unknownListRow(fields, list, at) {
+    const [{ name }] = fields;
+    if (this.hasWrongCount(list)) {
+      const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
+      return this.wrongRow(fields[0], at, "wrong_measure", text);
+    }
+    if (list.tail) {
+      const text = `the elements of ${name} do not end with their bytes: see byte ${this.start + this.fault.at}`;
+      return this.wrongRow(fields[0], at, this.fault.reason, text);
+    }
+    if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
+    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
+  }
+
+  /** How many elements of a list of a record with fields behind a list there are. */
+  itemsOf(field) {
+    const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
+    const { size, elements } = this.extents[number];
+    return this.record.inner.lists[number].tail ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+  }
+
+  /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
+  hasWrongCount(list) {
+    if (!list.length || this.fault?.reason !== "wrong_measure") return false;
+    return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -2046,31 +2210,36 @@ class ExplainedBody {
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  explainField(field, at, count) {
+  /** Adds the rows of the elements of a field; `sizes` are those that differ. */
+  explainField(field, at, count, sizes = []) {
     const values = [];
+    let place = at;
     for (let index = 0; index < count; index++) {
       const path = field.isList ? `${field.name}[${index}]` : field.name;
-      values.push(this.explainElement(field, path, at + index * field.size, index));
+      const size = sizes[index] ?? field.size;
+      values.push(this.explainElement(field, path, place, index, size));
+      place += size;
     }
     if (field.isList) this.values.set(field.name, values);
     else if (values.length) this.values.set(field.name, values[0]);
   }
 
-  explainElement(field, path, at, index) {
-    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
+  explainElement(field, path, at, index, size) {
+    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at, size);
     return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
-  explainRecord(record, path, at) {
+  explainRecord(record, path, at, size) {
     const values = new Map();
     for (const field of record.fields) {
       const elements = [];
-      for (let index = 0; index < (field.count ?? 0); index++) {
+      const count = field.count ?? Math.floor((size - field.offset) / field.size);
+      for (let index = 0; index < count; index++) {
         const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
         const place = at + field.offset + index * field.size;
         elements.push(field.record
-          ? this.explainRecord(this.device.records.get(field.record), inner, place)
+          ? this.explainRecord(this.device.records.get(field.record), inner, place, field.size)
           : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
@@ -2081,8 +2250,10 @@ class ExplainedBody {
   /** The value of a field of a record, with its scale where another field beside it has the exponent. */
   byExponent({ value }, record, start) {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
+    const { inner } = record;
     const place = exponent?.offset ?? 0;
-    const at = start + (record.inner ? placeAround(record.inner, this.end - this.start, place) : place);
+    if (inner && this.fault && place >= inner.lists[this.extents.length].first) return value;
+    const at = start + (inner ? placeAround(inner, this.extents, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }
@@ -2108,14 +2279,29 @@ class ExplainedBody {
 
   /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
-    const [of, name] = field.measures ?? [];
+    const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
+    if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
     const items = other.isList ? most : 1;
-    const should = of === "bytes" ? items * other.size : items;
+    const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  /** The value of a field that measures a list of a record with fields behind a list. */
+  measuredList(field, other, read) {
+    const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
+    if (number < this.extents.length) {
+      const [of, , plus = 0] = field.measures;
+      const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
+      return judged(read, sameValue(read.number, should), should, "wrong_measure");
+    }
+    const list = this.record.inner.lists[number];
+    const { countName, least, most, unit, plus = 0 } = list;
+    if (number !== this.extents.length || countName !== field.name || !this.hasWrongCount(list)) return read;
+    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */
@@ -3206,6 +3392,10 @@ function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
 }
 
+function padded(bytes, size) {
+  return joinedBytes([bytes, new Uint8Array(size - bytes.length)]);
+}
+
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
@@ -3284,14 +3474,22 @@ function encodeRecord(device, record, values) {
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(form.fields.map((field) => {
-    if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
-    const [of, name] = field.measures;
+    if (!field.measures) {
+      const list = form.inner?.lists.find(({ name }) => name === field.name);
+      const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      const own = joinedBytes(list?.tail ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      return list?.length ? padded(own, list.most) : own;
+    }
+    const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);
     const items = other.isList ? known.get(name).length : 1;
-    const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
+    const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  if (form.inner) placeList(form.inner, bytes, 0, bytes.length);
+  if (form.inner) {
+    const last = form.fields.at(-1);
+    return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
+  }
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 

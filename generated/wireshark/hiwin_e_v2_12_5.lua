@@ -11000,7 +11000,8 @@ function records.show(context, tree, record, start, stop)
         local measured = field.measures and context.places[field.measures.field]
         local number = context.values[field.name]
         if measured and number then
-            local expected = field.measures.of == "bytes" and measured.size or measured.count
+            local size = field.measures.of == "bytes" and measured.size or measured.count
+            local expected = size + (field.measures.plus or 0)
             if number ~= expected then
                 local text = field.name .. " is " .. numbers.text(number) .. ": should be " .. numbers.text(expected)
                 values.report(context.items[field.name], "wrong_measure", text)

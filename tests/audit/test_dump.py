@@ -11,7 +11,8 @@ import pytest
 from command_line import CommandLine, RunResult
 from fieldspec.audit.addressed_values import addressed_values
 from fieldspec.lists.workbook import workbook_sheet
-from fieldspec.reference.records import CodecError, decoded_value, value_construct
+from fieldspec.reference.records import CodecError, decoded_value
+from fieldspec.reference.structs import value_construct
 from layouts import TEST_SPECS, layout_at, newest
 from spec_files import DEVICE, gadget
 

@@ -66,12 +66,24 @@ PROGRAMS = {
         " if (memcmp(out, line, 6) != 0) return 1;",
     ),
     "inner_lists.h": (
-        [],
-        'uint8_t image[8]; const uint8_t *data = (const uint8_t *)"abLISTyz";'
-        ' device_take_list(data, 8, 2, 2, image); if (memcmp(image, "abyzLIST", 8) != 0) return 1;'
-        " device_place_list(image, 8, 2, 2); if (memcmp(image, data, 8) != 0) return 1;"
-        ' device_take_list(data, 3, 2, 2, image); if (memcmp(image, "abL", 3) != 0) return 1;'
-        ' device_take_list(data, 4, 2, 2, image); if (memcmp(image, "abLI", 4) != 0) return 1;',
+        ["machine.h", "status.h"],
+        "const device_inner_list lists[2] = {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, NULL},"
+        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, NULL}}; uint8_t image[11], out[8]; size_t length = 0;"
+        ' const uint8_t *data = (const uint8_t *)"a\\1LIyTSz", *longer = (const uint8_t *)"a\\3yz";'
+        " const device_inner_list tail = {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, NULL};"
+        " const device_inner_list tags = {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, &tail};"
+        ' const uint8_t *sent = (const uint8_t *)"x\\2AB\\1C";'
+        " if (device_take_lists(lists, 2, 4, data, 8, image, &length) != DEVICE_OK || length != 10) return 1;"
+        ' if (memcmp(image, "a\\1yzLI", 6) != 0 || memcmp(image + 8, "TS", 2) != 0) return 1;'
+        " if (device_place_lists(lists, 2, 4, image, length, out, 8, &length) != DEVICE_OK || length != 8) return 1;"
+        " if (memcmp(out, data, 8) != 0) return 1;"
+        " if (device_take_lists(lists, 2, 4, data, 5, image, &length) != DEVICE_ERR_INCOMPLETE) return 1;"
+        " if (device_take_lists(lists, 2, 4, longer, 4, image, &length) != DEVICE_ERR_WRONG_MEASURE) return 1;"
+        " if (device_take_lists(&tags, 1, 1, sent, 6, image, &length) != DEVICE_OK || length != 9) return 1;"
+        ' if (memcmp(image, "x\\2AB", 4) != 0 || memcmp(image + 5, "\\1C", 2) != 0) return 1;'
+        " if (device_place_lists(&tags, 1, 1, image, length, out, 8, &length) != DEVICE_OK || length != 6) return 1;"
+        " if (memcmp(out, sent, 6) != 0) return 1;"
+        " if (device_take_lists(&tags, 1, 1, sent, 5, image, &length) != DEVICE_ERR_INCOMPLETE) return 1;",
     ),
     "powers.h": (
         [],

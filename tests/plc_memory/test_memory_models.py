@@ -21,7 +21,7 @@ from fieldspec.plc.layout.memory import MEMORIES, Memory, Placed, placed
 from fieldspec.plc.routines.expressions import BOOL, BYTE, DINT, INT, LINT, ArrayType, StructType, Type
 from fieldspec.plc.structs import Struct, StructMember
 from fieldspec.reference import codec
-from fieldspec.reference.records import value_construct
+from fieldspec.reference.structs import value_construct
 from layouts import SPECS, TEST_SPECS, has_digits, layouts, newest
 
 NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]

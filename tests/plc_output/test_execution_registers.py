@@ -26,7 +26,8 @@ from fieldspec.plc.routines.enums import enum_routines
 from fieldspec.plc.routines.register_range import answer_name, answer_type
 from fieldspec.plc.routines.scaling import quantities
 from fieldspec.reference import CodecError
-from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
+from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value
+from fieldspec.reference.structs import value_construct
 from layouts import SPECS, TEST_SPECS
 
 TRIES = 25

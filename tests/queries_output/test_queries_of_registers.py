@@ -16,7 +16,8 @@ from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
 from fieldspec.reference import CodecError
-from fieldspec.reference.records import decoded, value_construct
+from fieldspec.reference.records import decoded
+from fieldspec.reference.structs import value_construct
 from layouts import SPECS, TEST_SPECS, newest
 from queries_output.engines import ENGINES, engine_of
 from queries_output.expected import Columns, Exponent, is_equal, record_columns, value_columns

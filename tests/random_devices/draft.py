@@ -95,6 +95,8 @@ class Draft:
     enums: list[EnumDraft] = field(default_factory=list)
     flags: dict[str, str] = field(default_factory=dict)
     records: list[RecordDraft] = field(default_factory=list)
+    tails: list[str] = field(default_factory=list)
+    """The records that end with a list which they count."""
     signals: dict[str, Spec] = field(default_factory=dict)
     exponents: dict[str, str] = field(default_factory=dict)
     """A register with the exponent of scales by the space that it is in."""

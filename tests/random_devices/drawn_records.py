@@ -8,7 +8,19 @@ from random_devices.drawn_values import size_of, value, varying_value
 
 def records(draft: Draft) -> list[Spec]:
     """Records that nest in one another; some consist of whole registers, for tables."""
-    return [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
+    fixed = [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
+    return [*fixed, *(_record_with_tail(draft) for _ in range(draft.number(0, 2) if draft.chance(40) else 0))]
+
+
+def _record_with_tail(draft: Draft) -> Spec:
+    """A record that ends with a list which it counts, so that its elements differ in size."""
+    record = draft.fact(fields=[])
+    fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0, 2))]
+    repeated = _repeated(draft, fields, low_limits=True)
+    measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
+    record["fields"] = [*_inserted(draft, fields, measure), repeated]
+    draft.tails.append(record["name"])
+    return record
 
 
 def _record(draft: Draft, words: bool) -> Spec:
@@ -84,7 +96,7 @@ def add_exponent(draft: Draft, fields: list[Spec], kind: str) -> int:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner"))
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists"))
     if form == "empty":
         return []
     if form == "short":
@@ -99,6 +111,8 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     if form in ("measured", "inner"):
         behind = [fixed_field(draft)[0] for _ in range(draft.number(1, 3))] if form == "inner" else []
         return [*_measured(draft, fields), *behind]
+    if form == "lists":
+        return _lists(draft, fields)
     if form == "choice":
         return _choosing(draft, fields)
     if form == "counted":
@@ -135,21 +149,42 @@ def _limits(draft: Draft) -> str:
     return f"{low}..{low + draft.number(1, 20)}"
 
 
-def _repeated(draft: Draft, fields: list[Spec]) -> Spec:
-    """A field that goes on to the end."""
+def _repeated(draft: Draft, fields: list[Spec], low_limits: bool = False) -> Spec:
+    """A field that goes on to the end; in a record that counts it, a short one of elements of one size."""
+    if draft.tails and not low_limits and draft.chance(40):
+        return draft.fact(record=draft.pick(draft.tails), repeat=f"{draft.number(0, 1)}..{draft.number(1, 6)}")
     nested = [record for record in draft.records if not record.apart]
     if nested and draft.chance(25):
         return draft.fact(record=draft.pick(nested).name, repeat=_limits(draft))
     keys = {k: v for k, v in value(draft, "field").items() if k not in ("const", "default", "unit_default")}
-    return draft.fact(**keys, repeat=_limits(draft))
+    return draft.fact(**keys, repeat=f"0..{draft.number(1, 6)}" if low_limits else _limits(draft))
 
 
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """A number of elements or bytes somewhere before the repeat that it counts."""
     repeated = _repeated(draft, fields)
-    what = draft.pick(("items", "bytes"))
-    measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures={what: repeated["name"]})
+    measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures=_measure(draft, repeated))
     return [*_inserted(draft, fields, measure), repeated]
+
+
+def _measure(draft: Draft, field: Spec) -> Spec:
+    """What a field contains that counts another one, now and then with a constant number in addition."""
+    plus = draft.pick((-1, 1, 2, 5)) if draft.chance(25) else 0
+    what = "items" if field.get("record") in draft.tails else draft.pick(("items", "bytes"))
+    return {what: field["name"], **({"plus": plus} if plus else {})}
+
+
+def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Several lists, each behind the field that counts it; the last one may be counted by nothing."""
+    for number in range(draft.number(2, 3)):
+        repeated = _repeated(draft, fields)
+        if number and draft.chance(15):
+            return [*fields, repeated]
+        measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
+        fields = [*_inserted(draft, fields, measure), repeated]
+        if draft.chance(20):
+            fields.append(draft.fact(type="u16", measures=_measure(draft, repeated)))
+    return [*fields, *(fixed_field(draft)[0] for _ in range(draft.number(0, 2)))]
 
 
 def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -158,7 +193,7 @@ def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if not countable:
         return fields
     other = draft.pick(countable)
-    measure = draft.fact(type=draft.pick(("u16", "u8")), measures={draft.pick(("items", "bytes")): other["name"]})
+    measure = draft.fact(type=draft.pick(("u16", "u8")), measures=_measure(draft, other))
     return _inserted(draft, fields, measure)
 
 

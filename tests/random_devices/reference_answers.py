@@ -8,7 +8,8 @@ from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference import CodecError, DeviceCodec, codec
-from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
+from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value
+from fieldspec.reference.structs import value_construct
 from random_devices.queries import UNKNOWN, Answer, Query, flat, flat_value, is_stable, refused, to_encode
 
 

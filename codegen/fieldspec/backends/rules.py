@@ -38,9 +38,11 @@ Example: a field with `type: text, length: 8, padding: space`.
 
 Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
 """,
-    "output_lists_last": """In dissectors, queries and word maps, a list of free length comes last in its message.
+    "output_lists_last": """In dissectors, queries and word maps, a list of free length comes last in its message, and
+its elements have one size.
 
-Why: behind such a list, the place of a field differs from frame to frame, and these outputs state one place.
+Why: behind such a list, and in one whose elements differ in size, the place of a field differs from frame to frame, and
+these outputs state one place.
 
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby, takewhile
 
 import numpy as np
@@ -10,9 +10,18 @@ import numpy.typing as npt
 
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.captures.decoders import Decoders, ValueColumns
-from fieldspec.captures.verdicts import INCOMPLETE, OK, REFUSED, UNKNOWN_VALUE, WRONG_LENGTH, WRONG_MEASURE
-from fieldspec.classes import dataclass
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.captures.verdicts import (
+    INCOMPLETE,
+    OK,
+    REFUSED,
+    UNKNOWN_VALUE,
+    VERDICT_NUMBERS,
+    WRONG_LENGTH,
+    WRONG_MEASURE,
+)
+from fieldspec.classes import dataclass, replace
+from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.record import FieldLayout, RecordLayout, tail_of
 from fieldspec.layout.widths import WidthError, extents, image_of
 
 _UNFIT = {"incomplete": INCOMPLETE, "unknown_value": UNKNOWN_VALUE, "wrong_length": WRONG_LENGTH}
@@ -20,13 +29,33 @@ _UNFIT = {"incomplete": INCOMPLETE, "unknown_value": UNKNOWN_VALUE, "wrong_lengt
 
 
 @dataclass(frozen=True, slots=True)
+class Rooms:
+    """Of bodies with fields behind lists, by the names of these: the elements, and the verdict of a list without bytes.
+
+    Instead of a number of elements there may be one of the numbers below zero.
+    """
+
+    items: dict[str, Numbers]
+    verdicts: dict[str, npt.NDArray[np.int8]]
+
+
+UNKNOWN, MISCOUNT = -2, -1
+"""A list that begins nobody knows where, or has less bytes than its count says; one whose count cannot be right."""
+
+
+@dataclass(frozen=True, slots=True)
 class Slot:
-    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in."""
+    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
+
+    Of an element of the list at the end of a record that counts it, `tail` is that list, and `number` its number there.
+    """
 
     path: str
     offset: int
     layout: FieldLayout
     field: FieldLayout
+    tail: InnerList | None = None
+    number: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +72,16 @@ def slots(record: RecordLayout, prefix: str = "", at: int = 0, outer: FieldLayou
     """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
     for field in record.sent_fields:
         many = field.is_list and not (outer is None and field.count is None)
-        for index in range(field.count or 1):
+        tail = tail_of(record) if outer is not None and field.count is None else None
+        most = 1 if tail is None else tail.most // tail.element
+        for index in range(field.count or most):
             path = f"{prefix}{field.name}[{index}]" if many else f"{prefix}{field.name}"
             place = at + field.offset + index * field.size
             if field.record is not None:
-                yield from slots(field.record, f"{path}.", place, outer or field)
+                own = slots(field.record, f"{path}.", place, outer or field)
+                yield from own if tail is None else (replace(slot, tail=tail, number=index) for slot in own)
             elif field.value is not None:
-                yield Slot(path, place, field, outer or field)
+                yield Slot(path, place, field, outer or field, tail, index)
 
 
 class BodyReader:
@@ -60,9 +92,12 @@ class BodyReader:
 
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
         self.record, self.decoders, self.emits = record, decoders, emits
+        self.has_lists: bool = False
+        """Whether it reads the images of bodies with fields behind lists."""
         self.slots = list(slots(record)) if record.selector is None else []
-        self.image = BodyReader(record.image, decoders, emits) if record.spans or record.inner_list else None
+        self.image = BodyReader(record.image, decoders, emits) if record.spans or record.inner_lists else None
         if self.image is not None:
+            self.image.has_lists = record.inner_lists is not None
             self.image.slots = self.slots  # in the order of the wire, in which the first fault counts
         self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
 
@@ -74,8 +109,9 @@ class BodyReader:
         A verdict that is not yet another one becomes that of the first fault.
         """
         if self.image is not None:
-            image, starts, sizes = self._images(buffer, at, size, verdict)
-            yield from self.image._fields(image, starts, sizes, verdict)
+            images = self._list_images if self.record.inner_lists is not None else self._images
+            image, starts, sizes, rooms = images(buffer, at, size, verdict)
+            yield from self.image._fields(image, starts, sizes, verdict, rooms)
             return
         if self.record.selector is None:
             yield from self._fields(buffer, at, size, verdict)
@@ -100,17 +136,12 @@ class BodyReader:
 
     def _images(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
-    ) -> tuple[Bytes, Numbers, Numbers]:
-        """The images of bodies, where each begins, and how far it goes."""
+    ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
+        """The images of bodies whose values vary in width, where each begins, and how far it goes."""
         images: list[bytes] = []
         sizes = np.zeros(len(at), np.int64)
-        inner = self.record.inner_list
         for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
-            if inner is not None:
-                images.append(inner.image_of(data) if len(data) >= inner.fixed else data[: inner.first])
-                sizes[row] = len(images[-1])
-                continue
             try:
                 image, _ = image_of(self.record.spans, data)
             except WidthError as error:
@@ -119,18 +150,56 @@ class BodyReader:
                 blame_rows(verdict, np.array([row]), _UNFIT[error.reason])
             sizes[row] = len(image)
             images.append(image.ljust(self.record.image.least, b"\0"))
-        starts = np.cumsum([0, *map(len, images)])[:-1]
-        # One more byte, since nothing is taken from a buffer without any.
-        return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts, sizes
+        return *_joined(images), sizes, None
+
+    def _list_images(
+        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+    ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
+        """The same of bodies with fields behind lists; and what is known of these."""
+        images: list[bytes] = []
+        sizes = np.zeros(len(at), np.int64)
+        inner = self.record.inner_lists
+        assert inner is not None
+        rooms = {own.name: np.full(len(at), UNKNOWN) for own in inner.lists[:-1]}
+        verdicts = {own.name: np.full(len(at), OK, np.int8) for own in inner.lists}
+        for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+            data = buffer[first : first + max(length, 0)].tobytes()
+            list_extents, fault = inner.extents_in(data)
+            images.append(inner.image_of(data, list_extents))
+            sizes[row] = len(images[-1])
+            for own, extent in zip(inner.lists[:-1], list_extents, strict=False):
+                rooms[own.name][row] = len(extent.elements) if own.tail is not None else extent.size // own.element
+            if fault is None:
+                continue
+            own = inner.lists[len(list_extents)]
+            sizes[row] = min(own.first, len(data) - sum(extent.size for extent in list_extents))
+            if own.count and (fault.reason, fault.at) == (
+                "wrong_measure",
+                inner.place_in_data(list_extents, own.count_at),
+            ):
+                rooms[own.name][row] = MISCOUNT
+            elif own.tail is not None:
+                verdicts[own.name][row] = VERDICT_NUMBERS[fault.reason]
+        return *_joined(images), sizes, Rooms(rooms, verdicts)
 
     def _fields(
-        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self,
+        buffer: Bytes,
+        at: Numbers,
+        size: Numbers,
+        verdict: npt.NDArray[np.int8],
+        rooms: Rooms | None = None,
     ) -> Iterator[tuple[Numbers, FieldRows]]:
         counts = {field.name: self._count(field, size) for field in self.record.fields}
+        counts |= rooms.items if rooms is not None else {}
         last = self.record.fields[-1] if self.record.fields else None
         for _, own_slots in groupby(self.slots, lambda slot: id(slot.field)):
+            elements: list[tuple[int, Numbers, FieldRows]] = []
             for slot in own_slots:
                 field = slot.field
+                if rooms is not None and field.name in rooms.verdicts:
+                    own_verdicts = rooms.verdicts[field.name]
+                    verdict[verdict == OK] = own_verdicts[verdict == OK]
                 if field.count is None:
                     items = np.maximum(counts[field.name], 0)
                     rows, index = spread(items)
@@ -140,8 +209,11 @@ class BodyReader:
                 assert slot.layout.value is not None
                 judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
                 if len(rows) and (self.emits or judged):
-                    yield from self._slot(slot, buffer, at, rows, index, verdict)
+                    elements += self._slot(slot, buffer, at, rows, index, verdict)
                 self._measure(slot, buffer, at, size, counts, verdict)
+            # All values of an element come before those of the next one, as they are sent.
+            for _, frames, columns in sorted(elements, key=lambda element: element[0]):
+                yield frames, columns
             if slot.field is last:
                 self._end(size, counts, verdict)
         self._end(size, counts, verdict)
@@ -172,24 +244,33 @@ class BodyReader:
         rows: Numbers,
         index: Numbers | None,
         verdict: npt.NDArray[np.int8],
-    ) -> Iterator[tuple[Numbers, FieldRows]]:
+    ) -> Iterator[tuple[int, Numbers, FieldRows]]:
+        """The values of a slot, each with the number of its element in a list of free length."""
         layout, value = slot.layout, slot.layout.value
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
-        place = at[rows] + slot.offset + (0 if index is None else index * slot.field.size)
+        place = at[rows] + (0 if index is None else index * slot.field.size)
+        if slot.tail is not None and index is not None:
+            tail = slot.tail
+            units = number_at(buffer, place + slot.field.offset + tail.count_at, tail.count_size, tail.count_order)
+            is_there = (units - tail.plus) * tail.unit // tail.element > slot.number
+            rows, index, place = rows[is_there], index[is_there], place[is_there]
+            if not len(rows):
+                return
+        place = place + slot.offset
         values = self.decoders.items[key].decode(buffer, place)
         for number in REFUSED:
             blame_rows(verdict, rows[values.verdict == number], number)
         if not self.emits:
             return
         if index is None:
-            yield rows, FieldRows(rows, slot.path, value.unit, values)
+            yield 0, rows, FieldRows(rows, slot.path, value.unit, values)
             return
         name = slot.field.name
         for number in range(int(index.max()) + 1):
             own = np.flatnonzero(index == number)
             path = slot.path.replace(name, f"{name}[{number}]", 1)
-            yield rows[own], FieldRows(rows[own], path, value.unit, values_at(values, own))
+            yield number, rows[own], FieldRows(rows[own], path, value.unit, values_at(values, own))
 
     def _measure(
         self,
@@ -205,11 +286,29 @@ class BodyReader:
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases:
             return
+        room = self.record.room_of(other)
+        if room is not None and room.count == slot.path:
+            blame(verdict, counts[other.name] == MISCOUNT, WRONG_MEASURE)
+            return
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
         items = np.maximum(items, 0) if other.is_list else np.ones(len(at), np.int64)
-        should = items * other.size if measure.of == "bytes" else items
+        should = (items * other.size if measure.of == "bytes" else items) + measure.plus
         number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
+        if room is not None:
+            should = counts[other.name] * (other.size if measure.of == "bytes" else 1) + measure.plus
+            blame(verdict, (number != should) & (counts[other.name] >= 0), WRONG_MEASURE)
+            return
+        if self.has_lists:
+            blame(verdict, (number != should) & (other.offset <= size), WRONG_MEASURE)
+            return
         blame(verdict, (number != should) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+
+
+def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:
+    """Images one behind the other, and where each begins."""
+    starts = np.cumsum([0, *map(len, images)])[:-1]
+    # One more byte, since nothing is taken from a buffer without any.
+    return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts
 
 
 def values_at(values: ValueColumns, rows: Numbers | Mask) -> ValueColumns:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Generic, TypeVar, cast
 
 from fieldspec.changes.attributes import CONTENTS, OWN_VALUES
@@ -248,16 +249,16 @@ class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
-    one up to a list that goes on to the end or that another field measures, and one behind it.
+    one up to each list that goes on to the end or that another field measures, and one behind the last of these.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
-        ends = (_end_of_run(at, item) for at, item in enumerate(items))
-        body = next((at for at in ends if at is not None), len(items))
-        self.inner = items[body - 1].name if 0 < body < len(items) and isinstance(items[body], Field) else ""
+        ends = [at for number, item in enumerate(items) if (at := _end_of_run(number, item)) is not None]
+        lists = [items[end - 1].name for end in ends if end and isinstance(items[end - 1], Field)]
+        self.lists = ["", *lists]
         self.by_identity: dict[int, tuple[int, int]] = {}
         size, is_open = 0, False
-        for run, run_items in enumerate((items[:body], items[body:])):
+        for run, run_items in enumerate(items[start:end] for start, end in pairwise([0, *ends, len(items)])):
             offsets = field_offsets(sizes, run_items)
             self.by_identity |= {id(item): (run, at) for item, at in zip(run_items, offsets.offsets, strict=True)}
             size, is_open = size + offsets.size, is_open or offsets.is_open
@@ -266,7 +267,7 @@ class _Offsets:
     def text(self, item: Any) -> str:
         """The offset of a field or a part: `4`, or `0 behind samples`."""
         run, at = self.by_identity[id(item)]
-        return f"{at} behind {self.inner}" if run and self.inner else str(at)
+        return f"{at} behind {self.lists[run]}" if 0 < run < len(self.lists) else str(at)
 
 
 def _end_of_run(at: int, item: Any) -> int | None:

@@ -32,6 +32,11 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
             continue
         holder = message.response if access.operation == "read" else message.request
         field, space = holder.named(access.values), device.space(access.space)
+        count = message.request.named(access.count) if access.count else None
+        if count is not None and count.measures is not None and count.measures.plus:
+            text = f"{count.name} is the number of {access.values} plus {count.measures.plus} in {message.name}"
+            help = "remove `plus`: what a request asks for is the number of registers"
+            yield finding(_CODE, count.place, "measures", text, help)
         if field is None or field.value is None:
             continue
         if space.unit != BIT:

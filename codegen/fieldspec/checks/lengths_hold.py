@@ -49,10 +49,14 @@ def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Dia
         both = measured.count or 1, measured.count or 1
     if both is None:
         return
-    least, most = both
+    least, most = (size + field.measures.plus for size in both)
     what = "bytes" if field.measures.of == "bytes" else "elements"
     there = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
-    text = f"{field.name} counts {interval(least, most)} {what} of {measured.name}"
+    plus = f" plus {field.measures.plus}" if field.measures.plus else ""
+    text = f"{field.name} counts {interval(least, most)} {what} of {measured.name}{plus}"
+    if least < 0:
+        help = "correct `plus` or the number of elements"
+        yield finding(_CODE, field.place, "measures", f"{text}, but no number of {what} is below zero", help, there)
     if most > field.value.type.high:
         text += f", but the maximum of {field.value.type.name} is {field.value.type.high}"
         yield finding(_CODE, field.place, "type", text, _HELP, there)

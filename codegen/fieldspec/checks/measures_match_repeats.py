@@ -43,14 +43,15 @@ def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[
     size = sizes.element(measured) if field.measures.of == "bytes" else 1
     if size is None:
         return
-    low, high = measured.repeat.low * size, measured.repeat.high * size
+    plus = field.measures.plus
+    low, high = measured.repeat.low * size + plus, measured.repeat.high * size + plus
     if (ranges.low, ranges.high) != (low, high):
         yield finding(
             _CODE,
             field.place,
             range_key(field.place),
             f"{field.name} has the range {ranges.text()}, but {measured.name}"
-            f" has {interval(low, high)} {field.measures.of}",
+            f" has {interval(low, high)} {field.measures.of}{f' with the {plus} of `plus`' if plus else ''}",
             "correct the range or the repetitions",
             label(measured.place, "repeat", f"{measured.name} is repeated"),
         )

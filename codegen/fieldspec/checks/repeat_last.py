@@ -1,8 +1,10 @@
-"""A field that repeats comes last, and its elements have a fixed size. In a message, other fields of fixed size may
-come behind the only such field, if a field before it measures it.
+"""A field that repeats comes last, and its elements have a fixed size. In a message, other fields may come behind such
+a field, if a field before it measures it; where one of them repeats too, that field is a binary number of one or two
+bytes without a sign. The elements of such a list in a message may be records that differ in size, each of which ends
+with a list that a field of it counts in the same way.
 
 Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
-Elements of varying size cannot be separated.
+Elements that differ in size are separated by their own counts.
 
 Example: a list of points with `repeat: 1..15` and a field after it, which nothing measures.
 
@@ -18,7 +20,7 @@ from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.record import Field, Message, Record, list_count
 from fieldspec.model.sizes import RecordSizes
 
 _CODE = "repeat_last"
@@ -36,11 +38,27 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
                     text = f"{field.name} has a `count` and a `repeat`"
                     yield finding(_CODE, field.place, "count", text, "remove one of them")
             inner = device.records.get(field.record)
-            if inner is not None and inner.name not in sizes.endless and sizes.element(field) is None:
+            if inner is None or inner.name in sizes.endless or sizes.element(field) is not None:
+                continue
+            if field.repeat is not None and id(layer) in bodies and sizes.has_tail(inner.name):
+                yield from _differing(layer, field)
+            else:
                 text = f"{inner.name} has no fixed size, so it cannot be part of another record"
-                help = "move the repeated field to the outer record"
+                help = (
+                    "list it with `repeat` in a message, and let one field of it, a `u8` or `u16`, count its last one"
+                )
                 there = label(inner.place, "fields", "its last field repeats")
                 yield finding(_CODE, field.place, "record", text, help, there)
+
+
+def _differing(layer: Record, field: Field) -> Iterator[Diagnostic]:
+    """The findings of fields that count the bytes of a list whose elements differ in size."""
+    for other in layer.fields:
+        if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":
+            text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
+            yield finding(
+                _CODE, other.place, "measures", text, f"count the elements: `measures: {{items: {field.name}}}`"
+            )
 
 
 def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Diagnostic]:
@@ -59,12 +77,19 @@ def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Dia
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
         return
+    following = next((other for other in behind if other.repeat is not None), None)
+    if following is not None and list_count(layer, field) is None:
+        count = next(other for other in layer.fields[:at] if other in counts)
+        text = f"{count.name} counts {field.name}, which {following.name} follows, and is no binary `u8` or `u16`"
+        there = label(following.place, "repeat", "repeats too")
+        yield finding(
+            _CODE, count.place, "type", text, "state the number as `u8` or `u16`, or a message of its own", there
+        )
     for other in behind:
-        if other.repeat is not None or other.choice is not None:
-            key, what = ("repeat", "repeats") if other.repeat is not None else ("choice", "has several types")
-            text = f"{other.name} {what} behind {field.name}, which repeats too"
+        if other.choice is not None:
+            text = f"{other.name} has several types behind {field.name}, which repeats"
             there = label(field.place, "repeat", "is counted by a field")
-            yield finding(_CODE, other.place, key, text, "state its `count`, or a message of its own", there)
+            yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", there)
         for key in ("span", "word_span"):
             if key in other.place:
                 text = f"{other.name} has no place of its own, as {field.name} before it repeats"

@@ -312,7 +312,8 @@ def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str
 
 def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
     """The bytes of a value in the order of the registers."""
-    from fieldspec.reference.records import encoded_value, value_construct
+    from fieldspec.reference.records import encoded_value
+    from fieldspec.reference.structs import value_construct
 
     raw = raw_value(layout.device, occupant.path, occupant.value, item)
     known = encoded_value(occupant.path, occupant.value, raw, layout.device)

@@ -55,8 +55,14 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
         if record.spans:
             varying = next(span.name for span in record.spans if span.value is not None)
             raise UsageError(f"{record.name} has no layout: {varying} varies in width")
-        if record.inner_list is not None:
-            raise UsageError(f"{record.name} has no layout: fields come behind {record.inner_list.name}, which repeats")
+        if record.inner_lists is not None:
+            first = next((own.name for own in record.inner_lists.lists if own.tail), record.inner_lists.lists[0].name)
+            problem = (
+                f"elements of {first} differ in size"
+                if record.has_tails
+                else f"fields come behind {first}, which repeats"
+            )
+            raise UsageError(f"{record.name} has no layout: {problem}")
         for decided, chosen in choices(record):
             yield chosen, fact, f"{record.name}, {decided}" if decided else record.name
 

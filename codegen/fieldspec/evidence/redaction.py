@@ -13,7 +13,8 @@ from fieldspec.evidence.secrets import Secrets
 from fieldspec.explain.registers import Occupant
 from fieldspec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, tail_of
 from fieldspec.live.reading import all_occupants, is_bit
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
@@ -22,7 +23,7 @@ from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.frames import Decoded, codec
 from fieldspec.reference.parameters import stated_bytes
-from fieldspec.reference.records import value_construct
+from fieldspec.reference.structs import value_construct
 from fieldspec.simulator.memory import element_value, numbers_of
 from fieldspec.simulator.parameters import part_of
 
@@ -90,15 +91,19 @@ class Redaction:
         record = decoded.body
         if record is None:
             return bytes(len(data))
-        inner = record.inner_list
-        data = data if inner is None else inner.image_of(data)
+        inner = record.inner_lists
+        if inner is not None:
+            extents, fault = inner.extents_in(data)
+            if fault is not None:
+                return bytes(len(data))
+            data = inner.image_of(data, extents)
         result = bytearray(len(data))
         access = decoded.message.message.accesses if decoded.message is not None and not decoded.error else None
         values = {**asked, **decoded.values}
         if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
             values[_FIRST] = values.get(indexed.name)
-        self._record(record, data, result, 0, values, access)
-        return bytes(result) if inner is None or len(data) < inner.fixed else inner.data_of(bytes(result))
+        self._record(record.image if inner is not None else record, data, result, 0, values, access)
+        return bytes(result) if inner is None else inner.data_of(bytes(result))
 
     def _record(
         self,
@@ -108,11 +113,14 @@ class Redaction:
         start: int,
         values: Mapping[str, Any],
         access: RegisterAccess | None,
+        tail: InnerList | None = None,
     ) -> None:
-        """Takes over the fields of a record from `start` on."""
+        """Takes over the fields of a record from `start` on; `tail` is the list at its end that it counts."""
         for field in (record.of_data(data[start:]) or record).fields:
             at = start + field.offset
-            room = len(data) - at
+            own_room = record.room_of(field)
+            own_room = tail if field.count is None and tail is not None else own_room
+            room = len(data) - at if own_room is None else own_room.size_of(own_room.count_in(data[start:])) or 0
             count = field.count if field.count is not None else room // field.size if field.size else 0
             if access is not None and field.name == access.values:
                 end = at + min(field.size * count, room)
@@ -121,7 +129,8 @@ class Redaction:
             for index in range(count):
                 own = at + index * field.size
                 if field.record is not None:
-                    self._record(field.record, data, result, own, values, None)
+                    own_tail = tail_of(field.record) if field.record.size is None else None
+                    self._record(field.record, data, result, own, values, None, own_tail)
                 elif own + field.size <= len(data):
                     piece = data[own : own + field.size]
                     result[own : own + field.size] = self._field(field, piece, index, values)

@@ -11,7 +11,7 @@ from fieldspec.explain.registers import exponent_applied
 from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
 from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.values import Raw
 from fieldspec.layout.widths import extents, value_form
@@ -88,6 +88,8 @@ class Body:
         self.record = record.of_data(data[start:end]) or record
         self.is_request = isinstance(outer, Message) and record.record is outer.request
         self.values: dict[str, Raw] = {}
+        inner = self.record.inner_lists
+        self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
         self.rows = list(self._rows())
 
     def _rows(self) -> Iterator[ExplanationRow]:
@@ -95,8 +97,8 @@ class Body:
         if self.record.spans:
             yield from self._varying_rows()
             return
-        if self.record.inner_list is not None:
-            yield from self._rows_around(self.record.inner_list)
+        if self.record.inner_lists is not None:
+            yield from self._rows_around(self.record.inner_lists)
             return
         for number, field in enumerate(self.record.fields):
             if field.cases:
@@ -112,25 +114,70 @@ class Body:
         if at < self.end:
             yield surplus_row(self.spot, at, self.data[at : self.end])
 
-    def _rows_around(self, inner: InnerList) -> Iterator[ExplanationRow]:
+    def _rows_around(self, inner: InnerLists) -> Iterator[ExplanationRow]:
         """The rows of a record with fields behind a list, in the order of the wire."""
         fields = self.record.sent_fields
-        is_whole = self.end - self.start >= inner.fixed
-        at = self.start
+        at, number_of_list = self.start, 0
         for number, field in enumerate(fields):
-            is_inner = field.name == inner.name
-            count = self._count(field)
-            stop = self.end - inner.behind if is_inner and is_whole else self.end
-            room = max(0, min(count, (stop - at) // field.size)) if not is_inner or is_whole else 0
-            yield from self._field(field, at, room)
-            at += room * field.size
-            if room < count or (is_inner and not is_whole):
-                yield self._missing(fields[number:] if not is_whole else (field,), at, stop)
-                if not is_whole:
+            if field.count is not None:
+                room = max(0, min(field.count, (self.end - at) // field.size))
+                yield from self._field(field, at, room)
+                at += room * field.size
+                if room < field.count:
+                    yield self._missing(fields[number:], at)
                     return
-            elif is_inner and at < stop:
+                continue
+            if number_of_list == len(self.extents):
+                yield self._unknown_list(fields[number:], inner.lists[number_of_list], at)
+                return
+            extent = self.extents[number_of_list]
+            stop = at + extent.size
+            number_of_list += 1
+            count = self._items(field)
+            yield from self._field(field, at, count, extent.elements)
+            at += sum(extent.elements) if extent.elements else count * field.size
+            if field.field.repeat is not None and count < field.field.repeat.low:
+                yield self._missing((field,), at, stop)
+            elif at < stop:
                 yield surplus_row(self.spot, at, self.data[at:stop])
-            at = stop if is_inner else at
+            at = stop
+
+    def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, at: int) -> ExplanationRow:
+        """The row from a list on whose bytes nobody knows."""
+        assert self.fault is not None
+        if self._has_wrong_count(inner):
+            text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
+            return self._wrong(fields[0], at, "wrong_measure", text)
+        if inner.tail is not None:
+            text = (
+                f"the elements of {fields[0].name} do not end with their bytes: see byte {self.start + self.fault.at}"
+            )
+            return self._wrong(fields[0], at, self.fault.reason, text)
+        if self.end - self.start < self.record.least:
+            return self._missing(fields, at)
+        return self._wrong(fields[0], at, "incomplete", f"{inner.count} counts more {fields[0].name} than there are")
+
+    def _has_wrong_count(self, inner: InnerList) -> bool:
+        """Whether the first list whose bytes nobody knows has a count that cannot be right."""
+        place = self.record.inner_lists.place_in_data(self.extents, inner.count_at) if self.record.inner_lists else 0
+        return (
+            bool(inner.count)
+            and self.fault is not None
+            and (self.fault.reason, self.fault.at) == ("wrong_measure", place)
+        )
+
+    def _items(self, field: FieldLayout) -> int:
+        """How many elements of a list of a record with fields behind a list there are."""
+        inner, repeat = self.record.inner_lists, field.field.repeat
+        assert inner is not None
+        assert repeat is not None
+        number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
+        extent = self.extents[number]
+        return (
+            len(extent.elements)
+            if inner.lists[number].tail is not None
+            else min(extent.size // field.size, repeat.high)
+        )
 
     def _varying_rows(self) -> Iterator[ExplanationRow]:
         """The rows of a record whose values vary in width."""
@@ -186,12 +233,13 @@ class Body:
         row = wrong_row(self.spot, at, data, reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
-    def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[ExplanationRow]:
-        """The rows of the elements of one field. Adds their values to `values`."""
+    def _field(self, field: FieldLayout, at: int, count: int, sizes: tuple[int, ...] = ()) -> Iterator[ExplanationRow]:
+        """The rows of the elements of one field. Adds their values to `values`. `sizes` are those that differ."""
         values: list[Raw] = []
         for index in range(count):
             path = f"{field.name}[{index}]" if field.is_list else field.name
-            rows, value = self._element(field, path, at + index * field.size, index)
+            place, size = (at + sum(sizes[:index]), sizes[index]) if sizes else (at + index * field.size, field.size)
+            rows, value = self._element(field, path, place, index, size)
             values.append(value)
             yield from rows
         if field.is_list:
@@ -199,23 +247,26 @@ class Body:
         elif values:
             self.values[field.name] = values[0]
 
-    def _element(self, field: FieldLayout, path: str, at: int, index: int) -> tuple[list[ExplanationRow], Raw]:
+    def _element(
+        self, field: FieldLayout, path: str, at: int, index: int, size: int
+    ) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the value of one element of a field of the message."""
         if field.record is not None:
-            return self._inner(field.record, path, at)
+            return self._inner(field.record, path, at, size)
         return self._value(field, path, at, index, self._by_exponent(field, self.record, self.start), top=True)
 
-    def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[ExplanationRow], Raw]:
-        """The rows and the values of a record within the body. All of its bytes are there."""
+    def _inner(self, record: RecordLayout, path: str, at: int, size: int) -> tuple[list[ExplanationRow], Raw]:
+        """The rows and the values of a record within the body, which has `size` bytes. All of them are there."""
         rows: list[ExplanationRow] = []
         values: dict[str, Raw] = {}
         for field in record.fields:
             elements: list[Raw] = []
-            for index in range(field.count or 0):
+            count = (size - field.offset) // field.size if field.count is None else field.count
+            for index in range(count):
                 inner = f"{path}.{field.name}[{index}]" if field.is_list else f"{path}.{field.name}"
                 place = at + field.offset + index * field.size
                 if field.record is not None:
-                    more, value = self._inner(field.record, inner, place)
+                    more, value = self._inner(field.record, inner, place, field.size)
                 else:
                     own = self._by_exponent(field, record, at)
                     more, value = self._value(field, inner, place, index, own, top=False)
@@ -230,8 +281,11 @@ class Body:
         exponent = record.named(field.value.scale_by) if field.value.scale_by and not record.spans else None
         if exponent is None or exponent.value is None:
             return field.value
-        inner = record.inner_list
-        offset = exponent.offset if inner is None else inner.place_in_data(self.end - self.start, exponent.offset)
+        inner, offset = record.inner_lists, exponent.offset
+        if inner is not None:
+            if self.fault is not None and offset >= inner.lists[len(self.extents)].first:
+                return field.value
+            offset = inner.place_in_data(self.extents, offset)
         at = start + offset
         if at + exponent.size > self.end:
             return field.value
@@ -272,11 +326,30 @@ class Body:
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases:
             return read
+        if self.record.inner_lists is not None and other.count is None:
+            return self._measured_list(self.record.inner_lists, field, other, read)
         start = self.start + other.offset
         items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
         items = (other.count or 0) if self.record.spans else items
-        should = items * other.size if measure.of == "bytes" else items
+        should = measure.number(items, other.size)
         return read.judged(read.number == should, should, "wrong_measure")
+
+    def _measured_list(
+        self, inner: InnerLists, field: FieldLayout, other: FieldLayout, read: DecodedValue
+    ) -> DecodedValue:
+        """The value of a field that measures a list of a record with fields behind a list."""
+        measure = field.field.measures
+        assert measure is not None
+        number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)
+        if number < len(self.extents):
+            items = self._items(other)
+            should = measure.number(items, other.size)
+            return read.judged(read.number == should, should, "wrong_measure")
+        own = inner.lists[number]
+        if number != len(self.extents) or own.count != field.name or not self._has_wrong_count(own):
+            return read
+        low, high = (size // own.unit + own.plus for size in (own.least, own.most))
+        return read.judged(False, f"{low} to {high}", "wrong_measure")
 
     def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that repeats one of the request, judged by the value there."""

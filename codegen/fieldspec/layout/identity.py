@@ -126,8 +126,8 @@ def _span(part: PartLayout) -> Iterator[Words]:
 
 def _record(record: RecordLayout) -> Iterator[Words]:
     yield "record", record.name
-    if record.inner_list is not None:
-        yield "inner list", record.inner_list.first, record.inner_list.behind
+    if record.inner_lists is not None:
+        yield "inner lists", [inner.first for inner in record.inner_lists.lists]
     for field in record.fields:
         yield from _field(field)
 
@@ -137,7 +137,11 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     yield "field", field.name, field.offset, field.size, field.count, inner, field.order, field.swapped
     spec = field.field
     filled = spec.value.default if spec.value and spec.reserved else None
-    yield spec.measures, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
+    measures = spec.measures
+    text = None if measures is None else f"Measure(of={measures.of!r}, field={measures.field!r})"
+    if measures is not None and measures.plus:
+        yield "plus", measures.plus
+    yield text, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
     for case in field.cases:
         yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)
 

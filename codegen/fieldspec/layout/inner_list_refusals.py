@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
 
 
 def inner_list_refusals(
@@ -13,18 +14,29 @@ def inner_list_refusals(
 ) -> list[Diagnostic]:
     """A finding for each list with fields behind it; `reader` is what does not read it."""
     lists = {
-        body.fields[-1].field.place.path: body.fields[-1].field
+        field.field.place.path: (field.field, what)
         for layout in versions
         for message in layout.messages.values()
         for body in message.bodies
-        if body.inner_list is not None
+        if body.inner_lists is not None
+        for field in body.sent_fields
+        if (what := _problem(body, field))
     }
     return [
         Diagnostic(
             "plc_lists_last" if for_controllers else "output_lists_last",
-            f"{field.name} has fields behind it, and {reader} reads only lists that come last",
+            f"{field.name} {what}, and {reader} reads only lists that come last, of elements of one size",
             field.place["repeat"],
             help=LEAVE_OUT,
         )
-        for field in lists.values()
+        for field, what in lists.values()
     ]
+
+
+def _problem(body: RecordLayout, field: FieldLayout) -> str:
+    """Why such outputs do not read a field; empty where they do."""
+    if field.count is not None:
+        return ""
+    if field is not body.sent_fields[-1]:
+        return "has fields behind it"
+    return "has elements that differ in size" if field.record is not None and field.record.size is None else ""

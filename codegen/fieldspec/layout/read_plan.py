@@ -171,7 +171,7 @@ def _limit(device: Device, message: Message) -> ReadLimit:
             bounds.append((field.repeat.high * packed, 1, field, "repeat"))
         measured = field.measures
         if measured is not None and measured.field == access.values and ranges is not None:
-            words = ranges.high * packed // (2 if measured.of == "bytes" and unit == WORD else 1)
+            words = (ranges.high - measured.plus) * packed // (2 if measured.of == "bytes" and unit == WORD else 1)
             bounds.append((words, 2, field, key))
     if not bounds:
         return ReadLimit(message.name, space, None, None, False, (), message.notes, unit)

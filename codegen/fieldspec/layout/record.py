@@ -7,10 +7,10 @@ from itertools import takewhile
 
 from fieldspec import classes
 from fieldspec.classes import TYPE_CHECKING, dataclass, replace
-from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.widths import Span
 from fieldspec.model.enums import Enum
-from fieldspec.model.record import Case, Choice, Field, Record
+from fieldspec.model.record import Case, Choice, Field, Record, list_count
 from fieldspec.model.registers import Register
 from fieldspec.model.value import Kind, Primitive, Value
 
@@ -83,7 +83,8 @@ class RecordLayout:
     `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
     type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
     `spans` are those of all fields where some vary in width; offsets and sizes of fields are then those in the image.
-    `inner_list` is a list with fields behind it. In `fields` it comes last, and offsets are those in its image too.
+    `inner_lists` are the lists where one has fields behind it. In `fields` they come last, and offsets are those in the
+    image too. `rooms` are those lists of an image that have another one behind them.
     """
 
     record: Record
@@ -95,25 +96,32 @@ class RecordLayout:
     selector: FieldLayout | None = None
     chosen: Mapping[int, RecordLayout] = classes.field(default_factory=dict)
     spans: tuple[Span, ...] = ()
-    inner_list: InnerList | None = None
+    inner_lists: InnerLists | None = None
+    rooms: tuple[InnerList, ...] = ()
 
     @property
     def image(self) -> RecordLayout:
         """The record as codecs have it.
 
-        Each field that varies in width has all the bytes that it may have, and a list with fields behind it comes last.
+        Each field that varies in width has all the bytes that it may have. Lists come last, and all but the last one of
+        them have room for all elements.
         """
-        size = sum(span.size for span in self.spans)
-        image = replace(self, spans=(), size=size, least=size, most=size) if self.spans else self
-        return replace(image, inner_list=None) if self.inner_list is not None else image
+        if self.spans:
+            size = sum(span.size for span in self.spans)
+            return replace(self, spans=(), size=size, least=size, most=size)
+        if self.inner_lists is None:
+            return self
+        *rooms, last = self.inner_lists.lists
+        least, most = last.room + last.least, last.room + last.most
+        return replace(self, inner_lists=None, rooms=tuple(rooms), least=least, most=most)
 
     @property
     def sent_fields(self) -> tuple[FieldLayout, ...]:
         """The fields in the order of the wire."""
-        if self.inner_list is None:
+        if self.inner_lists is None:
             return self.fields
-        before = [field for field in self.fields[:-1] if field.offset < self.inner_list.first]
-        return (*before, self.fields[-1], *self.fields[len(before) : -1])
+        by_name = {field.name: field for field in self.fields}
+        return tuple(by_name[field.name] for field in self.record.fields)
 
     @property
     def first_bytes(self) -> int:
@@ -122,10 +130,24 @@ class RecordLayout:
 
     def has_place(self, field: FieldLayout) -> bool:
         """Whether the offset of a field is its place in all data: nothing before it varies, nor is it moved."""
-        if self.inner_list is not None:
-            return field.offset < self.inner_list.first
+        if self.inner_lists is not None:
+            return field.offset < self.inner_lists.lists[0].first
         at = next((other.offset for other in self.fields if other.value is not None and other.value.width), None)
         return at is None or field.offset <= at
+
+    @property
+    def has_tails(self) -> bool:
+        """Whether it has a list whose elements differ in size, each of which counts the list at its end."""
+        return self.inner_lists is not None and any(inner.tail is not None for inner in self.inner_lists.lists)
+
+    @property
+    def has_single_list(self) -> bool:
+        """Whether the number of elements of its only list decides its size."""
+        return sum(field.count is None for field in self.fields) == 1 and not self.has_tails
+
+    def room_of(self, field: FieldLayout) -> InnerList | None:
+        """The room of a list in an image that has another list behind it, None for other fields."""
+        return next((room for room in self.rooms if room.name == field.name), None)
 
     def named(self, name: str) -> FieldLayout | None:
         """The field with a name, None if there is none."""
@@ -221,38 +243,73 @@ def _fixed(
     """The layout of a record without cases."""
     at = 0
     fields = []
-    repeated: FieldLayout | None = None
-    inner = next((field for field in record.fields[:-1] if field.repeat is not None), None)
-    in_image = (*(field for field in record.fields if field is not inner), inner) if inner else record.fields
-    for field in in_image:
+    lists = [field for field in record.fields if field.repeat is not None]
+    differing = [field for field in lists if field.record and records[field.record].size is None]
+    is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
+    for field in _lists_last(record, lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
-        size = field.value.size if field.value else (nested.size or 0) if nested else 0
+        size = field.value.size if field.value else (nested.most or 0) if nested else 0
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
         sizes = _sizes(record, field, enums)
-        field_layout = FieldLayout(field, field.name, at, size, count, field.value, nested, order, swapped, sizes=sizes)
-        fields.append(field_layout)
-        if count is None:
-            repeated = field_layout
-        else:
-            at += size * count
+        fields.append(FieldLayout(field, field.name, at, size, count, field.value, nested, order, swapped, sizes=sizes))
+        at += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):
         return _varying(record, tuple(fields))
-    if repeated is None:
-        return RecordLayout(record, record.name, tuple(fields), at, at, at)
-    repeat = repeated.field.repeat
+    fixed = sum(field.size * field.count for field in fields if field.count is not None)
+    repeated = [(field.field.repeat, field.size) for field in fields if field.field.repeat is not None]
+    if not repeated:
+        return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
+    leasts = [size if field.record is None else field.record.least for field in fields if field.count is None]
+    least = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
+    most = fixed + sum(repeat.high * size for repeat, size in repeated)
+    inner_lists = _inner_lists(record, tuple(fields), fixed) if is_inner else None
+    return RecordLayout(record, record.name, tuple(fields), None, least, most, inner_lists=inner_lists)
+
+
+def _lists_last(record: Record, lists: list[Field]) -> list[Field]:
+    """The fields of a record as its image has them."""
+    return [*(field for field in record.fields if field.repeat is None), *lists]
+
+
+def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) -> InnerLists:
+    """Where the lists of a record begin, and what counts them."""
+    by_name = {field.name: field for field in fields}
+    first = 0
+    lists: list[InnerList] = []
+    last = fields[-1]
+    for own in record.fields:
+        field = by_name[own.name]
+        if own.repeat is None:
+            first += field.size * (field.count or 0)
+            continue
+        least, most = own.repeat.low * field.size, own.repeat.high * field.size
+        inner = InnerList(field.name, first, field.offset, field.size, least, most)
+        count = None if field is last else list_count(record, own)
+        inner = inner if count is None else _with_count(inner, by_name[count.name])
+        if field.record is not None and field.record.size is None:
+            inner = replace(inner, tail=tail_of(field.record))
+        lists.append(inner)
+    return InnerLists(tuple(lists), fixed)
+
+
+def tail_of(record: RecordLayout) -> InnerList:
+    """The list at the end of a record that counts it."""
+    field = record.fields[-1]
+    repeat, count = field.field.repeat, list_count(record.record, field.field)
     assert repeat is not None
-    most = at + repeat.high * repeated.size
-    least = at + repeat.low * repeated.size
-    inner_list = _inner_list(record, inner, tuple(fields)) if inner is not None else None
-    return RecordLayout(record, record.name, tuple(fields), None, least, most, inner_list=inner_list)
+    assert count is not None
+    at, size = field.offset, field.size
+    by_name = {own.name: own for own in record.fields}
+    return _with_count(InnerList(field.name, at, at, size, repeat.low * size, repeat.high * size), by_name[count.name])
 
 
-def _inner_list(record: Record, field: Field, fields: tuple[FieldLayout, ...]) -> InnerList:
-    """Where a list with fields behind it begins, and how many bytes follow it."""
-    fixed, number = fields[-1].offset, record.fields.index(field)
-    first = fields[number].offset
-    return InnerList(field.name, first, fixed - first)
+def _with_count(inner: InnerList, count: FieldLayout) -> InnerList:
+    """A list with the field that counts it."""
+    measures = count.field.measures
+    assert measures is not None
+    inner = replace(inner, count=count.name, count_at=count.offset, count_size=count.size, count_order=count.order)
+    return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
 
 
 def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:

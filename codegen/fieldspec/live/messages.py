@@ -18,7 +18,8 @@ from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes
-from fieldspec.reference.records import CodecError, encoded_value, value_construct
+from fieldspec.reference.records import CodecError, encoded_value
+from fieldspec.reference.structs import value_construct
 from fieldspec.simulator.parameters import count_field, part_of
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.live.client import Client, RefusedError
 from fieldspec.live.reading import Reading, is_bit, message_for, read_words, reading
 from fieldspec.model.registers import Register
-from fieldspec.reference.records import CodecError, encoded_value, value_construct
+from fieldspec.reference.records import CodecError, encoded_value
+from fieldspec.reference.structs import value_construct
 
 
 class WriteError(ValueError):

@@ -5,15 +5,24 @@ from __future__ import annotations
 from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact
 from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Handling, Value
+from fieldspec.model.value import Handling, Kind, Value
 
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """A field contains the size of another one: its `bytes`, or its number of `items`."""
+    """A field contains the size of another one, its `bytes` or its number of `items`, and a constant number more."""
 
     of: str
     field: str
+    plus: int = 0
+
+    def number(self, items: int, size: int) -> int:
+        """What the field contains for a number of elements of `size` bytes."""
+        return (items * size if self.of == "bytes" else items) + self.plus
+
+    def unit(self, size: int) -> int:
+        """The bytes for each unit of the number, where an element has `size` bytes."""
+        return 1 if self.of == "bytes" else size
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,6 +67,11 @@ class Field(Fact):
     handling: Handling
     same_as: str
 
+    @property
+    def is_list(self) -> bool:
+        """Whether it is a list of elements."""
+        return self.count is not None or self.repeat is not None
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record(Fact):
@@ -74,6 +88,21 @@ class Record(Fact):
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""
         return next((field for field in self.fields if field.name == name), None)
+
+
+def list_count(record: Record, field: Field) -> Field | None:
+    """The field before a list that decides how many elements it has if another list follows, None if there is none.
+
+    It is a binary number of one or two bytes without a sign.
+    """
+    for other in record.fields[: record.fields.index(field)]:
+        value = other.value
+        if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
+            continue
+        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        if is_number and value.size <= 2:
+            return other
+    return None
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,6 +36,7 @@ from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
 from fieldspec.plc.spaces import with_supported_spaces
 from fieldspec.plc.structs import Struct, StructMember, fixed
+from fieldspec.plc.tails import without_tails
 from fieldspec.plc.wide_enums import wide_enums
 
 _STATUS = "codec_status"
@@ -78,7 +79,7 @@ class Declarations:
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     with_spaces, space_findings = with_supported_spaces(layout, dialect)
-    supported, frame_findings = with_supported_links(with_spaces, dialect)
+    supported, frame_findings = with_supported_links(without_tails(with_spaces), dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
     binary_findings = character_refusals([with_spaces], dialect.title, for_controllers=True)
     moving_findings = base_refusals([layout], dialect.title, for_controllers=True)

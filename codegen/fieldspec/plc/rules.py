@@ -86,10 +86,10 @@ Example: a field with `type: text, length: 8, padding: space`.
 
 Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
 """,
-    "plc_lists_last": """A list of free length comes last in its message.
+    "plc_lists_last": """A list of free length comes last in its message, and its elements have one size.
 
-Why: behind such a list, the place of a field differs from frame to frame, and the functions of controllers have one
-place for each field.
+Why: behind such a list, and in one whose elements differ in size, the place of a field differs from frame to frame, and
+the functions of controllers have one place for each field.
 
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
 

@@ -14,7 +14,8 @@ from fieldspec.layout.record import RecordLayout
 from fieldspec.model.digits import digits_text
 from fieldspec.reference.checksums import checksum, checksum_digits
 from fieldspec.reference.escapes import escaped, unescaped
-from fieldspec.reference.records import CodecError, Values, decoded, encoded, record_struct, value_construct
+from fieldspec.reference.records import CodecError, Values, decoded, encoded
+from fieldspec.reference.structs import record_struct, value_construct
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,8 @@ from fieldspec.explain.values import number_of
 from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.model.device import Device
 from fieldspec.model.value import Value
-from fieldspec.reference.records import CodecError, value_construct
+from fieldspec.reference.records import CodecError
+from fieldspec.reference.structs import value_construct
 
 if TYPE_CHECKING:
     from typing import Any

@@ -6,15 +6,14 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
-import construct
-
-from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.inner_lists import InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
-from fieldspec.model.digits import digits_bytes, digits_number, digits_text
+from fieldspec.model.digits import digits_text
 from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
 from fieldspec.model.value import Kind, Value
+from fieldspec.reference.structs import record_struct
 
 
 class CodecError(ValueError):
@@ -34,103 +33,6 @@ class CodecError(ValueError):
 Values = dict[str, Any]
 
 
-def record_struct(record: RecordLayout) -> construct.Struct:
-    """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
-    inner = record.inner_list.name if record.inner_list is not None else ""
-    return construct.Struct(
-        *(
-            field.name / (_inner_list(record, field) if field.name == inner else _construct(field))
-            for field in record.sent_fields
-        )
-    )
-
-
-def _inner_list(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """A list with fields behind it: as many elements as another field says."""
-    measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
-    name = next(other.name for other in record.fields if other.field.measures is measure)
-    unit = field.size if measure.of == "bytes" else 1
-    return construct.Array(lambda context: context[name] // unit, _element(field))
-
-
-def _construct(field: FieldLayout) -> construct.Construct:
-    element = _element(field)
-    if field.field.repeat is not None:
-        return construct.GreedyRange(element)
-    return element[field.count] if field.is_list else element
-
-
-def _element(field: FieldLayout) -> construct.Construct:
-    if field.record:
-        return record_struct(field.record)
-    if not field.cases:
-        return value_construct(field.value, field.order, field.swapped)
-    by = field.field.choice.by if field.field.choice else ""
-    cases = {
-        number: value_construct(case.value, case.order, case.swapped) for case in field.cases for number in case.numbers
-    }
-    return construct.Switch(construct.this[by], cases, default=construct.Error)
-
-
-def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
-    """One value as a construct."""
-    assert value is not None
-    kind, size = value.type.kind, value.size
-    if value.text_form is not None:
-        return _Text(value, order)
-    if kind in (Kind.TEXT, Kind.BYTES):
-        return construct.Bytes(size)
-    if value.digits:
-        return _Digits(value, order, swapped)
-    suffix = "b" if (order == "big") != swapped else "l"
-    if kind is Kind.FLOAT:
-        number = getattr(construct, f"Float{8 * size}{suffix}")
-    elif value.type.is_odd:
-        number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
-    else:
-        number = getattr(construct, f"Int{8 * size}{'s' if value.type.signed else 'u'}{suffix}")
-    if swapped:
-        # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
-        return construct.Transformed(number, _words_turned, size, _words_turned, size)
-    return number
-
-
-class _Digits(construct.Adapter):  # type: ignore[misc]
-    """A number that is sent as digits; bytes that are none are parsed as None."""
-
-    def __init__(self, value: Value, order: str, swapped: bool) -> None:
-        super().__init__(construct.Bytes(value.size))
-        self.value, self.swapped, self.is_reversed = value, swapped, (order == "big") == swapped
-
-    def _decode(self, data: bytes, context: Any, path: str) -> int | None:
-        return digits_number(self.value, self._turned(data))
-
-    def _encode(self, number: int, context: Any, path: str) -> bytes:
-        return self._turned(digits_bytes(self.value, number))
-
-    def _turned(self, data: bytes) -> bytes:
-        data = data[::-1] if self.is_reversed else data
-        return _words_turned(data) if self.swapped else data
-
-
-class _Text(construct.Adapter):  # type: ignore[misc]
-    """A text in a form of its own; bytes that are none are parsed as None, and bytes are built as they are."""
-
-    def __init__(self, value: Value, order: str) -> None:
-        super().__init__(construct.Bytes(value.size))
-        self.value, self.order = value, order
-
-    def _decode(self, data: bytes, context: Any, path: str) -> str | None:
-        return decoded_text(self.value, self.order, data)
-
-    def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
-        return text_bytes(self.value, self.order, text) if isinstance(text, str) else text
-
-
-def _words_turned(data: bytes) -> bytes:
-    return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
-
-
 def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) -> Values:
     """The values of a record's bytes, which must be exactly that long.
 
@@ -145,8 +47,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         record = chosen
     if record.spans:
         return _decoded_image(record, data, device, offset)
-    if record.inner_list is not None:
-        return _decoded_inner_list(record, record.inner_list, data, device, offset)
+    if record.inner_lists is not None:
+        return _decoded_inner_lists(record, record.inner_lists, data, device, offset)
     _check_length(record, len(data), offset)
     parsed = record_struct(record).parse(data)
     values: Values = {}
@@ -169,13 +71,18 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
         raise CodecError(error.reason, error.detail, at) from None
 
 
-def _decoded_inner_list(record: RecordLayout, inner: InnerList, data: bytes, device: Device, offset: int) -> Values:
+def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, device: Device, offset: int) -> Values:
     """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
+    extents, fault = inner.extents_in(data)
+    if fault is not None:
+        raise CodecError(
+            fault.reason, f"{inner.lists[len(extents)].name} has another number of bytes", offset + fault.at
+        )
     try:
-        values = decoded(record.image, inner.image_of(data), device)
+        values = decoded(record.image, inner.image_of(data, extents), device)
         return {field.name: values[field.name] for field in record.sent_fields}
     except CodecError as error:
-        at = None if error.offset is None else offset + inner.place_in_data(len(data), error.offset)
+        at = None if error.offset is None else offset + inner.place_in_data(extents, error.offset)
         raise CodecError(error.reason, error.detail, at) from None
 
 
@@ -208,8 +115,7 @@ def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) ->
 
 def _decode_element(field: FieldLayout, raw: Any, device: Device, at: int) -> Any:
     if field.record is not None:
-        inner = {name: raw[name] for name in (f.name for f in field.record.fields)}
-        return {f.name: _decoded_field(f, inner[f.name], device, at) for f in field.record.fields}
+        return {f.name: _decoded_field(f, raw[f.name], device, at) for f in field.record.fields}
     if field.field.reserved:
         return raw
     return decoded_value(field.name, field.value, raw, device, at)
@@ -269,7 +175,7 @@ def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any
     assert other is not None
     value = values[measure.field]
     items = len(value) if other.is_list else 1
-    return items * other.size if measure.of == "bytes" else items
+    return measure.number(items, other.size)
 
 
 def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> bytes:
@@ -283,6 +189,20 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         if chosen is None:
             raise CodecError("unknown_value", f"{by.name} is {values[by.name]}, which chooses nothing that may follow")
         record = chosen
+    raw = _encoded_fields(record, values, device)
+    data: bytes = record_struct(record.image).build(raw)
+    if record.inner_lists is not None:
+        return record.inner_lists.data_of(data)
+    if not record.spans:
+        return data
+    try:
+        return data_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
+
+
+def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Device) -> Values:
+    """The raw values of all fields of a record, also of those that measure others."""
     raw: Values = {}
     for field in record.fields:
         if field.field.measures is None:
@@ -291,15 +211,7 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         measured = _measured(record, field, raw)
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
-    data: bytes = record_struct(record.image).build(raw)
-    if record.inner_list is not None:
-        return record.inner_list.data_of(data)
-    if not record.spans:
-        return data
-    try:
-        return data_of(record.spans, data)
-    except WidthError as error:
-        raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
+    return raw
 
 
 def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:
@@ -337,7 +249,7 @@ def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
         unknown = sorted(set(value) - {inner.name for inner in field.record.fields})
         if unknown:
             raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
-        return {inner.name: _encoded_field(inner, value, device) for inner in field.record.fields}
+        return _encoded_fields(field.record, value, device)
     return encoded_value(field.name, field.value, value, device)
 
 

@@ -14,7 +14,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.registers import Parameter, ParameterSet, Register
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
-from fieldspec.reference.records import value_construct
+from fieldspec.reference.structs import value_construct
 
 if TYPE_CHECKING:
     from typing import Any, Literal, TypeAlias

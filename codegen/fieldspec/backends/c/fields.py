@@ -11,6 +11,7 @@ from fieldspec.backends.c.expressions import (
     SIZE_TYPE,
     Element,
     Expression,
+    Group,
     Local,
     Member,
     Operation,
@@ -134,7 +135,10 @@ def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) 
     repeated = other.field.repeat is not None
     count = PointerMember(struct, count_member(record, other)) if repeated else unsigned(other.count or 1)
     size = element_size(record, other) if measure.of == "bytes" else unsigned(1)
-    return count if size == unsigned(1) else multiply(count, size)
+    units = count if size == unsigned(1) else multiply(count, size)
+    if not measure.plus:
+        return units
+    return Group(Operation("+" if measure.plus > 0 else "-", (units, unsigned(abs(measure.plus)))))
 
 
 # Fields whose type follows from an earlier field, the selector: unions in structs, and switches in functions.

@@ -23,6 +23,7 @@ from fieldspec.backends.c.expressions import (
     add,
     address_of,
     any_of,
+    decimal,
     dereference,
     different,
     greater,
@@ -48,7 +49,7 @@ from fieldspec.backends.c.fields import (
     switch_cases,
     walk_elements,
 )
-from fieldspec.backends.c.inner_lists import decode_inner_list, encode_inner_list
+from fieldspec.backends.c.inner_lists import decode_inner_lists, encode_inner_lists
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.packing import check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.backends.c.statements import (
@@ -75,7 +76,7 @@ from fieldspec.backends.c.values import (
     store_constant,
 )
 from fieldspec.backends.c.widths import decode_widths, encode_widths
-from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, tail_of
 from fieldspec.model.device import Device
 
 
@@ -99,12 +100,12 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
         declarations += [BLANK, *declare_packing(naming, record, checks)]
     writing = comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written.")
     reading = comment(f"Reads {name} from exactly {size}.")
-    inner = varying.inner_list
+    inner = varying.inner_lists
     if varying.spans or inner is not None:
-        last = "the list comes last"
+        last = "the list comes last" if inner is None or len(inner.lists) == 1 else "all lists come last"
         about_image = f"in which {last if inner is not None else 'each value has all the bytes that it may have'}"
-        encode = encode_widths(naming, varying) if inner is None else encode_inner_list(naming, varying, inner)
-        decode = decode_widths(naming, varying) if inner is None else decode_inner_list(naming, varying, inner)
+        encode = encode_widths(naming, varying) if inner is None else encode_inner_lists(naming, varying, inner)
+        decode = decode_widths(naming, varying) if inner is None else decode_inner_lists(naming, varying, inner)
         return [
             *declarations,
             *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
@@ -244,7 +245,7 @@ def _write_record(naming: Naming, device: Device, record: RecordLayout, value: E
     """Checks and writes a record within another."""
     if not is_packed(record):
         encode = naming.function("record", record.name, "encode")
-        sizes = unsigned(record.size or 0), address_of(INNER_LENGTH)
+        sizes = unsigned(record.most or 0), address_of(INNER_LENGTH)
         return return_error(naming, Call(encode, (*struct_argument(record, value), target, *sizes)))
     check, pack = (naming.function("record", record.name, verb) for verb in ("check", "pack"))
     struct = address_of(value)
@@ -274,7 +275,7 @@ def _greatest_measure(record: RecordLayout, field: FieldLayout) -> int | None:
         return None
     repeat = other.field.repeat
     count = repeat.high if repeat is not None else other.count or 1
-    return count * other.size if measure.of == "bytes" else count
+    return measure.number(count, other.size)
 
 
 # Decoding
@@ -314,7 +315,23 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
     if last.cases or last.size > 1:
         body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
     count = PointerMember(OUT, count_member(record, last))
-    return (*body, Assignment(count, Operation("/", (rest, size))))
+    return (*body, *_counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))
+
+
+def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
+    """`out->points_count = load_u8(in + 1) / 4u;` for each list of an image that has another one behind it."""
+    body: Body = ()
+    for room in record.rooms:
+        field, count = record.named(room.name), record.named(room.count)
+        assert field is not None
+        assert count is not None
+        number = load(naming, field_value(count), Operation("+", (IN, decimal(count.offset))))
+        if room.plus:
+            less_plus = Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus))))
+            number = Group(less_plus)
+        items = number if room.unit == room.element else Operation("/", (number, unsigned(room.element)))
+        body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
+    return body
 
 
 def _read_fields(naming: Naming, device: Device, record: RecordLayout, selector: Expression | None) -> Body:
@@ -360,5 +377,17 @@ def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Ex
     if is_packed(record) and not check_unpacked(naming, device, record):
         return (call(naming.function("record", record.name, "unpack"), source, address_of(value)),)
     decode = naming.function("record", record.name, "decode")
-    arguments = source, unsigned(record.size or 0), *struct_argument(record, value)
+    size = unsigned(record.size) if record.size is not None else _size_with_tail(naming, record, source)
+    arguments = source, size, *struct_argument(record, value)
     return return_error(naming, Call(decode, arguments))
+
+
+def _size_with_tail(naming: Naming, record: RecordLayout, source: Expression) -> Expression:
+    """`2u + load_u8(in + 3 + 1)`: the size of a record that counts the list at its end; its count has been judged."""
+    tail = tail_of(record)
+    count = record.named(tail.count)
+    assert count is not None
+    number = load(naming, field_value(count), Operation("+", (source, decimal(count.offset))))
+    units = number if tail.unit == 1 else multiply(number, unsigned(tail.unit))
+    fixed = tail.room - tail.plus * tail.unit
+    return Operation("+" if fixed >= 0 else "-", (units, unsigned(abs(fixed))))

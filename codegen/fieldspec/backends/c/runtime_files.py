@@ -83,7 +83,7 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     encoded = any(wire.value.text_form is not None for wire in _wire_values(layout))
     odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
-    inner = any(record.inner_list is not None for record in all_records(layout))
+    inner = any(record.inner_lists is not None for record in all_records(layout))
     odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
     more = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
     return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + more

@@ -153,9 +153,12 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
         else:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
-            data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
-    if record.inner_list is not None:
-        return record.inner_list.data_of(data)
+            element = record_bytes(field.record, item) if field.record else _element_bytes(field, item)
+            data += element.ljust(field.size, b"\0") if field.count is None else element
+        room = record.image.room_of(field)
+        data = data if room is None else data.ljust(room.room + room.most, b"\0")
+    if record.inner_lists is not None:
+        return record.inner_lists.data_of(data)
     return data_of(record.spans, data) if record.spans else data
 
 
@@ -177,7 +180,7 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
     other = record.named(measure.field)
     assert other is not None
     items = len(values[other.name]) if other.field.repeat is not None else other.count or 1
-    return items * other.size if measure.of == "bytes" else items
+    return measure.number(items, other.size)
 
 
 def _element_bytes(field: FieldLayout, item: Any) -> bytes:

@@ -180,7 +180,7 @@ class FrameTable:
     def field_row(self, field: FieldLayout, position: Position, path: str, elements: str) -> TableRow:
         """The row of a field, or of each of its elements."""
         place = position.text(field.size, self.start, self.width)
-        if field.value is not None and field.value.width:
+        if differs_in_size(field) or (field.value is not None and field.value.width):
             place = f"from {position.text(1, self.start, self.width)}"
         cells = field_cells(self.context, field, path, elements, self.marks)
         return TableRow((cell(code(place)), *cells), self._anchor(field.field))
@@ -207,7 +207,8 @@ def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: st
     position = start.shifted(field.offset)
     elements = ""
     if field.is_list:
-        position = position.stepped(field.size, letter)
+        step = (1, f"bytes of earlier {field.name}") if differs_in_size(field) else (field.size, letter)
+        position = position.stepped(*step)
         path = f"{path}[{letter}]"
         elements = elements_text(field, letter)
     yield holder.field_row(field, position, path, elements)
@@ -229,7 +230,7 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
     elif field.record is not None:
         record = field.record.name
         cells = (
-            cell((code(record, f"#records/{record}"), text_piece(f" of {many(field.size, 'byte')}"))),
+            cell((code(record, f"#records/{record}"), text_piece(f" of {_bytes_of(field.record)}"))),
             Cell(),
             Cell(),
         )
@@ -244,6 +245,15 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
     )
 
 
+def differs_in_size(field: FieldLayout) -> bool:
+    """Whether the elements of a list are records that differ in size."""
+    return field.record is not None and field.record.size is None
+
+
+def _bytes_of(record: RecordLayout) -> str:
+    return many(record.size, "byte") if record.size is not None else f"{record.least} to {record.most} bytes"
+
+
 def _case(field: FieldLayout, case: CaseLayout) -> Item:
     """The type in one case, and for which values of the other field it is so."""
     by = field.field.choice.by if field.field.choice else ""
@@ -255,7 +265,8 @@ def _relations(field: FieldLayout) -> Iterator[Line]:
     """What a field has to do with other fields."""
     measures = field.field.measures
     if measures is not None:
-        yield (text_piece(f"the number of {measures.of} of "), code(measures.field))
+        more = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(measures.plus)
+        yield (text_piece(f"the number of {measures.of} of "), code(measures.field), *more)
     if field.field.same_as:
         yield (text_piece("the same as "), code(field.field.same_as), text_piece(" of the request"))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.inner_lists import InnerList
+from fieldspec.layout.inner_lists import InnerLists
 from fieldspec.layout.record import RecordLayout
 
 
@@ -26,27 +26,41 @@ class Position:
         """`4`, `4..7`, `3 + 16k`: bytes, or characters where each byte is `width` of them behind `start`."""
         first = start + self.fixed * width
         last = first + length * width - 1
-        steps = "".join(f" + {size * width if size * width > 1 else ''}{letter}" for size, letter in self.steps)
+        steps = "".join(_step(size * width, letter) for size, letter in self.steps)
         if first == last:
             return f"{first}{steps}"
         return f"({first}..{last}){steps}" if steps else f"{first}..{last}"
 
 
+def _step(size: int, letter: str) -> str:
+    """` + 16k`, ` + k`, ` + 2 times length of weight`."""
+    times = " times " if " " in letter and not letter.startswith(" ") else ""
+    return f" + {size}{times}{letter}" if size > 1 else f" + {letter}"
+
+
 def field_starts(record: RecordLayout) -> list[Position]:
     """Where each field of a record, in the order of the wire, begins, less its offset."""
-    if record.inner_list is not None:
-        return _starts_around(record, record.inner_list)
+    if record.inner_lists is not None:
+        return _starts_around(record, record.inner_lists)
     return _varying_starts(record) if record.spans else [Position(0)] * len(record.fields)
 
 
-def _starts_around(record: RecordLayout, inner: InnerList) -> list[Position]:
+def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
     """Where each field of a record begins with fields behind a list: `4 + 2 times number of samples`."""
-    size, number = record.fields[-1].size, f"number of {inner.name}"
-    before, behind = Position(0), Position(0).stepped(size, f" times {number}" if size > 1 else number)
+    lists = {own.name: own for own in inner.lists}
+    position = Position(0)
     starts = []
     for field in record.sent_fields:
-        own = before if field.offset < inner.first else behind
-        starts.append(before.shifted(-inner.behind) if field.name == inner.name else own)
+        own = lists.get(field.name)
+        if own is None:
+            starts.append(position)
+            continue
+        starts.append(position.shifted(own.first - own.room))
+        if own.tail is not None:
+            position = position.stepped(1, f"bytes of {field.name}")
+            continue
+        number = f"number of {field.name}"
+        position = position.stepped(field.size, f" times {number}" if field.size > 1 else number)
     return starts
 
 

@@ -360,11 +360,13 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
         and field.size <= 4
         and record.has_place(field)
     ]
-    if not measures or tail.cases or measures[0].field.measures is None:
+    if not measures or tail.cases or measures[0].field.measures is None or not record.has_single_list:
         return "{ length: 0, size: -1 }"
     measure = measures[0]
-    unit = 1 if measures[0].field.measures.of == "bytes" else tail.size
+    assert measure.field.measures is not None
+    unit = measure.field.measures.unit(tail.size)
+    length = around + tail.offset - measure.field.measures.plus * unit
     return (
-        f"{{ length: {around + tail.offset}, offset: {frame.header_size + measure.offset}, size: {measure.size},"
+        f"{{ length: {length}, offset: {frame.header_size + measure.offset}, size: {measure.size},"
         f' order: "{measure.order}", signed: false, unit: {unit} }}'
     )

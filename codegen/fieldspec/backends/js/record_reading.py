@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.members import Member, members_of, most_bytes, shapes_of, slot_of
-from fieldspec.backends.js.text import literal
+from fieldspec.backends.js.text import literal, plus
 from fieldspec.backends.js.values import place, throw_wrong_number
+from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, RecordLayout
 
 CHOOSES_NOTHING = "which chooses nothing that may follow"
@@ -13,20 +14,22 @@ CHOOSES_NOTHING = "which chooses nothing that may follow"
 
 def read_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The functions that read the layouts of a record, and the one that selects a layout where it has several."""
-    lines = [line for suffix, shape in shapes_of(record) for line in _read_fields(shape, f"read{name}{suffix}", names)]
+    shapes = [(suffix, shape.image) for suffix, shape in shapes_of(record)]
+    lines = [line for suffix, shape in shapes for line in _read_fields(shape, f"read{name}{suffix}", names)]
     return lines if record.selector is None else [*lines, *_select(record, name, names)]
 
 
 def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The function of a record that looks at the size, reads the fields, and compares what measures other fields."""
-    lines = [f"checkSize({literal(record.name)}, {record.least}, {most_bytes(record)}, o, end);"]
-    if record.spans or record.inner_list is not None:
+    image = record.image if record.inner_lists is not None else record
+    lines = [f"checkSize({literal(record.name)}, {image.least}, {most_bytes(image)}, o, end);"]
+    if record.spans or record.inner_lists is not None:
         measured = _measured_read(record.image, f"read{name}", names)
-        image = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
+        body = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
         around = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
         lines = [f"return {around}, image{name}, b, o, end);"]
         return [
-            *(f"function image{name}(b, o, end) {{", *image, "}"),
+            *(f"function image{name}(b, o, end) {{", *body, "}"),
             *(f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"),
         ]
     if record.selector is not None:
@@ -53,7 +56,7 @@ def _read_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
     lines: list[str] = []
     properties: list[str] = []
     for member in members_of(record):
-        statements, expression = _read_member(member, names)
+        statements, expression = _read_member(record, member, names)
         lines += statements
         if member.key:
             properties.append(f"{member.key}: {expression},")
@@ -65,13 +68,13 @@ def _read_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
     return [f"function {name}({parameters}) {{", *(f"  {line}" for line in body), "}"]
 
 
-def _read_member(member: Member, names: Names) -> tuple[list[str], str]:
+def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[list[str], str]:
     """The statements that read and check a field, and the expression of its value."""
     field = member.field
     if field.field.reserved and not member.key:
         return [], ""
     if field.is_list:
-        return _read_list(member, names), member.variable
+        return _read_list(record, member, names), member.variable
     if field.record is not None:
         inner = names.records[field.record.record.name]
         return [f"const {member.variable} = read{inner}(b, {place('o', field.offset)});"], member.variable
@@ -81,12 +84,17 @@ def _read_member(member: Member, names: Names) -> tuple[list[str], str]:
     return list(reading.lines), reading.expression
 
 
-def _read_list(member: Member, names: Names) -> list[str]:
+def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
     field = member.field
     start = place("o", field.offset)
     count = str(field.count) if field.count is not None else f"Math.floor((end - ({start})) / {field.size})"
+    room = record.room_of(field)
+    if room is not None:
+        number = _count_number(record, room, names)
+        number = f"({plus(number, -room.plus)})" if room.plus else number
+        count = number if room.unit == room.element else f"{number} / {room.element}"
     if field.record is not None:
-        element, checks = f"read{names.records[field.record.record.name]}(b, at)", []
+        element, checks = _element(record, field, names.records[field.record.record.name], names), []
     else:
         reading = slot_of(field, names).read("item", "at", 0)
         element, checks = reading.expression, list(reading.lines)
@@ -97,6 +105,16 @@ def _read_list(member: Member, names: Names) -> list[str]:
         *(f"  {line}" for line in [*checks, *push]),
         "}",
     ]
+
+
+def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names) -> str:
+    """The expression of an element that is a record, with the bytes that it has where these differ."""
+    assert field.record is not None
+    if field.record.size is not None:
+        return f"read{name}(b, at)"
+    lists = [own.name for own in record.record.fields if own.repeat is not None]
+    tail = f"inner{names.records[record.name]}.lists[{lists.index(field.name)}].tail"
+    return f"check{name}(b, at, at + elementBytes({tail}, b.subarray(at, at + {field.size})))"
 
 
 def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:
@@ -120,15 +138,30 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
     slot = slot_of(field, names)
     number, at = slot.number("o", field.offset), place("o", field.offset)
     if other.count is not None:
-        items = other.count if other.is_list else 1
-        measured = str(items * other.size if measure.of == "bytes" else items)
+        measured = str(measure.number(other.count if other.is_list else 1, other.size))
+    elif (room := record.room_of(other)) is not None:
+        if room.count == field.name:
+            return []
+        unit = room.unit if measure.of == "bytes" else room.unit / room.element
+        units = _count_number(record, room, names)
+        units = f"({plus(units, -room.plus)})" if room.plus else units
+        measured = units if unit == 1 else f"{units} * {room.unit}" if unit > 1 else f"{units} / {room.element}"
+        measured = plus(measured, measure.plus)
     else:
         left = f"(end - o - {other.offset})"
         measured = left if measure.of == "bytes" or other.size == 1 else f"{left} / {other.size}"
+        measured = plus(measured, measure.plus)
     expected = f"BigInt({measured})" if slot.wide else measured
     detail = f"`but there are ${{{measured}}}`"
     wrong = throw_wrong_number("wrong_measure", field.name, number, detail, at)
     return [f"if ({number} !== {expected}) {wrong}"]
+
+
+def _count_number(record: RecordLayout, room: InnerList, names: Names) -> str:
+    """The expression of the number in an image that counts a list which has another one behind it."""
+    count = record.named(room.count)
+    assert count is not None
+    return slot_of(count, names).number("o", count.offset)
 
 
 def _select(record: RecordLayout, name: str, names: Names) -> list[str]:

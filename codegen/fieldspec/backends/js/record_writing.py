@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.backends.js.declaration import Names
+from fieldspec.backends.js.inner_lists import write_lists
 from fieldspec.backends.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.backends.js.record_reading import CHOOSES_NOTHING
-from fieldspec.backends.js.text import literal
+from fieldspec.backends.js.text import literal, plus
 from fieldspec.backends.js.values import place, throw_wrong_number
 from fieldspec.backends.js.widths import write_widths
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -19,9 +20,8 @@ def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
     lines: list[str] = []
     if record.spans:
         return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
-    if record.inner_list is not None:
-        fields = [*_write_fields(record, f"writeImage{name}", names), *_count_bytes(record, f"size{name}")]
-        return [*fields, *_place_list(name)]
+    if record.inner_lists is not None:
+        return [*_write_fields(record, f"writeImage{name}", names), *write_lists(record, name, names)]
     for suffix, shape in shapes_of(record):
         lines += _write_fields(shape, f"write{name}{suffix}", names)
         if shape.size is None:
@@ -80,9 +80,9 @@ def _write_implied(record: RecordLayout, member: Member, names: Names, keys: Map
     if measure is not None and other is not None:
         unit = other.size if measure.of == "bytes" else 1
         if other.count is not None:
-            return slot.constant((other.count if other.is_list else 1) * unit, "o", field.offset)
+            return slot.constant(measure.number(other.count if other.is_list else 1, other.size), "o", field.offset)
         length = f"value.{keys[other.name]}.length"
-        count = length if unit == 1 else f"{length} * {unit}"
+        count = plus(length if unit == 1 else f"{length} * {unit}", measure.plus)
         count = f"BigInt({count})" if slot.wide else count
         return [f"const {member.variable} = {count};", *slot.write(member.variable, "o", field.offset)]
     number = slot.value.const
@@ -105,16 +105,6 @@ def _count_bytes(record: RecordLayout, name: str) -> list[str]:
     length = f"listLength({literal(field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
     size = length if field.size == 1 else f"{length} * {field.size}"
     return [f"function {name}(value) {{", f"  return {field.offset} + {size};", "}"]
-
-
-def _place_list(name: str) -> list[str]:
-    """The function that writes a value with fields behind a list."""
-    return [
-        f"function write{name}(value, b, o) {{",
-        f"  writeImage{name}(value, b, o);",
-        f"  placeList(inner{name}, b, o, o + size{name}(value));",
-        "}",
-    ]
 
 
 def _select(record: RecordLayout, name: str) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.backends.fact_texts import cited, described, sentence
 from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.inner_lists import list_table
 from fieldspec.backends.js.members import Member, members_of, most_bytes
 from fieldspec.backends.js.record_reading import checked_read, read_functions
 from fieldspec.backends.js.record_writing import write_functions
@@ -22,10 +23,9 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
     """The codec of a record, `name`, and the interface of its values; `head` begins its documentation."""
     members = [member for member in members_of(record) if member.key]
     units = {member.key: unit for member in members if (unit := _unit(record, member.field, names)) is not None}
-    inner = record.inner_list
     code = [
         *width_table(record, name),
-        *([f"const inner{name} = {{ first: {inner.first}, behind: {inner.behind} }};"] if inner is not None else []),
+        *list_table(record, name),
         *read_functions(record, name, names),
         *write_functions(record, name, names),
         *checked_read(record, name, names),

@@ -27,6 +27,11 @@ def flag(condition: bool) -> str:
     return "true" if condition else "false"
 
 
+def plus(expression: str, number: int) -> str:
+    """The sum of an expression and a number."""
+    return f"{expression} {'+' if number > 0 else '-'} {abs(number)}" if number else expression
+
+
 def comment(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
     """The lines of a documentation comment, none where all paragraphs are blank.
 

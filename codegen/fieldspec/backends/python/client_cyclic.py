@@ -72,8 +72,10 @@ def initial_bytes(record: RecordLayout) -> bytes:
 
     Raises NoTask for a number whose words are exchanged or that is sent as digits, and for fields behind a list.
     """
-    if record.inner_list is not None:
-        raise NoTask(f"fields come behind {record.inner_list.name}, which repeats")
+    if record.inner_lists is not None:
+        raise NoTask(
+            f"{record.inner_lists.lists[0].name} is a list with fields behind it, or of elements that differ in size"
+        )
     data = bytearray(record.size or 0)
     for field in record.fields:
         value = field.value

@@ -126,10 +126,10 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
         return around + record.first_bytes, 0, -2, 0
     measures = [field for field in record.fields if record.has_place(field) and _measures(field, tail, frame)]
     measure = min(measures, key=lambda field: field.size, default=None)  # one byte is read faster than two
-    if measure is None or measure.field.measures is None or tail.cases or record.spans:
+    if measure is None or measure.field.measures is None or tail.cases or record.spans or not record.has_single_list:
         return 0, 0, -1, 0
-    unit = 1 if measure.field.measures.of == "bytes" else tail.size
-    return around + tail.offset, frame.header_size + measure.offset, measure.size, unit
+    unit, plus = measure.field.measures.unit(tail.size), measure.field.measures.plus
+    return around + tail.offset - plus * unit, frame.header_size + measure.offset, measure.size, unit
 
 
 def _measures(field: FieldLayout, tail: FieldLayout, frame: FrameLayout) -> bool:

@@ -69,7 +69,7 @@ _SHARED = {
     "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_inner_lists": "InnerList",
+    "_inner_lists": "InnerList InnerLists",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",
     "_quantities": "Conversion PowerUnit",

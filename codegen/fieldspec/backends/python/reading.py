@@ -8,6 +8,7 @@ from fieldspec.backends.python.registers import value_expression
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import digits_form, text_form, tuple_of
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.record import CaseLayout, RecordLayout
 from fieldspec.model.value import Kind
 
@@ -31,21 +32,47 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
     return [f"{star}{local(field)}"]
 
 
-def sources(field: Slots, at: int) -> str:
+@dataclass(frozen=True, slots=True)
+class ListPlace:
+    """A place in a tuple `raws`: behind so many slots, and behind so many of all lists, whose sizes are in `counts`."""
+
+    slots: int
+    lists: int
+    total: int
+
+    def behind(self, field: Slots) -> ListPlace:
+        """The place behind a field."""
+        if field.repeated and not field.decided:
+            return replace(self, lists=self.lists + 1)
+        return replace(self, slots=self.slots + (0 if field.skipped else field.parted or field.count))
+
+    def text(self, lists: int = 0) -> str:
+        """The place, or the one behind more lists, as an expression: `5 + counts[0]`."""
+        return " + ".join([str(self.slots), *(f"counts[{number}]" for number in range(self.lists + lists))])
+
+    @property
+    def rest(self) -> str:
+        """The slice of the list that begins here."""
+        if self.lists + 1 < self.total:
+            return f"{self.text()} : {self.text(1)}"
+        return f"{self.text()} :" if self.lists else f"{self.slots}:"
+
+
+def sources(field: Slots, at: ListPlace) -> str:
     """The raw value of a field in a tuple `raws`, from a place on."""
     if field.repeated or field.decided:
-        return f"raws[{at}:]"
+        return f"raws[{at.rest}]"
     if field.is_list:
-        return f"raws[{at}:{at + field.count}]"
-    return f"raws[{at}]"
+        return f"raws[{at.slots}:{at.slots + field.count}]"
+    return f"raws[{at.slots}]"
 
 
-def indexed(field: Slots, owner: str, at: int) -> list[str]:
+def indexed(field: Slots, owner: str, at: ListPlace) -> list[str]:
     """Lines that take the raw values of a field from a tuple `raws`."""
     if field.skipped or (field.field.field.reserved and not field.field.field.measures):
         return []
     if field.parted:
-        return [f"{local(field)}__{part} = raws[{at + part}]" for part in range(field.parted)]
+        return [f"{local(field)}__{part} = raws[{at.slots + part}]" for part in range(field.parted)]
     if (field.is_raw or field.deferred) and field.stored:
         source = sources(field, at)
         return [f"{owner}.{field.slot} = {f'list({source})' if field.is_list else source}"]

@@ -79,7 +79,7 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
     measure = field.field.field.measures
     if measure is not None:
         other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
-        size = max(other.count, 1) * (other.field.size if measure.of == "bytes" else 1)
+        size = measure.number(max(other.count, 1), other.field.size)
         return pairs(Ranges(((size, size),)))
     if field.constant is not None:
         return pairs(Ranges(((field.constant, field.constant),)))

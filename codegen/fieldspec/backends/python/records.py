@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.python.constructors import ConstructorView, constructor_view
+from fieldspec.backends.python.inner_lists import inner_lists_lines
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
 from fieldspec.backends.python.quantities import (
     ConstantView,
@@ -13,6 +14,7 @@ from fieldspec.backends.python.quantities import (
 )
 from fieldspec.backends.python.reading import (
     CASE,
+    ListPlace,
     choice_lines,
     decided_read,
     decided_values,
@@ -65,6 +67,11 @@ class RecordShape:
         return last if last is not None and last.repeated and not last.decided else None
 
     @property
+    def lists(self) -> list[Slots]:
+        """The fields that are repeated as often as the data or another field says."""
+        return [field for field in self.fields if field.repeated]
+
+    @property
     def selector(self) -> Slots | None:
         """The field that decides the type of the last one."""
         by = self.record.selector
@@ -109,6 +116,7 @@ class RecordView:
     constructor: ConstructorView
     size: int | None
     image: str = ""
+    image_counts: bool = False
     columns: tuple[str, ...] = ()
 
 
@@ -134,6 +142,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     sentinels = sentinel_views(stored, constants)
     units, powers = power_views(record, stored, scope, constants, name)
     read, taken = _read(shaped, upper)
+    taken = [*taken, *_sent_elements(shaped, upper)]
     return RecordView(
         name=name,
         declared=_declared(shaped, upper),
@@ -155,7 +164,8 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         match_args=_quoted("__match_args__", names),
         constructor=constructor_view(stored, scaled),
         size=record.size,
-        image=f"{upper}_WIDTHS" if record.spans else f"{upper}_LIST" if record.inner_list is not None else "",
+        image=f"{upper}_WIDTHS" if record.spans else f"{upper}_STRUCT" if record.inner_lists is not None else "",
+        image_counts=record.inner_lists is not None,
     )
 
 
@@ -164,9 +174,10 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
     if shaped.selector is not None:
         return choice_lines(f"{upper}_STRUCT", shaped.record, shaped.fields, letters, shaped.order)
     if shaped.tail is not None:
-        repeated = f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"
-        inner = shaped.record.inner_list
-        return [repeated, *([f"{upper}_LIST = _InnerList({inner.first}, {inner.behind})"] if inner is not None else [])]
+        inner = shaped.record.inner_lists
+        if inner is not None:
+            return inner_lists_lines(f"{upper}_STRUCT", shaped.record.name, shaped.lists, inner, letters)
+        return [f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
     packing = filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
     return [*packing, *_widths(shaped.record, upper)]
 
@@ -194,6 +205,9 @@ def _pack(shaped: RecordShape, upper: str) -> str:
     number = f"len({local(last)})" if last is not None and last.is_list else "1"
     if shaped.selector is not None:
         return f"{CASE}.structs[{number}].pack"
+    if shaped.record.inner_lists is not None:
+        numbers = ", ".join(f"len({local(field)})" for field in shaped.lists)
+        return f"{upper}_STRUCT[{numbers}{',' * (len(shaped.lists) == 1)}].pack"
     return f"{upper}_STRUCT[{number}].pack" if shaped.tail is not None else f"{upper}_PACK"
 
 
@@ -209,10 +223,22 @@ def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
         lines, taken = unpacking_lines(shaped, "record", f"{upper}_UNPACK(data)", 12)
         tried = [f"    {line}" for line in lines]
         return [new_record, "try:", *tried, "except _StructError:", f"{wrong}) from None"], taken
+    if shaped.record.inner_lists is not None:
+        lines, taken = unpacking_lines(shaped, "record", f"{struct}[counts].unpack(data)", 8)
+        return [new_record, *lines], taken
     fixed_size, unit = sum(field.field.size * field.count for field in shaped.fields), tail.field.size
     lines, taken = unpacking_lines(shaped, "record", _unpacked(struct, fixed_size, unit), 8)
     test = f"if {_length_test(record, fixed_size, unit)}:"
     return [test, f"{wrong}, {fixed_size}, {unit})", new_record, *lines], taken
+
+
+def _sent_elements(shaped: RecordShape, upper: str) -> list[str]:
+    """Lines that take what is sent of the elements that differ in size, of which the image has all bytes."""
+    differing = [field for field in shaped.lists if field.field.record is not None and field.field.record.size is None]
+    names = [inner.name for inner in shaped.record.inner_lists.lists] if shaped.record.inner_lists is not None else []
+    return [
+        f"{local(field)} = {upper}_STRUCT.elements({names.index(field.title)}, {local(field)})" for field in differing
+    ]
 
 
 def _quoted(variable: str, names: list[str]) -> list[str]:
@@ -249,10 +275,10 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
             return [f"{case}raws = {source}", *unpacked(names, "raws", indent)], []
         return unpacked(names, source, indent), []
     lines: list[str] = []
-    place = 0
+    place = ListPlace(0, 0, len(shaped.lists))
     for field in shaped.fields:
         lines += indexed(field, owner, place)
-        place += 0 if field.skipped else field.parted or field.count
+        place = place.behind(field)
     return [f"{case}raws = {source}"], lines
 
 

@@ -211,10 +211,17 @@ def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:
     measure = field.field.field.measures
     assert measure is not None
     size = decided if other.decided else str(other.field.size)
+    if not other.is_list and not other.decided:
+        return str(measure.number(1, other.field.size))
     if not other.is_list:
-        return size if measure.of == "bytes" else "1"
+        return plus(size if measure.of == "bytes" else "1", measure.plus)
     items = f"len({expression})"
-    return f"{items} * {size}" if measure.of == "bytes" and size != "1" else items
+    return plus(f"{items} * {size}" if measure.of == "bytes" and size != "1" else items, measure.plus)
+
+
+def plus(expression: str, number: int) -> str:
+    """The sum of an expression and a number."""
+    return f"{expression} {'+' if number > 0 else '-'} {abs(number)}" if number else expression
 
 
 def refusal(field: Slots) -> str:

@@ -160,9 +160,10 @@ class Content:
                 continue
             if other.count is not None:
                 items = other.count if other.is_list else 1
-                measured = str(items * other.size if measure.of == "bytes" else items)
+                measured = str(measure.number(items, other.size))
             else:
-                measured = self.dialect.units(data, other.offset, 1 if measure.of == "bytes" else other.size)
+                measured = self.dialect.units(data, other.offset, measure.unit(other.size))
+                measured = f"({measured} + {measure.plus})" if measure.plus else measured
             number = self.dialect.whole(data, _slot(own, own.value))
             self.refusals.append((self.dialect.compared(number, "<>", measured), "wrong_measure"))
 

@@ -15,7 +15,8 @@ from fieldspec.model.device import Device
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.frames import FrameCodec
-from fieldspec.reference.records import CodecError, decoded, decoded_value, encoded, value_construct
+from fieldspec.reference.records import CodecError, decoded, decoded_value, encoded
+from fieldspec.reference.structs import value_construct
 
 
 @dataclass(frozen=True, slots=True)

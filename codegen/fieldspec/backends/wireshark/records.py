@@ -48,7 +48,8 @@ def field_data(
         "errata": errata_data(layout.device, own),
     }
     if own.measures is not None:
-        data["measures"] = {"of": own.measures.of, "field": own.measures.field}
+        plus = {"plus": own.measures.plus} if own.measures.plus else {}
+        data["measures"] = {"of": own.measures.of, "field": own.measures.field, **plus}
     if field.record is not None:
         row: dict[str, Data] = {"title": title_of(own), "text": description(own), "type": "NONE"}
         return {**data, "record": field.record.name, "filter": filters.take(names, row)}
@@ -160,11 +161,12 @@ def _extent(record: RecordLayout) -> Data:
     for field in record.fields:
         measures = field.field.measures
         if measures is not None and measures.field == tail.name and field.value is not None and field.size <= 4:
+            unit = measures.unit(tail.size)
             extent: dict[str, Data] = {
                 "offset": field.offset,
                 "value": value_data(field.value, field.order, field.swapped),
-                "fixed": tail.offset,
-                "unit": 1 if measures.of == "bytes" else tail.size,
+                "fixed": tail.offset - measures.plus * unit,
+                "unit": unit,
             }
             return extent
     return None

@@ -200,8 +200,8 @@ def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, what: s
 def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
     beside = pair.old.place.path.rpartition("/")[0]
     old, new = _measure(pair.old.measures), _measure(pair.new.measures)
-    if pair.old.measures is not None:
-        old = _measure(Measure(pair.old.measures.of, comparison.renamed_to(beside, pair.old.measures.field)))
+    if (measure := pair.old.measures) is not None:
+        old = _measure(Measure(measure.of, comparison.renamed_to(beside, measure.field), measure.plus))
     if old != new:
         yield _role_text(pair, "measures", "what it measures", old, new)
     by = comparison.renamed_to(beside, pair.old.choice.by) if pair.old.choice else ""
@@ -214,7 +214,8 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
 
 
 def _measure(measure: Measure | None) -> str:
-    return f"the {measure.of} of {measure.field}" if measure else ""
+    plus = f" plus {measure.plus}" if measure and measure.plus else ""
+    return f"the {measure.of} of {measure.field}{plus}" if measure else ""
 
 
 def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str:

@@ -6,6 +6,7 @@ from fieldspec.explain.row import errata_of_message
 from fieldspec.explain.script.literals import Data
 from fieldspec.explain.script.values import fact_data, stated, value_data
 from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.inner_lists import inner_lists_data
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import Span, span_data, value_form
 from fieldspec.model.device import Device
@@ -14,7 +15,7 @@ from fieldspec.model.record import RegisterAccess
 
 def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
     """A record; `chosen` has its forms by the values of the field that decides them. `words` is the order of words."""
-    inner = record.inner_list
+    inner = record.inner_lists
     forms: dict[int, tuple[RecordLayout, list[int]]] = {}
     for number, form in record.chosen.items():
         forms.setdefault(id(form), (form, []))[1].append(number)
@@ -24,7 +25,7 @@ def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
         **stated({"most": record.most, "size": record.size}),
         "fields": [_field(field, words) for field in record.fields],
         **stated({"spans": [_span(span) for span in record.spans]}),
-        **({"inner": {"first": inner.first, "behind": inner.behind}} if inner is not None else {}),
+        **({"inner": inner_lists_data(inner)} if inner is not None else {}),
         **stated(
             {
                 "selector": record.selector.name if record.selector is not None else "",
@@ -42,6 +43,7 @@ def _span(span: Span) -> dict[str, Data]:
 def _field(field: FieldLayout, words: str) -> dict[str, Data]:
     own = field.field
     measures, repeat = own.measures, own.repeat
+    plus = [measures.plus] if measures is not None and measures.plus else []
     return {
         **fact_data(own),
         "name": field.name,
@@ -58,7 +60,7 @@ def _field(field: FieldLayout, words: str) -> dict[str, Data]:
                 "record": field.record.name if field.record is not None else "",
                 "cases": bool(field.cases),
                 "reserved": own.reserved,
-                "measures": [measures.of, measures.field] if measures is not None else None,
+                "measures": [measures.of, measures.field, *plus] if measures is not None else None,
                 "sameAs": own.same_as,
                 "signal": own.signal,
             }

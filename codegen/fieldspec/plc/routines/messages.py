@@ -202,10 +202,10 @@ def _measure(record: RecordLayout, field: FieldLayout, fields: Fields, element: 
     other = record.named(measure.field)
     assert other is not None
     if other.field.repeat is None or fields.count is None:
-        return number((other.count or 1) * (other.size if measure.of == "bytes" else 1))
+        return number(measure.number(other.count or 1, other.size))
     if measure.of != "bytes" or element == number(1):
-        return fields.count
-    return Operation("*", (fields.count, element), INT)
+        return plus(fields.count, measure.plus)
+    return plus(Operation("*", (fields.count, element), INT), measure.plus)
 
 
 def _write_length(

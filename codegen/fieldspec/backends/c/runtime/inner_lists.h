@@ -1,33 +1,175 @@
 /* ---- inner_lists ---- */
 
-/** Writes the image of a record with a list that begins at `first` and that `behind` bytes follow: there it comes last. */
-static inline void device_take_list(const uint8_t *in, size_t length, size_t first, size_t behind, uint8_t *out)
+/**
+ * A list with fields behind it, which begins behind `first` bytes of other fields, and at `room` in the image of its
+ * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
+ * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
+ * `count_size` of 0 is that of the list whose size the data decide. `tail` is the list at the end of each element whose
+ * elements differ in size; each has `element` bytes in the image.
+ */
+typedef struct device_inner_list {
+    size_t first;
+    size_t room;
+    size_t element;
+    size_t least;
+    size_t most;
+    size_t count_at;
+    size_t count_size;
+    size_t unit;
+    long plus;
+    bool is_little;
+    const struct device_inner_list *tail;
+} device_inner_list;
+
+/** The bytes of a list, as its count in an image says; SIZE_MAX for a count below the least one. */
+static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
-    size_t at, room = length < first + behind ? 0u : length - first - behind;
-    for (at = 0; at < length; at++) {
-        size_t from = at;
-        if (length >= first + behind && at >= first) {
-            from = at < first + behind ? at + room : at - behind;
-        }
-        out[at] = in[from];
+    const uint8_t *count = image + list->count_at;
+    size_t number = count[0];
+    if (list->count_size > 1u) {
+        number = list->is_little ? number + count[1] * 256u : number * 256u + count[1];
     }
+    if (list->plus > 0 && number < (size_t)list->plus) {
+        return SIZE_MAX;
+    }
+    return (list->plus < 0 ? number + (size_t)-list->plus : number - (size_t)list->plus) * list->unit;
 }
 
-/** Turns bytes around. */
-static inline void device_turn(uint8_t *bytes, size_t length)
+static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t size)
 {
     size_t at;
-    for (at = 0; at < length / 2u; at++) {
-        uint8_t byte = bytes[at];
-        bytes[at] = bytes[length - 1u - at];
-        bytes[length - 1u - at] = byte;
+    for (at = 0; at < size; at++) {
+        to[at] = from[at];
     }
 }
 
-/** Moves the list in the image of a record to where it is sent. */
-static inline void device_place_list(uint8_t *bytes, size_t length, size_t first, size_t behind)
+/** The bytes of an element that ends with a list, in `left` bytes that begin with it; 0 for a wrong count. */
+static inline size_t device_element_size(const device_inner_list *tail, const uint8_t *in, size_t left)
 {
-    device_turn(bytes + first, behind);
-    device_turn(bytes + first + behind, length - first - behind);
-    device_turn(bytes + first, length - first);
+    size_t size;
+    if (left < tail->room) {
+        return tail->room;
+    }
+    size = device_list_size(tail, in);
+    return size < tail->least || size > tail->most || size % tail->element != 0u ? 0u : tail->room + size;
+}
+
+/**
+ * Writes the image of a list whose elements differ in size: as many of them as have `size` bytes there, or all to the
+ * end, where that is SIZE_MAX. `*size` receives the bytes in the image, `*taken` those that were read.
+ */
+static inline device_codec_status device_take_elements(const device_inner_list *list, const uint8_t *in, size_t left,
+        uint8_t *image, size_t *size, size_t *taken)
+{
+    size_t from = 0, to = 0;
+    while (*size == SIZE_MAX ? from < left : to < *size) {
+        size_t own;
+        if (to == list->most) {
+            return DEVICE_ERR_WRONG_LENGTH;
+        }
+        own = device_element_size(list->tail, in + from, left - from);
+        if (own == 0u) {
+            return DEVICE_ERR_WRONG_MEASURE;
+        }
+        if (own > left - from) {
+            return DEVICE_ERR_INCOMPLETE;
+        }
+        device_copy_bytes(image + to, in + from, own);
+        from += own;
+        to += list->element;
+    }
+    *size = to;
+    *taken = from;
+    return to < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
+}
+
+/** Writes the image of a record with lists, whose other fields have `fixed` bytes. */
+static inline device_codec_status device_take_lists(const device_inner_list *lists, size_t count, size_t fixed,
+        const uint8_t *in, size_t length, uint8_t *image, size_t *image_length)
+{
+    size_t index, at = 0, from = 0;
+    *image_length = fixed;
+    for (index = 0; index < count; index++) {
+        const device_inner_list *list = &lists[index];
+        size_t left, size = SIZE_MAX, taken;
+        if (length - from < fixed - at) {
+            return DEVICE_ERR_INCOMPLETE;
+        }
+        device_copy_bytes(image + at, in + from, list->first - at);
+        from += list->first - at;
+        at = list->first;
+        left = length - from - (fixed - at);
+        if (list->count_size != 0u) {
+            size = device_list_size(list, image);
+            if (size < list->least || size > list->most || size % list->element != 0u) {
+                return DEVICE_ERR_WRONG_MEASURE;
+            }
+        }
+        if (list->tail != NULL) {
+            device_codec_status status = device_take_elements(list, in + from, left, image + list->room, &size, &taken);
+            if (status != DEVICE_OK) {
+                return status;
+            }
+        } else {
+            if (size != SIZE_MAX && size > left) {
+                return DEVICE_ERR_INCOMPLETE;
+            }
+            size = size == SIZE_MAX ? left : size;
+            if (size > list->most) {
+                return DEVICE_ERR_WRONG_LENGTH;
+            }
+            device_copy_bytes(image + list->room, in + from, size);
+            taken = size;
+        }
+        from += taken;
+        *image_length = list->room + size;
+    }
+    device_copy_bytes(image + at, in + from, fixed - at);
+    return DEVICE_OK;
+}
+
+/** Writes what is sent of a list that has `size` bytes in an image, unless `out` is NULL; the number of these bytes. */
+static inline size_t device_place_list(const device_inner_list *list, const uint8_t *image, size_t size, uint8_t *out)
+{
+    size_t from, to = 0;
+    if (list->tail == NULL) {
+        if (out != NULL) {
+            device_copy_bytes(out, image, size);
+        }
+        return size;
+    }
+    for (from = 0; from < size; from += list->element) {
+        size_t own = device_element_size(list->tail, image + from, list->element);
+        if (out != NULL) {
+            device_copy_bytes(out + to, image + from, own);
+        }
+        to += own;
+    }
+    return to;
+}
+
+/** Writes what is sent of the image of a record with lists. */
+static inline device_codec_status device_place_lists(const device_inner_list *lists, size_t count, size_t fixed,
+        const uint8_t *image, size_t image_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t index, at = 0, to = 0, total = fixed;
+    for (index = 0; index < count; index++) {
+        const device_inner_list *list = &lists[index];
+        size_t size = list->count_size != 0u ? device_list_size(list, image) : image_length - list->room;
+        total += device_place_list(list, image + list->room, size, NULL);
+    }
+    if (capacity < total) {
+        return DEVICE_ERR_CAPACITY;
+    }
+    for (index = 0; index < count; index++) {
+        const device_inner_list *list = &lists[index];
+        size_t size = list->count_size != 0u ? device_list_size(list, image) : image_length - list->room;
+        device_copy_bytes(out + to, image + at, list->first - at);
+        to += list->first - at;
+        at = list->first;
+        to += device_place_list(list, image + list->room, size, out + to);
+    }
+    device_copy_bytes(out + to, image + at, fixed - at);
+    *length = total;
+    return DEVICE_OK;
 }

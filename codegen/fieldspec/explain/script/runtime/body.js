@@ -1,4 +1,4 @@
-import { placeAround } from "../lists.js";
+import { extentsIn, placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
@@ -20,6 +20,17 @@ function withPercentages(device, row, field, number) {
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
 
+/** The fields of a record with fields behind a list, in the order of the wire. */
+function sentFields({ fields, inner, named }) {
+  const others = fields.filter(({ repeat }) => !repeat);
+  const sent = [];
+  for (const { name, first } of inner.lists) {
+    while (others.length && others[0].offset < first) sent.push(others.shift());
+    sent.push(named.get(name));
+  }
+  return [...sent, ...others];
+}
+
 /**
  * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
  * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
@@ -30,6 +41,8 @@ export class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
+    const { inner } = this.record;
+    Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
     this.rows = [];
     this.explainFields();
   }
@@ -63,25 +76,61 @@ export class ExplainedBody {
 
   /** Adds the rows of a record with fields behind a list, in the order of the wire. */
   explainAround() {
-    const { fields, inner } = this.record;
-    const list = fields.at(-1);
-    const before = fields.slice(0, -1).filter(({ offset }) => offset < inner.first);
-    const sent = [...before, list, ...fields.slice(before.length, -1)];
-    const isWhole = this.end - this.start >= inner.first + inner.behind;
+    const sent = sentFields(this.record);
     let at = this.start;
+    let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
-      const isInner = field === list;
-      const count = this.countOf(field);
-      const stop = isInner && isWhole ? this.end - inner.behind : this.end;
-      const room = isInner && !isWhole ? 0 : Math.max(0, Math.min(count, Math.floor((stop - at) / field.size)));
-      this.explainField(field, at, room);
-      at += room * field.size;
-      if (room < count || (isInner && !isWhole)) {
-        this.rows.push(this.missingRow(isWhole ? [field] : sent.slice(number), at, stop));
-        if (!isWhole) return;
-      } else if (isInner && at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
-      if (isInner) at = stop;
+      if (!field.repeat) {
+        const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
+        this.explainField(field, at, room);
+        at += room * field.size;
+        if (room < field.count) {
+          this.rows.push(this.missingRow(sent.slice(number), at));
+          return;
+        }
+        continue;
+      }
+      if (numberOfList === this.extents.length) {
+        this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
+        return;
+      }
+      const { size, elements } = this.extents[numberOfList++];
+      const stop = at + size;
+      const count = this.itemsOf(field);
+      this.explainField(field, at, count, elements);
+      at = elements.length ? stop : at + count * field.size;
+      if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
+      else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      at = stop;
     }
+  }
+
+  /** The row from a list on whose bytes nobody knows. */
+  unknownListRow(fields, list, at) {
+    const [{ name }] = fields;
+    if (this.hasWrongCount(list)) {
+      const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
+      return this.wrongRow(fields[0], at, "wrong_measure", text);
+    }
+    if (list.tail) {
+      const text = `the elements of ${name} do not end with their bytes: see byte ${this.start + this.fault.at}`;
+      return this.wrongRow(fields[0], at, this.fault.reason, text);
+    }
+    if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
+    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
+  }
+
+  /** How many elements of a list of a record with fields behind a list there are. */
+  itemsOf(field) {
+    const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
+    const { size, elements } = this.extents[number];
+    return this.record.inner.lists[number].tail ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+  }
+
+  /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
+  hasWrongCount(list) {
+    if (!list.length || this.fault?.reason !== "wrong_measure") return false;
+    return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
   /** Adds the rows of a record whose values vary in width. */
@@ -135,31 +184,36 @@ export class ExplainedBody {
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  explainField(field, at, count) {
+  /** Adds the rows of the elements of a field; `sizes` are those that differ. */
+  explainField(field, at, count, sizes = []) {
     const values = [];
+    let place = at;
     for (let index = 0; index < count; index++) {
       const path = field.isList ? `${field.name}[${index}]` : field.name;
-      values.push(this.explainElement(field, path, at + index * field.size, index));
+      const size = sizes[index] ?? field.size;
+      values.push(this.explainElement(field, path, place, index, size));
+      place += size;
     }
     if (field.isList) this.values.set(field.name, values);
     else if (values.length) this.values.set(field.name, values[0]);
   }
 
-  explainElement(field, path, at, index) {
-    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
+  explainElement(field, path, at, index, size) {
+    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at, size);
     return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
-  explainRecord(record, path, at) {
+  explainRecord(record, path, at, size) {
     const values = new Map();
     for (const field of record.fields) {
       const elements = [];
-      for (let index = 0; index < (field.count ?? 0); index++) {
+      const count = field.count ?? Math.floor((size - field.offset) / field.size);
+      for (let index = 0; index < count; index++) {
         const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
         const place = at + field.offset + index * field.size;
         elements.push(field.record
-          ? this.explainRecord(this.device.records.get(field.record), inner, place)
+          ? this.explainRecord(this.device.records.get(field.record), inner, place, field.size)
           : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
@@ -170,8 +224,10 @@ export class ExplainedBody {
   /** The value of a field of a record, with its scale where another field beside it has the exponent. */
   byExponent({ value }, record, start) {
     const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
+    const { inner } = record;
     const place = exponent?.offset ?? 0;
-    const at = start + (record.inner ? placeAround(record.inner, this.end - this.start, place) : place);
+    if (inner && this.fault && place >= inner.lists[this.extents.length].first) return value;
+    const at = start + (inner ? placeAround(inner, this.extents, place) : place);
     if (!exponent || at + exponent.size > this.end) return value;
     return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
   }
@@ -197,14 +253,29 @@ export class ExplainedBody {
 
   /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
-    const [of, name] = field.measures ?? [];
+    const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
+    if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
     const items = other.isList ? most : 1;
-    const should = of === "bytes" ? items * other.size : items;
+    const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  /** The value of a field that measures a list of a record with fields behind a list. */
+  measuredList(field, other, read) {
+    const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
+    if (number < this.extents.length) {
+      const [of, , plus = 0] = field.measures;
+      const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
+      return judged(read, sameValue(read.number, should), should, "wrong_measure");
+    }
+    const list = this.record.inner.lists[number];
+    const { countName, least, most, unit, plus = 0 } = list;
+    if (number !== this.extents.length || countName !== field.name || !this.hasWrongCount(list)) return read;
+    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */

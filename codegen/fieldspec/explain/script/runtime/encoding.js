@@ -1,6 +1,6 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
-import { placeList } from "../lists.js";
+import { sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
@@ -19,6 +19,10 @@ function bytesOfNumber(number, size, order) {
 
 function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
+}
+
+function padded(bytes, size) {
+  return joinedBytes([bytes, new Uint8Array(size - bytes.length)]);
 }
 
 /** The bytes of one value. Throws CodecError where no codec takes it. */
@@ -99,14 +103,22 @@ export function encodeRecord(device, record, values) {
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(form.fields.map((field) => {
-    if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
-    const [of, name] = field.measures;
+    if (!field.measures) {
+      const list = form.inner?.lists.find(({ name }) => name === field.name);
+      const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      const own = joinedBytes(list?.tail ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      return list?.length ? padded(own, list.most) : own;
+    }
+    const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);
     const items = other.isList ? known.get(name).length : 1;
-    const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
+    const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  if (form.inner) placeList(form.inner, bytes, 0, bytes.length);
+  if (form.inner) {
+    const last = form.fields.at(-1);
+    return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
+  }
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 

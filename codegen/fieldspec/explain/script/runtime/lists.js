@@ -1,29 +1,144 @@
 import { CodecError } from "./error.js";
 
+/** The bytes of a list in the image, as its count in some bytes says. */
+function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  return (number - plus) * unit;
+}
+
+const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
+
+/** The bytes of an element that some bytes begin with, which ends with a list; -1 for a wrong count. */
+export function elementBytes(tail, bytes) {
+  if (bytes.length < tail.room) return tail.room;
+  const size = countedBytes(tail, bytes);
+  return isRight(tail, size) ? tail.room + size : -1;
+}
+
+/** The bytes of each element of a list whose elements differ in size, or why they are not known. */
+function elementsIn(list, data, size, start) {
+  const elements = [];
+  let at = 0;
+  while (size === null ? at < data.length : elements.length * list.element < size) {
+    if (elements.length * list.element === list.most) return { fault: { reason: "wrong_length", at: start + at } };
+    const own = elementBytes(list.tail, data.subarray(at));
+    if (own < 0) return { fault: { reason: "wrong_measure", at: start + at + list.tail.at } };
+    if (at + own > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
+    elements.push(own);
+    at += own;
+  }
+  if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
+  return { size: at, elements };
+}
+
 /**
- * The byte in data of a size for a byte of their image, in which a list comes last that begins `first` bytes behind the
- * start, and that `behind` bytes follow. Data with fewer bytes than these are their own image.
+ * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
+ * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
+ * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
+ * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the
+ * data decide. `tail` is the list at the end of each element whose elements differ in size.
  */
-export function placeAround({ first, behind }, size, at) {
-  if (at < first || size < first + behind) return at;
-  return at >= first + behind ? at - behind : at + size - first - behind;
+export function extentsIn({ fixed, lists }, data) {
+  const extents = [];
+  const image = [];
+  let before = 0;
+  for (const list of lists) {
+    const at = list.first + before;
+    const left = data.length - at - fixed + list.first;
+    if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
+    image.push(...data.subarray(image.length + before, at));
+    const counted = list.length ? countedBytes(list, image) : null;
+    if (counted !== null && !isRight(list, counted)) {
+      return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
+    }
+    const extent = list.tail
+      ? elementsIn(list, data.subarray(at, at + left), counted, at)
+      : { size: counted ?? left, elements: [] };
+    if (extent.fault) return { extents, fault: extent.fault };
+    if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    extents.push(extent);
+    before += extent.size;
+  }
+  return { extents, fault: null };
+}
+
+/** The byte in data, whose lists have some extents, for a byte of their image. */
+export function placeAround({ lists }, extents, at) {
+  let before = 0;
+  for (const [number, { first, room, length, most, element, tail }] of lists.entries()) {
+    const { size, elements } = extents[number] ?? { size: 0, elements: [] };
+    if (at >= room && (!length || at < room + most)) {
+      const index = tail ? Math.floor((at - room) / element) : 0;
+      return first + before + at - room - index * element + sumOf(elements.slice(0, index));
+    }
+    if (at < first) return at + before;
+    before += size;
+  }
+  return at + before;
+}
+
+const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
+
+/** The image of data whose lists have some extents. */
+function imageOf({ fixed, lists }, data, extents) {
+  const last = extents.at(-1);
+  const { room, element, tail } = lists.at(-1);
+  const image = new Uint8Array(room + (tail ? last.elements.length * element : last.size));
+  let [before, at] = [0, 0];
+  for (const [number, list] of lists.entries()) {
+    const { size, elements } = extents[number];
+    image.set(data.subarray(at + before, list.first + before), at);
+    let from = list.first + before;
+    for (const [index, own] of (list.tail ? elements : [size]).entries()) {
+      image.set(data.subarray(from, from + own), list.room + index * list.element);
+      from += own;
+    }
+    before += size;
+    at = list.first;
+  }
+  image.set(data.subarray(at + before, fixed + before), at);
+  return image;
 }
 
 /** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 export function readAround(inner, read, bytes, offset, end) {
-  const size = end - offset;
-  const image = Uint8Array.from({ length: size }, (_, at) => bytes[offset + placeAround(inner, size, at)]);
+  const data = bytes.subarray(offset, end);
+  const { extents, fault } = extentsIn(inner, data);
+  if (fault) {
+    const { name } = inner.lists[extents.length];
+    throw new CodecError(fault.reason, `${name} has another number of bytes`, offset + fault.at);
+  }
+  const image = imageOf(inner, data, extents);
   try {
-    return read(image, 0, size);
+    return read(image, 0, image.length);
   } catch (error) {
     if (!(error instanceof CodecError) || error.offset === null) throw error;
-    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, size, error.offset));
+    throw new CodecError(error.reason, error.detail, offset + placeAround(inner, extents, error.offset));
   }
 }
 
-/** Moves the list in the image of a record, the bytes from `start` to `end`, to where it is sent. */
-export function placeList({ first, behind }, bytes, start, end) {
-  const last = bytes.slice(start + first, start + first + behind);
-  bytes.copyWithin(start + first, start + first + behind, end);
-  bytes.set(last, end - behind);
+/** What is sent of an image whose last list has `last` bytes there. */
+export function sentOfImage({ fixed, lists }, image, last) {
+  const pieces = [];
+  let at = 0;
+  for (const list of lists) {
+    const { first, room, element, tail } = list;
+    const size = list.length ? countedBytes(list, image) : last;
+    pieces.push(...image.subarray(at, first));
+    for (let from = room; from < room + size; from += tail ? element : size) {
+      const own = tail ? elementBytes(tail, image.subarray(from, from + element)) : size;
+      pieces.push(...image.subarray(from, from + own));
+    }
+    at = first;
+  }
+  return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
+}
+
+/** The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. */
+export function elementsLength(items, codec) {
+  return items.reduce((sum, item) => {
+    codec.check(item);
+    return sum + codec.size(item);
+  }, 0);
 }
