@@ -239,7 +239,7 @@ class LinkLayout:
         if shared is None:
             return "no code" if code is None else f"{code:02X}"
         place = self.frame(direction).header_size + shared.offset
-        return f"{code:02X} with {shared.number_of(message):0{2 * shared.size}X} at byte {place}"
+        return f"{code:02X} with {' or '.join(shared.texts_of(message))} at byte {place}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
         """The messages in one direction: all requests, and the responses to those that are answered on the link."""

@@ -76,6 +76,8 @@ class Server:
         ):
             return Answer(b"", "another identifier")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
+        if coded is not None and coded.part.bits is not None and not frames.link.messages_with_code(int(code or 0)):
+            return Answer(b"", "another identifier")
         asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
         if asked is not None and asked.name not in frames.link.carried("response"):

@@ -82,11 +82,12 @@ def _frame(
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """What tells the message from others with its code, once for all links and directions where it is the same."""
     texts = dict.fromkeys(
-        f"0x{subcode.number_of(message_layout):0{2 * subcode.size}X}"
+        "..".join(f"0x{bound}" for bound in text.split(".."))
         for link in context.layout.links.values()
         for direction in DIRECTIONS
         for number, subcode in link.subcodes(direction).items()
         if number == message_layout.message.code and message_layout in subcode.messages.values()
+        for text in subcode.texts_of(message_layout)
     )
     if texts:
         yield "Subcode", (joined((code(text),) for text in texts),)
