@@ -59,6 +59,7 @@ COMPILERS = (
 QUIET = ("-Wno-unused-parameter", "-Wno-unused-function", "-Wno-type-limits", "-Wno-missing-braces")
 PROTOTYPE = re.compile(r"^(\w+) (\w+)\(\s*BOOL EN,\s*BOOL \*__ENO(.*?)\);", re.MULTILINE | re.DOTALL)
 RESULT = "VAR_RESULT"
+LEAST = str(-(2**63))
 
 
 @dataclass(frozen=True)
@@ -213,6 +214,9 @@ class Compiled(Machine):
         assert ran.returncode == 0, ran.stderr[-3000:]
         assert not ran.stderr, ran.stderr[-3000:]
         (place / "driver.c").write_text(self._driver((place / "POUS.h").read_text("utf-8")), "utf-8")
+        # C has no literal of the least number of 64 bits: gcc warns of the one that matiec writes.
+        source = place / "POUS.c"
+        source.write_text(source.read_text("utf-8").replace(LEAST, f"({LEAST[:-1]}7 - 1)"), "utf-8")
         unfinished = place / "unfinished"
         for name, *flags in COMPILERS:
             places = [*QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}", "-o", str(unfinished)]

@@ -12,12 +12,20 @@ from typing import Any
 import python_package
 from fieldspec.backends.python.backend import PACKAGE, files
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
 from python_package import built, class_of, codec_error, link_of, raw, raws, record_class
 from random_devices.queries import Answer, Query, flat, flat_value, refused
 
 _MODULES = (".chance",)
+_TAKEN = frozenset({"frame", "message", "request", "self", "unit_address"})
+"""The parameters of the generated functions that are no parts of a header."""
+
+
+def part_name(part: PartLayout) -> str:
+    """The parameter of a part of a header; one whose name Python or the function takes ends in an underscore."""
+    return part.name + "_" * (iskeyword(part.name) or part.name in _TAKEN)
 
 
 def module_of_device(layout: DeviceLayout, number: int) -> ModuleType:
@@ -108,7 +116,7 @@ class Python:
             assert part.value is not None
             if part.value.flags:
                 value = class_of(self.module, part.value.flags, "Flags")(value)
-            named[part.name + "_" * iskeyword(part.name)] = value
+            named[part_name(part)] = value
         return first, named
 
     def _frame_of(self, path: tuple[str, ...], head: dict[str, Any], content: Any, error: bool, code: Any) -> bytes:
@@ -139,9 +147,7 @@ class Python:
         for part in shape.header:
             if part.is_argument:
                 head[part.name] = raw(
-                    decoded.unit_address
-                    if part.role == "unit_address"
-                    else getattr(decoded, part.name + "_" * iskeyword(part.name))
+                    decoded.unit_address if part.role == "unit_address" else getattr(decoded, part_name(part))
                 )
         error = self.layout.links[link].link.exception_response
         refusal = error is not None and hasattr(decoded, "exception")

@@ -44,13 +44,18 @@ class RecordForm:
         return count_member(self.struct, field)
 
 
-def all_forms(record: RecordLayout) -> Iterator[tuple[RecordForm, dict[str, Any]]]:
-    """Each form of a record, and the value of the selector that chooses it."""
+def all_forms(device: Device, record: RecordLayout) -> Iterator[tuple[RecordForm, dict[str, Any]]]:
+    """Each form of a record, and the value of the selector that chooses it, if the selector may have it."""
     if record.selector is None:
         yield RecordForm(record, record, ""), {}
         return
     in_struct = record.selector in members(record)
+    selector = record.selector.value
+    enum = device.enums[selector.enum] if selector is not None and selector.enum else None
     for number in record.chosen:
+        chosen_by = enum.member(number) if enum is not None and not enum.open else None
+        if chosen_by is not None and chosen_by.unavailable:
+            continue
         values = {record.selector.name: number}
         yield form_of_values(record, values), values if in_struct else {}
 

@@ -99,7 +99,7 @@ def _print_test(printer: Printer, number: int, body: list[Statement]) -> str:
 def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
     """Each member of each record at its highest while all others are low: the bytes show where it lies."""
     for record in all_records(layout):
-        for form, selection in all_forms(record):
+        for form, selection in all_forms(layout.device, record):
             low_values = {**record_value(layout.device, form.record), **selection}
             fields = members(form.record)
             low_settings = [set_member(naming, form, field, low_values[field.name], _IN) for field in fields]
