@@ -10,6 +10,7 @@ from fieldspec.backends.docs.document import (
     DocumentTable,
     Facts,
     Line,
+    Piece,
     Section,
     TableColumn,
     TableRow,
@@ -26,6 +27,7 @@ from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, value_cells
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.record import Segments
 from fieldspec.model.value import Conversion, Signal
 
 DIRECTIONS = ("request", "response")
@@ -93,6 +95,24 @@ def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple
         yield "Subcode", (joined((code(text),) for text in texts),)
 
 
+def _pieces(segments: Segments) -> Iterator[Piece]:
+    """How the value of a message follows in pieces."""
+    verb = "read" if segments.reads else "written"
+    yield text_piece(f"the value is {verb} by ")
+    yield code(segments.message, f"#messages/{segments.message}")
+    if segments.when:
+        yield text_piece(" where the response says ")
+        yield from joined((code(name),) for name in segments.when)
+    names = ("data", "counter", "unused", "last", "size")
+    parts = [(name, getattr(segments, name)) for name in names if getattr(segments, name)]
+    for name, field in parts:
+        yield text_piece(f", {name} ")
+        yield code(field)
+    if segments.unsized:
+        yield text_piece(" except with ")
+        yield from joined((code(name),) for name in segments.unsized)
+
+
 def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     message = message_layout.message
     yield "Name", ((code(message.name),),)
@@ -135,6 +155,8 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
             yield "Accesses", ((text_piece(f"{verb} {space.title or space.name}", f"#{space.place.path}"),),)
         else:
             yield "Accesses", ((text_piece(f"{verb} registers", "#registers"),),)
+    if message.segments is not None:
+        yield "In pieces", (tuple(_pieces(message.segments)),)
     examples = [example for example in context.device.examples.values() if example.message == message.name]
     if examples:
         yield "Examples", (joined((text_piece(example.id, f"#{example.place.path}"),) for example in examples),)
