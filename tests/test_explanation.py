@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 from decimal import Decimal
 from typing import Literal
 
@@ -11,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
-from fieldspec.explain.values import decimal_text
+from fieldspec.explain.values import SinglePrecision, decimal_text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
@@ -61,8 +62,8 @@ def same(left: object, other: object) -> bool:
         return list(left) == list(other) and all(same(left[key], other[key]) for key in left)
     if isinstance(left, list) and isinstance(other, list):
         return len(left) == len(other) and all(map(same, left, other))
-    if isinstance(left, float) and isinstance(other, float) and math.isnan(left):
-        return math.isnan(other)
+    if isinstance(left, float) and isinstance(other, float):
+        return left == other or (math.isnan(left) and math.isnan(other))
     return type(left) is type(other) and left == other
 
 
@@ -368,3 +369,27 @@ def test_a_float_is_judged_by_its_range_and_a_nan_is_named() -> None:
     assert (absent.value, absent.verdict, [meaning.name for meaning in absent.meanings]) == ("", "", ["no_limit"])
     beyond = row(explained(probe, "packet", "request", bytes.fromhex("01 00 80 96 43 5A")), "limit")
     assert (beyond.value, beyond.verdict) == ("301.0 mm", "wrong: should be 0..300 mm")
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("50.02", 50.02),
+        ("-0.1", -0.1),
+        ("123456.79", 123456.789),
+        ("25.0", 25.0),
+        ("1e-45", 2.0**-149),
+        ("3.4028235e+38", (2 - 2**-23) * 2.0**127),
+        ("-0.0", -0.0),
+        ("nan", math.nan),
+        ("-inf", -math.inf),
+    ],
+)
+def test_a_number_of_four_bytes_is_shown_with_the_fewest_digits_that_lead_to_them(text: str, number: float) -> None:
+    (nearest,) = struct.unpack("f", struct.pack("f", number))
+    assert f"{SinglePrecision(nearest)}" == text
+
+
+@given(st.floats(width=32, allow_nan=False))
+def test_the_digits_of_a_number_of_four_bytes_lead_to_these_bytes(number: float) -> None:
+    assert struct.pack("f", float(str(SinglePrecision(number)))) == struct.pack("f", number)

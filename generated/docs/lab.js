@@ -664,11 +664,25 @@ function decimalText(number) {
   return inFull(short);
 }
 
-/** The shortest digits of a floating-point number, with a point or an exponent: `0.1`, `25.0`, `1e-07`. */
-function floatText(number) {
+const SINGLE_DIGITS = 10;  // nine digits tell all numbers of four bytes apart
+
+function shortestSingle(number) {
+  for (let digits = 1; digits < SINGLE_DIGITS; digits++) {
+    const rounded = Number(number.toPrecision(digits));
+    if (Math.fround(rounded) === number) return rounded;
+  }
+  return number;
+}
+
+/**
+ * The fewest digits that lead to a floating-point number of 4 or 8 bytes, with a point or an exponent: `0.1`, `25.0`,
+ * `1e-07`.
+ */
+function floatText(number, size = 8) {
   if (Number.isNaN(number)) return "nan";
   if (!Number.isFinite(number)) return number < 0 ? "-inf" : "inf";
-  const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(number.toExponential());
+  const shown = size === 4 ? shortestSingle(number) : number;
+  const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(shown.toExponential());
   const exponent = Number(power);
   const minus = sign || (Object.is(number, -0) ? "-" : "");
   if (exponent < -4 || exponent >= 16) {
@@ -720,13 +734,13 @@ function sameValue(left, right) {
   return left == right;  // numbers, bigints and truth values
 }
 
-/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`. */
-function valueText(value, isFloat = false) {
+/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`; `floatSize` is their size. */
+function valueText(value, floatSize = 0) {
   if (typeof value === "boolean") return value ? "True" : "False";
-  if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
+  if (typeof value === "number" && (floatSize || !Number.isInteger(value))) return floatText(value, floatSize);
   if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
   if (typeof value === "string") return quotedText(value);
-  if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
+  if (Array.isArray(value)) return `[${value.map((item) => valueText(item, floatSize)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
 }
@@ -1104,7 +1118,7 @@ function decodeValue(device, value, bytes, order, swapped, reserved) {
 function decodedFloat(value, number) {
   const sentinel = sentinelOf(value, number);
   if (sentinel) return decoded(number, { meanings: [meaningOf(sentinel.name, "", sentinel.doc)] });
-  const result = decoded(number, { text: value.unit ? `${floatText(number)} ${value.unit}` : "" });
+  const result = decoded(number, { text: value.unit ? `${floatText(number, value.size)} ${value.unit}` : "" });
   if (value.ranges === undefined || isWithin(value.ranges, number)) return result;
   return judged(result, false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
 }
@@ -1203,8 +1217,8 @@ function bitMeaning(device, bit, number) {
 }
 
 /** A decoded value, compared with the one that it repeats. */
-function repeatedValue(value, should, isFloat = false) {
-  return judged(value, sameValue(value.number, should), valueText(should, isFloat), "");
+function repeatedValue(value, should, floatSize = 0) {
+  return judged(value, sameValue(value.number, should), valueText(should, floatSize), "");
 }
 
 /**
@@ -2121,7 +2135,7 @@ class ExplainedBody {
   /** The value of a field that repeats one of the request, judged by the value there. */
   repeated(field, read) {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float");
+    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
   }
 }
 
@@ -3087,7 +3101,7 @@ function entryOf(device, value, raw, inDigits = false) {
   const sentinel = sentinelOf(value, raw);
   if (sentinel) return sentinel.name;
   if (value.kind === "boolean") return String(raw == 1);
-  if (value.kind === "float") return floatText(raw);
+  if (value.kind === "float") return floatText(raw, value.size);
   const member = value.enum && memberOf(device.enums.get(value.enum), raw);
   if (member) return member.name;
   if (value.flags || inDigits) {
@@ -3714,7 +3728,7 @@ function rawText({ number, meanings, raw }) {
     const digits = BigInt.asUintN(8 * raw.length, BigInt(number)).toString(16).toUpperCase();
     return `0x${digits.padStart(2 * raw.length, "0")}`;
   }
-  return typeof number === "number" && !Number.isInteger(number) ? floatText(number) : String(number);
+  return typeof number === "number" && !Number.isInteger(number) ? floatText(number, raw.length) : String(number);
 }
 
 // A line for each wrong or doubtful value.

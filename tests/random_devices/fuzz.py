@@ -32,6 +32,7 @@ BATCH = 20
 """Devices that are drawn from one seed."""
 PATIENCE = 90
 """Seconds in which a device is shrunk."""
+_SECONDS_A_LINE = 60
 
 
 @dataclass
@@ -138,7 +139,7 @@ def store(tally: Tally) -> None:
 def main(seconds: int, seed: int) -> int:
     """Draws devices on all processors for some seconds and returns the exit code: 1 if judges disagree on one."""
     end = time.monotonic() + seconds
-    total = Tally()
+    total, next_line = Tally(), time.monotonic() + _SECONDS_A_LINE
     processes = os.cpu_count() or 1
     with ProcessPoolExecutor(processes) as pool:
         running: set[Future[Tally]] = set()
@@ -151,6 +152,10 @@ def main(seconds: int, seed: int) -> int:
                 tally = future.result()
                 store(tally)
                 total.add(tally)
+            if time.monotonic() > next_line:
+                next_line += _SECONDS_A_LINE
+                text = f"{total.devices} devices, {total.frames} frames, {len(total.cases)} disagreements"
+                print(text, file=sys.stderr, flush=True)
     print(total.report())
     return 1 if total.cases else 0
 

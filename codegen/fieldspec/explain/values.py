@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
-from decimal import Context, Decimal
+from decimal import ROUND_HALF_UP, Context, Decimal
+from math import isfinite
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.values import Raw
@@ -17,6 +18,28 @@ from fieldspec.model.value import Kind, Value
 
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
 """Numbers with at most so many places, or digits, are written in full; others are rounded to so many digits."""
+_SINGLE_DIGITS = 10
+"""Nine digits tell all numbers of four bytes apart."""
+_INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
+"""The least number that four bytes have as infinity."""
+
+
+class SinglePrecision(float):
+    """A number of a floating-point value of four bytes, whose text has the fewest digits that lead to these bytes.
+
+    Its text is `50.02`; that of the same number as a double is `50.02000045776367`.
+    """
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        if isfinite(self):
+            exact, four_bytes = Decimal(self), struct.pack("f", self)
+            for digits in range(1, _SINGLE_DIGITS):
+                rounded = float(Context(prec=digits, rounding=ROUND_HALF_UP).plus(exact))
+                if abs(rounded) < _INFINITE_SINGLE and struct.pack("f", rounded) == four_bytes:
+                    return repr(rounded)
+        return float.__repr__(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +100,7 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
     big = (order == "big") != swapped
     if kind is Kind.FLOAT:
         number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
-        return number
+        return SinglePrecision(number) if value.type.size == 4 else number
     if value.digits:
         number_of_digits = digits_number(value, in_order if big else in_order[::-1])
         return data if number_of_digits is None else number_of_digits

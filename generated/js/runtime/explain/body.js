@@ -210,6 +210,6 @@ export class ExplainedBody {
   /** The value of a field that repeats one of the request, judged by the value there. */
   repeated(field, read) {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float");
+    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
   }
 }

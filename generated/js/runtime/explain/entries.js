@@ -50,7 +50,7 @@ export function entryOf(device, value, raw, inDigits = false) {
   const sentinel = sentinelOf(value, raw);
   if (sentinel) return sentinel.name;
   if (value.kind === "boolean") return String(raw == 1);
-  if (value.kind === "float") return floatText(raw);
+  if (value.kind === "float") return floatText(raw, value.size);
   const member = value.enum && memberOf(device.enums.get(value.enum), raw);
   if (member) return member.name;
   if (value.flags || inDigits) {

@@ -189,7 +189,7 @@ function rawText({ number, meanings, raw }) {
     const digits = BigInt.asUintN(8 * raw.length, BigInt(number)).toString(16).toUpperCase();
     return `0x${digits.padStart(2 * raw.length, "0")}`;
   }
-  return typeof number === "number" && !Number.isInteger(number) ? floatText(number) : String(number);
+  return typeof number === "number" && !Number.isInteger(number) ? floatText(number, raw.length) : String(number);
 }
 
 // A line for each wrong or doubtful value.

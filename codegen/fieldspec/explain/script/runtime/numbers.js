@@ -93,11 +93,25 @@ export function decimalText(number) {
   return inFull(short);
 }
 
-/** The shortest digits of a floating-point number, with a point or an exponent: `0.1`, `25.0`, `1e-07`. */
-export function floatText(number) {
+const SINGLE_DIGITS = 10;  // nine digits tell all numbers of four bytes apart
+
+function shortestSingle(number) {
+  for (let digits = 1; digits < SINGLE_DIGITS; digits++) {
+    const rounded = Number(number.toPrecision(digits));
+    if (Math.fround(rounded) === number) return rounded;
+  }
+  return number;
+}
+
+/**
+ * The fewest digits that lead to a floating-point number of 4 or 8 bytes, with a point or an exponent: `0.1`, `25.0`,
+ * `1e-07`.
+ */
+export function floatText(number, size = 8) {
   if (Number.isNaN(number)) return "nan";
   if (!Number.isFinite(number)) return number < 0 ? "-inf" : "inf";
-  const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(number.toExponential());
+  const shown = size === 4 ? shortestSingle(number) : number;
+  const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(shown.toExponential());
   const exponent = Number(power);
   const minus = sign || (Object.is(number, -0) ? "-" : "");
   if (exponent < -4 || exponent >= 16) {

@@ -39,13 +39,13 @@ export function sameValue(left, right) {
   return left == right;  // numbers, bigints and truth values
 }
 
-/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`. */
-export function valueText(value, isFloat = false) {
+/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`; `floatSize` is their size. */
+export function valueText(value, floatSize = 0) {
   if (typeof value === "boolean") return value ? "True" : "False";
-  if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
+  if (typeof value === "number" && (floatSize || !Number.isInteger(value))) return floatText(value, floatSize);
   if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
   if (typeof value === "string") return quotedText(value);
-  if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
+  if (Array.isArray(value)) return `[${value.map((item) => valueText(item, floatSize)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
 }

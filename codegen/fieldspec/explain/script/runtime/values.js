@@ -120,7 +120,7 @@ export function decodeValue(device, value, bytes, order, swapped, reserved) {
 function decodedFloat(value, number) {
   const sentinel = sentinelOf(value, number);
   if (sentinel) return decoded(number, { meanings: [meaningOf(sentinel.name, "", sentinel.doc)] });
-  const result = decoded(number, { text: value.unit ? `${floatText(number)} ${value.unit}` : "" });
+  const result = decoded(number, { text: value.unit ? `${floatText(number, value.size)} ${value.unit}` : "" });
   if (value.ranges === undefined || isWithin(value.ranges, number)) return result;
   return judged(result, false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
 }
@@ -219,6 +219,6 @@ function bitMeaning(device, bit, number) {
 }
 
 /** A decoded value, compared with the one that it repeats. */
-export function repeatedValue(value, should, isFloat = false) {
-  return judged(value, sameValue(value.number, should), valueText(should, isFloat), "");
+export function repeatedValue(value, should, floatSize = 0) {
+  return judged(value, sameValue(value.number, should), valueText(should, floatSize), "");
 }
