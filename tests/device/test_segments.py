@@ -130,6 +130,14 @@ def test_a_simulated_drive_aborts_pieces_that_do_not_follow(frames: tuple[str, .
     assert own[-1] == last
 
 
+def test_a_loss_of_power_ends_what_is_on_its_way() -> None:
+    unit = Unit("axis", "sdo", folder=TEST_SPECS)
+    unit.ask("download_segments", index=0x2000, subindex=0, size=7)
+    unit.engine.power_on()
+    answer = unit.answer("download_segment", command=1, data=b"ABCDEFG")
+    assert answer.text == "refused, segment_unexpected: no value is on its way"
+
+
 def live(place: str, *arguments: str) -> int:
     """The exit code of a verb."""
     options = ("--port", place, "--unit", str(NODE), "--timeout", "0.5", "--specs", FOLDER)

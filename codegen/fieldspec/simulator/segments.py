@@ -38,11 +38,13 @@ class Transfer:
 
 
 class Transfers:
-    """The values that are on their way, one for each link. Any request but the next piece ends one."""
+    """The values that are on their way, one for each link: `running` is the memory of them.
 
-    def __init__(self, layout: DeviceLayout) -> None:
-        self.layout = layout
-        self.running: dict[str, Transfer] = {}
+    Any request but the next piece ends one, and so does a loss of power.
+    """
+
+    def __init__(self, layout: DeviceLayout, running: dict[str, Transfer]) -> None:
+        self.layout, self.running = layout, running
         known = ((name, segments_of(layout, message)) for name, message in layout.messages.items())
         self.by_first = {name: pieces for name, pieces in known if pieces is not None}
         self.pieces = frozenset(pieces.piece.name for pieces in self.by_first.values())

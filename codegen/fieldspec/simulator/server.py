@@ -40,7 +40,7 @@ class Server:
         self.engine, self.unit_address = engine, unit_address
         self.codecs = codec(engine.layout).links
         self.refusals: dict[str, Part] = {part.subject: part for part in engine.behaviour.of_kind("refuse")}
-        self.transfers = Transfers(engine.layout)
+        self.transfers = Transfers(engine.layout, engine.memory.transfers)
         self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
 
     def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
