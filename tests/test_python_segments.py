@@ -12,6 +12,8 @@ import canopen
 import pytest
 from canopen import objectdictionary as dictionary
 
+from fieldspec.live.client import Client, Timing
+from fieldspec.live.messages import named_signals, read_signals, signals
 from layouts import TEST_SPECS, newest
 from python_package import module_of, package, runtime
 
@@ -105,6 +107,9 @@ class Device:
         self.requests: list[str] = []
         self.due: list[bytes] = []
 
+    def close(self) -> None:
+        """Nothing is open."""
+
     def write(self, frame: bytes) -> None:
         """Takes a request."""
         self.requests.append(MODULE.sdo.can_frame(frame).data.hex(" ").upper())
@@ -152,9 +157,12 @@ def test_pieces_are_sent_with_a_toggle_bit_and_the_unused_bytes() -> None:
     ],
 )  # fmt: skip
 def test_pieces_that_do_not_follow_are_no_value(answers: tuple[str, ...], error: str, text: str) -> None:
-    drive = client_module().Client(Device(*answers), unit_address=NODE, timeout=0.05, retries=0)
+    device = Device(*answers)
+    drive = client_module().Client(device, unit_address=NODE, timeout=0.05, retries=0)
     with pytest.raises(getattr(runtime("errors"), error), match=text):
         drive.read_parameter(OBJECTS.DEVICE_NAME)
+    reason = "00 00 03 05" if text.startswith(("command", "counts")) else "10 00 07 06"
+    assert (device.requests[-1] == f"80 08 10 00 {reason}") is (error == "InvalidAnswerError")
 
 
 @pytest.mark.parametrize(
@@ -167,9 +175,11 @@ def test_pieces_that_do_not_follow_are_no_value(answers: tuple[str, ...], error:
     ],
 )  # fmt: skip
 def test_a_value_whose_pieces_are_not_taken_is_not_written(answers: tuple[str, ...], error: str, text: str) -> None:
-    drive = client_module().Client(Device(*answers), unit_address=NODE, timeout=0.05)
+    device = Device(*answers)
+    drive = client_module().Client(device, unit_address=NODE, timeout=0.05)
     with pytest.raises(getattr(runtime("errors"), error), match=text):
         drive.write_parameter(OBJECTS.TRAVEL, 1)
+    assert (device.requests[-1] == "80 01 20 00 00 00 03 05") is (error == "InvalidAnswerError")
 
 
 def test_a_value_out_of_range_begins_nothing() -> None:
@@ -183,3 +193,12 @@ def test_a_value_out_of_range_begins_nothing() -> None:
         with pytest.raises(runtime("errors").InvalidValueError):
             drive.write_parameter(parameter, value)
     assert device.requests == []
+
+
+def test_live_ends_what_does_not_follow() -> None:
+    device = Device(SIZED, SEVEN, SEVEN)
+    client = Client(AXIS, "sdo", device, NODE, Timing(timeout=0.05, retries=0))
+    (signal,) = named_signals(AXIS, list(signals(AXIS, AXIS.links["sdo"])), "device_name")
+    (reading,) = read_signals(client, [signal])
+    assert reading.refusal == "the device counts the pieces in another way: one is missing, or came twice"
+    assert device.requests[-1] == "80 08 10 00 00 00 03 05"

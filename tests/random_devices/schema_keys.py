@@ -44,6 +44,7 @@ ANYWHERE = {
 }
 """Keys that many facts may have."""
 MAPPINGS = {
+    "message.segments.abort": "A program sends it; codecs have it as any other message.",
     "message.segments": "It joins messages, which codecs read one by one; tests of segments have other stacks.",
     "link.escape": "Random devices have no escaped frames; the tests of escapes cover each method with foreign codecs.",
     "behaviour": SIMULATED,

@@ -21,6 +21,10 @@ def segments_text(comparison: Comparison | None, message: Message) -> str:
         "when": " and ".join(pieces.when),
         "unsized": " and ".join(pieces.unsized),
     }
+    abort = pieces.abort
+    if abort is not None:
+        ended = comparison.renamed_to("messages", abort.message) if comparison is not None else abort.message
+        rows["abort"] = f"{ended} with {abort.reason} {abort.counter} or {abort.size}"
     return f"in {name} with {', '.join(f'{word} as {key}' for key, word in rows.items() if word)}"
 
 

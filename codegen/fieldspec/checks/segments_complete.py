@@ -17,7 +17,7 @@ from fieldspec.checks.finding import finding, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum
-from fieldspec.model.record import Field, Message, Record, Segments
+from fieldspec.model.record import Field, Message, Record, Segments, SegmentsAbort
 from fieldspec.model.segments import number_places
 from fieldspec.model.sizes import sent_on
 from fieldspec.model.value import Kind, ParameterSizes
@@ -52,6 +52,8 @@ def _of_message(device: Device, first: Message, stated: Segments) -> Iterator[Di
             text = f"{first.name} and {piece.name} are not both sent and answered on {link.name}"
             yield _finding(first, text, "state the same `links` for both, and leave `answered_on` out")
     yield from _of_piece(device, first, stated, piece)
+    if stated.abort is not None:
+        yield from _of_abort(device, first, stated.abort)
 
 
 def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagnostic]:
@@ -140,6 +142,34 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
     decided = {stated.data, *(place.field.name for own in places.values() for place in own)}
     for field in _open_fields(device, piece.request, decided):
         yield _finding(first, f"nothing says what {field.name} of {piece.name} is", "give it a `const` or a `default`")
+
+
+def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[Diagnostic]:
+    """The message that ends a transfer: nobody answers it, and everything in it is known."""
+    message = device.messages.get(abort.message)
+    if message is None:
+        yield _finding(first, f"there is no message `{abort.message}`", near(abort.message, device.messages))
+        return
+    for link in device.links.values():
+        if sent_on(link, first) and (not sent_on(link, message) or message.is_answered_on(link.name)):
+            text = f"{message.name} is not sent on {link.name}, or it is answered there"
+            yield _finding(
+                first, text, "state the same `links` for both, and `answered_on: []` for what ends a transfer"
+            )
+    field = message.request.named(abort.reason)
+    enum = device.enums.get(field.value.enum) if field is not None and field.value is not None else None
+    if enum is None:
+        text = f"{message.name} has no field `{abort.reason}` with an enum"
+        others = [own.name for own in message.request.fields if own.value is not None and own.value.enum]
+        yield _finding(first, text, near(abort.reason, others))
+    else:
+        for name in (abort.counter, abort.size):
+            if enum.named(name) is None:
+                help = near(name, [own.name for own in enum.members])
+                yield _finding(first, f"{enum.name} has no member `{name}`", help)
+    repeated = {own.name for own in first.request.fields}
+    for own in _open_fields(device, message.request, {abort.reason, *repeated}):
+        yield _finding(first, f"nothing says what {own.name} of {message.name} is", "give it a `const` or a `default`")
 
 
 def _open_fields(device: Device, record: Record, decided: set[str]) -> Iterator[Field]:

@@ -157,6 +157,9 @@ def _segments(segments: Segments | None) -> Iterator[object]:
         yield "segments"
         yield from (segments.message, segments.when, segments.size, segments.unsized, segments.data)
         yield from (segments.counter, segments.unused, segments.last)
+        if segments.abort is not None:
+            own = segments.abort
+            yield from ("abort", own.message, own.reason, own.counter, own.size)
 
 
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:

@@ -14,7 +14,32 @@ if TYPE_CHECKING:
     from fieldspec.layout.device import DeviceLayout
     from fieldspec.layout.frame import MessageLayout
     from fieldspec.layout.record import FieldLayout, RecordLayout
-    from fieldspec.model.record import Segments
+    from fieldspec.model.record import Segments, SegmentsAbort
+
+
+@dataclass(frozen=True, slots=True)
+class AbortLayout:
+    """The message that ends a transfer: its field `reason` has the number of one of two causes."""
+
+    message: MessageLayout
+    reason: str
+    counter: int
+    size: int
+
+    def request(self, first: Mapping[str, Any], cause: str) -> dict[str, Any]:
+        """The fields of the request, for what the request with the fields `first` has begun.
+
+        The `cause` is `counter` or `size`.
+        """
+        record = self.message.request
+        repeated = {field.name: first[field.name] for field in record.fields if field.name in first}
+        constants = {
+            field.name: field.value.const
+            for field in record.fields
+            if field.value is not None and field.value.const is not None
+        }
+        number = self.counter if cause == "counter" else self.size
+        return {**_initial(record), **repeated, **constants, self.reason: number}
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +63,7 @@ class SegmentsLayout:
     answered: NumberPlace | None
     unused: NumberPlace | None
     last: NumberPlace | None
+    abort: AbortLayout | None = None
 
     def follows(self, values: Mapping[str, Any]) -> bool:
         """Whether pieces follow a response of the first message."""
@@ -144,7 +170,16 @@ def segments_of(layout: DeviceLayout, first: MessageLayout) -> SegmentsLayout | 
         place(piece.response, stated.counter),
         place(carrier, stated.unused),
         place(carrier, stated.last),
+        _abort(layout, stated.abort) if stated.abort is not None else None,
     )
+
+
+def _abort(layout: DeviceLayout, stated: SegmentsAbort) -> AbortLayout:
+    message = layout.messages[stated.message]
+    field = message.request.named(stated.reason)
+    assert field is not None
+    counter, size = _numbers(layout, field, (stated.counter, stated.size))
+    return AbortLayout(message, stated.reason, counter, size)
 
 
 def piece_refusals(layout: DeviceLayout, reader: str) -> list[Diagnostic]:

@@ -218,14 +218,15 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
     assert message is not None
-    answer = client.ask(message.name, parameter_address(message, signal))
+    first = parameter_address(message, signal)
+    answer = client.ask(message.name, first)
     carried = part_of(message.response, "value")
     assert carried is not None
     if carried.carries_bytes:
         pieces = segments_of(client.layout, message)
         try:
             if pieces is not None and pieces.follows(answer.values):
-                data = read_pieces(client, pieces, answer.values, signal.value.size)
+                data = read_pieces(client, pieces, first, answer.values, signal.value.size)
                 return value_of_data(signal.value, data, signal.order, signal.swapped)
             return value_of_bytes(client.layout.device, carried, signal.value, answer.values)
         except CodecError as error:
@@ -340,7 +341,7 @@ def write_parameter(client: Client, chosen: ParameterAssignment) -> None:
     pieces = segments_of(client.layout, client.layout.messages[name])
     if pieces is not None and not pieces.reads:
         try:
-            write_pieces(client, pieces, bytes(chosen.words))
+            write_pieces(client, pieces, values, bytes(chosen.words))
         except UnfitAnswerError as error:
             raise NoAnswerError(str(error)) from None
 

@@ -222,7 +222,7 @@ def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) 
     answer = client.ask(message.name, values).values
     pieces = segments_of(client.layout, message)
     if pieces is not None and pieces.follows(answer):
-        return _count_in_pieces(client, pieces, parameter_set, number, answer)
+        return _count_in_pieces(client, pieces, parameter_set, values, number, answer)
     if carried.carries_bytes:
         return (_count_of_bytes(client, carried, parameter_set, number, answer),)
     content = answer[carried.name]
@@ -231,7 +231,12 @@ def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) 
 
 
 def _count_in_pieces(
-    client: Client, pieces: SegmentsLayout, parameter_set: ParameterSet, number: int, values: Mapping[str, Any]
+    client: Client,
+    pieces: SegmentsLayout,
+    parameter_set: ParameterSet,
+    first: Mapping[str, Any],
+    number: int,
+    values: Mapping[str, Any],
 ) -> tuple[int, ...]:
     """The count of a value that follows in pieces; none for what is no number, and where the spec has none of it."""
     parameter = parameter_set.numbered(number - parameter_set.base)
@@ -239,7 +244,7 @@ def _count_in_pieces(
     if value is None or value.type.kind is not Kind.INTEGER:
         return ()
     try:
-        data = read_pieces(client, pieces, values, value.size)
+        data = read_pieces(client, pieces, first, values, value.size)
         raw = value_of_data(value, data, *Orders(pieces.data.order, client.layout.device.word_order).of(value))
     except (UnfitAnswerError, CodecError):
         return ()

@@ -95,12 +95,26 @@ class RegisterAccess:
 
 
 @dataclass(frozen=True, slots=True)
+class SegmentsAbort:
+    """The message that ends the transfer of a value whose pieces do not follow: its field `reason` says why.
+
+    `counter` and `size` are members of the enum of that field.
+    """
+
+    message: str
+    reason: str
+    counter: str
+    size: str
+
+
+@dataclass(frozen=True, slots=True)
 class Segments:
     """A message begins to read or to write a value that follows in pieces, each in another `message`.
 
     It reads where `when` has members, of the field that says how many bytes of its response are the value. `size` is
     the field with the number of bytes of the whole value, which has none with the members `unsized`. `data` is the
-    field with a piece. `counter`, `unused` and `last` are fields or bits of its message; each may be empty.
+    field with a piece. `counter`, `unused` and `last` are fields or bits of its message; each may be empty. `abort` is
+    None where nothing ends a transfer before its last piece.
     """
 
     message: str
@@ -111,6 +125,7 @@ class Segments:
     counter: str
     unused: str
     last: str
+    abort: SegmentsAbort | None = None
 
     @property
     def reads(self) -> bool:

@@ -228,7 +228,7 @@ class ParameterWork:
         request = _encoded(access.reading(parameter), parameter, **access.arguments(parameter, subindex, 1))
         response = yield from self.session.ask(request)
         if access.reads is not None and access.reads.follows(response.message):
-            data = yield from access.reads.read(self.session, response.message, parameter.size(subindex))
+            data = yield from access.reads.read(self.session, request, response.message, parameter.size(subindex))
             whole: T = _decoded(parameter.from_bytes, data, subindex)
             return whole
         value: T = _decoded(access.space.read_value, parameter, response.message, *([subindex] if subindex else []))

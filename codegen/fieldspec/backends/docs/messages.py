@@ -111,6 +111,12 @@ def _pieces(segments: Segments) -> Iterator[Piece]:
     if segments.unsized:
         yield text_piece(" except with ")
         yield from joined((code(name),) for name in segments.unsized)
+    abort = segments.abort
+    if abort is not None:
+        yield text_piece("; what does not follow is ended by ")
+        yield code(abort.message, f"#messages/{abort.message}")
+        yield text_piece(f" with the {abort.reason} ")
+        yield from joined(((code(abort.counter),), (code(abort.size),)), " or ")
 
 
 def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:

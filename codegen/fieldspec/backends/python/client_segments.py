@@ -56,6 +56,9 @@ def _arguments(
         if pieces.size is not None:
             yield f"size={literal(_attribute(first.response, pieces.size.name))}"
             yield f"order={literal('little' if pieces.size.order == 'little' else 'big')}"
+    if pieces.abort is not None and pieces.abort.message.name in exchanges:
+        yield f"abort={_abort(pieces, first, exchanges[pieces.abort.message.name])}"
+        yield f'reasons={{"counter": {pieces.abort.counter}, "size": {pieces.abort.size}}}'
     for key, place, shape in (
         ("asked", pieces.asked, piece.request),
         ("answered", pieces.answered, piece.response),
@@ -75,6 +78,17 @@ def _first(pieces: SegmentsLayout, names: tuple[str, str], first: Exchange) -> s
         own = {number: "parameter.wire_number", index: "subindex", size: "size"}.get(field.title)
         arguments.append(f"{field.name}={own or initial_number(field.field.field)}")
     return f"lambda parameter, subindex, size: {CODEC}.{first.request_name}({', '.join(arguments)})"
+
+
+def _abort(pieces: SegmentsLayout, first: Exchange, end: Exchange) -> str:
+    """The function that makes the request which ends a transfer."""
+    assert pieces.abort is not None
+    repeated = {field.title: f"first.{field.name}" for field in first.request.stored}
+    arguments = []
+    for field in end.request.stored:
+        own = "reason" if field.title == pieces.abort.reason else repeated.get(field.title)
+        arguments.append(f"{field.name}={own or initial_number(field.field.field)}")
+    return f"lambda first, reason: {CODEC}.{end.request_name}({', '.join(arguments)})"
 
 
 def _whole(layout: DeviceLayout, names: tuple[str, str]) -> list[int]:

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from fieldspec.model.record import Case, Choice, Field, Measure, Message, Record, RegisterAccess, Segments
+from fieldspec.model.record import (
+    Case,
+    Choice,
+    Field,
+    Measure,
+    Message,
+    Record,
+    RegisterAccess,
+    Segments,
+    SegmentsAbort,
+)
 from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
@@ -133,7 +143,12 @@ def _segments(entry: Entry) -> Segments:
         counter=entry.text("counter"),
         unused=entry.text("unused"),
         last=entry.text("last"),
+        abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None,
     )
+
+
+def _segments_abort(entry: Entry) -> SegmentsAbort:
+    return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
 
 
 def _access(entry: Entry) -> RegisterAccess:
