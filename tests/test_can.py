@@ -204,7 +204,7 @@ def test_what_a_node_of_canopen_aborts_is_an_exception_response(
     reply = bus.ask(OBJECTS.read_request(entry, subindex=subindex))
     assert (reply.unit_address, reply.code, reply.exception) == (
         NODE,
-        0x40,
+        0xC,
         MODULE.Abort(index=entry.wire_number, subindex=subindex, reason=reason),
     )
 

@@ -34,6 +34,7 @@ REFUSALS = {
     "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",
     "moving_tables": "plc_addresses_constant",
+    "pieces": "plc_values_whole",
 }
 """Constructs that some output refuses by a rule, and whose failing case needs them."""
 

@@ -1039,7 +1039,7 @@ function messageWithCode(link, direction, code, data, asked) {
   return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code. */
+/** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
 function codeText(link, direction, message) {
   if (message.code === undefined) return "no code";
   const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
@@ -1047,8 +1047,16 @@ function codeText(link, direction, message) {
   const part = link[direction].code;
   const own = part?.value.digits ? latinOf(digitsBytes(part.value, message.code)).toUpperCase() : digits(message.code, 1);
   if (!shared) return own;
-  const [number] = shared.messages.find(([, name]) => name === message.name);
-  return `${own} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
+  const intervals = [];
+  const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);
+  for (const number of numbers.sort((left, right) => left - right)) {
+    const last = intervals[intervals.length - 1];
+    if (last && last[1] === number - 1) last[1] = number;
+    else intervals.push([number, number]);
+  }
+  const text = ([low, high]) => digits(low, shared.size) + (low === high ? "" : `..${digits(high, shared.size)}`);
+  const place = link[direction].headerSize + shared.offset;
+  return `${own} with ${intervals.map(text).join(" or ")} at byte ${place}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
@@ -1706,17 +1714,23 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
     at = isWhole(first) ? Number(first) + index : null;
   }
   const element = elementOf(words, number, parameterNumbered(words, number), at);
-  if (part === "value") return readAs(device, row, field, element, isRequest, statedSize(field, known));
+  if (part === "value") {
+    const size = statedSize(field, known);
+    // Its bytes are no value.
+    if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
+    return readAs(device, row, field, element, isRequest, size);
+  }
   if (part === "subindex" && element.index === null) return row;
   return { ...row, meanings: [...row.meanings, element.meaning] };
 }
 
-/** How many bytes of a field are the value of a parameter; 0 where what should say so does not. */
+/** How many bytes of a field are the value of a parameter: 0 where what should say so does not; undefined for none. */
 function statedSize(field, known) {
   const [, , by, sizes] = field.valueBytes ?? [];
   if (!by) return field.size;
   const stated = known(by);
-  return sizes.find(([number]) => isWhole(stated ?? "") && BigInt(stated) === BigInt(number))?.[1] ?? 0;
+  if (!isWhole(stated ?? "")) return 0;
+  return sizes.find(([number]) => BigInt(stated) === BigInt(number))?.[1];
 }
 
 /** The name of the field with the index of the first element that a message carries; empty if it has none. */
@@ -1737,6 +1751,8 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
     if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
     const stated = fact.value.size;
+    // A text may come without the zeros that fill it up.
+    if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
   let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);

@@ -134,7 +134,7 @@ class Soak:
         """A message that reads or writes one parameter, with one of those that it can; None for other messages."""
         reads, writes = self.parameters.get(name, []), self.written.get(name, [])
         if reads:
-            return name, parameter_address(self.unit.engine.layout.messages[name].request, self.chance.choice(reads))
+            return name, parameter_address(self.unit.engine.layout.messages[name], self.chance.choice(reads))
         if writes:
             signal = self.chance.choice(writes)
             interval = self.chance.choice(signal.value.ranges.intervals) if signal.value.ranges is not None else (0, 1)

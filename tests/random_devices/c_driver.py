@@ -243,7 +243,9 @@ class Driver:
                 test = f"opened.code == {layout_message.message.code}u" if coded else "1"
                 subcode = shared_codes(link, direction).get(layout_message.message.code or 0)
                 if subcode is not None and layout_message in subcode.messages.values():
-                    test += f" && opened.subcode == {subcode.number_of(layout_message)}u"
+                    intervals = subcode.intervals_of(layout_message)
+                    bounds = (f"({low}u <= opened.subcode && opened.subcode <= {high}u)" for low, high in intervals)
+                    test += f" && ({' || '.join(bounds)})"
                 if error is not None:
                     test += " && !opened.error"
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")

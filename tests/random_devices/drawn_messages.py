@@ -61,19 +61,29 @@ def mark_exceptions(draft: Draft) -> None:
 
 
 def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
-    """Several messages with the code of the first one; a constant at the beginning of their data tells them apart."""
+    """Several messages with the code of the first one; the beginning of their data tells them apart.
+
+    It is a constant in each, or a byte with ranges.
+    """
     kind = draft.pick(("u8", "u16", "i8", "i16"))
     low, high = bounds(kind)
     numbers: set[int] = set()
     directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
-    for message in drawn[: draft.number(2, 4)]:
-        message["code"] = drawn[0]["code"]
+    sharing = drawn[: draft.number(2, 4)]
+    for _ in sharing:
         number = draft.edge(low, high)
         while number in numbers:
             number = number + 1 if number < high else low
         numbers.add(number)
+    ordered = sorted(numbers)
+    ends = {number: following - 1 for number, following in zip(ordered, [*ordered[1:], high + 1], strict=True)}
+    first = draft.number(0, len(ordered) - 1)
+    for message, number in zip(sharing, [*ordered[first:], *ordered[:first]], strict=True):
+        message["code"] = drawn[0]["code"]
+        end = draft.number(number, ends[number]) if kind == "u8" and draft.chance(50) else number
+        choice: Spec = {"const": number} if end == number else {"range": f"{number}..{end}"}
         for direction in directions:
-            message[direction] = [draft.fact(type=kind, const=number), *message[direction]]
+            message[direction] = [draft.fact(type=kind, **choice), *message[direction]]
 
 
 def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:

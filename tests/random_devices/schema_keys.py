@@ -44,6 +44,8 @@ ANYWHERE = {
 }
 """Keys that many facts may have."""
 MAPPINGS = {
+    "message.segments.abort": "A program sends it; codecs have it as any other message.",
+    "message.segments": "It joins messages, which codecs read one by one; tests of segments have other stacks.",
     "link.escape": "Random devices have no escaped frames; the tests of escapes cover each method with foreign codecs.",
     "behaviour": SIMULATED,
     "behaviour_action": SIMULATED,
@@ -141,6 +143,7 @@ KEYS = {
     ("message.accesses", "set"): SINGLE_BITS,
     ("message.accesses", "clear"): SINGLE_BITS,
     ("part", "same_as"): "A program compares the two parts; codecs read both alike.",
+    ("message", "segments"): "Controllers refuse it, and the messages are as any others; tests of segments try it.",
     ("message", "supplements"): "It says beside which messages one is sent.",
     ("message", "data_words"): COMPARED,
     ("message", "frame_length"): COMPARED,

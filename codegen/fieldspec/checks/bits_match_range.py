@@ -1,4 +1,5 @@
-"""The printed range of a bit field is 0 to the sum of its bits.
+"""The printed range of a bit field is 0 to the sum of its bits. A range that leaves out numbers between picks words
+of these bits.
 
 Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong.
 
@@ -37,6 +38,9 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
     if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
         return
     every = _union(bit for bit in word.bits)
+    ends = [bound for interval in ranges.intervals for bound in interval]
+    if (len(ranges.intervals) > 1 or ranges.low > 0) and not any(bound & ~every for bound in ends):
+        return  # some words, such as those that tell messages apart
     useful = _union(bit for bit in word.bits if not bit.reserved)
     highest = sum(_highest(device, bit) << bit.first for bit in word.bits if not bit.reserved)
     whole = word.type.high if every.bit_length() == word.type.high.bit_length() else useful

@@ -1,15 +1,16 @@
 """On links with codes, every message has its own code, or differs from the others with its code in a constant
-in its data. On links without codes, a message has its own number or none. A message is answered only on links
-on which it is sent.
+or in the range of a byte in its data. On links without codes, a message has its own number or none. A message is
+answered only on links on which it is sent.
 
 Why: a decoder identifies a message by its code, and people identify it by its number.
 
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
 Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. Where commands
-share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place. The
-responses need none: without it, the request tells which response is expected. A message
-that is sent only on links without codes names them under `links`. What reads is answered wherever it is sent.
+share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place, or a
+byte whose `range` has numbers that no other of them has. The responses need none: without it, the request tells
+which response is expected. A message that is sent only on links without codes names them under `links`. What reads
+is answered wherever it is sent.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.link import Link
 from fieldspec.model.record import Message
 from fieldspec.model.sizes import RecordSizes, coded, messages_on, sent_on
-from fieldspec.model.subcodes import Place, constant_at, distinct_place
+from fieldspec.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
 _CODE = "messages_complete"
 
@@ -50,22 +51,22 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 
 def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
-    """Several messages have a code: a constant in the data of their requests tells them apart."""
-    constants = [_constants(device, sizes, message) for message in messages]
-    if len(messages) < 2 or distinct_place(constants) is not None:
+    """Several messages have a code: the numbers of a field in their requests tell them apart."""
+    places = [_places(device, sizes, message) for message in messages]
+    if len(messages) < 2 or distinct_place(places) is not None:
         return
     message, other = messages[-1], messages[0]
     text = f"{message.name} and {other.name} have the code {message.code:#04x}"
     help = "correct one of the codes, or give each message its subcode: a field with a `const` at the same place"
-    if any(map(distinct_place, ([numbers] for numbers in constants))):
+    if any(map(distinct_place, ([numbers] for numbers in places))):
         text += ", and no constant at the same place of each request tells them apart"
-        help = "give each of them a field of one or two bytes with its own `const` at the same place"
+        help = "give each of them a byte with its own `const` or `range` at the same place, or a number of two bytes"
     yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
 
 
-def _constants(device: Device, sizes: RecordSizes, message: Message) -> dict[Place, int]:
-    constants = (constant_at(field, offset, device.byte_order) for field, offset in sizes.offsets(message.request))
-    return dict(place_and_number for place_and_number in constants if place_and_number is not None)
+def _places(device: Device, sizes: RecordSizes, message: Message) -> dict[Place, Numbers]:
+    places = (numbers_at(field, offset, device.byte_order) for field, offset in sizes.offsets(message.request))
+    return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)
 
 
 def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:

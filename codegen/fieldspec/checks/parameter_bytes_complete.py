@@ -1,13 +1,13 @@
 """A field of bytes with the value of a parameter is a single field of a message. Where its `sizes` say how many bytes
 count, they name an earlier field of that message with an enum and its members, and no number of bytes twice. Every
-value of the set has a number of bytes that the messages carry.
+value of the set has a number of bytes that the messages carry, or that follow them in pieces.
 
 Why: the bytes of a value are read in the type of the parameter. With more or fewer of them it would be another number.
 
 Example: `type: bytes, length: 4` for the value, and `sizes` with a case of eight bytes.
 
-Cure: State the numbers of bytes that the manual prints. A value that is sent in several frames, such as a long
-text, cannot be read or written by these messages: leave it out of the set.
+Cure: State the numbers of bytes that the manual prints. For a value that is sent in several messages, such as a long
+text, state `segments` for the message that begins to read it, and for one that begins to write it.
 """
 
 from __future__ import annotations
@@ -109,8 +109,14 @@ def _of_sizes(field: Field, size: int, sizes: ParameterSizes, enum: Enum) -> Ite
 def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
     """The values of a set against the numbers of bytes that messages read and write."""
     names = (parameter_set.name, parameter_set.space)
-    answered = (_carrier(message.response, names) for message in device.messages.values())
-    asked = (_carrier(message.request, names) for message in device.messages.values())
+    messages = device.messages.values()
+    answered = (_carrier(message.response, names) for message in messages)
+    asked = (_carrier(message.request, names) for message in messages)
+    pieces = {
+        "read" if message.segments.reads else "write"
+        for message in messages
+        if message.segments is not None and _numbers(message.request, names)
+    }
     reads, writes = ([field for field in fields if field is not None] for fields in (answered, asked))
     for carriers, verb, may in ((reads, "read", readable), (writes, "write", writable)):
         own = [_sizes(field) for field in carriers]
@@ -118,11 +124,11 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
         sizes = (frozenset.intersection if verb == "read" else frozenset.union)(*own) if own else frozenset()
         for parameter in parameter_set.parameters if carriers else ():
             for fact, value, access in _elements(parameter):
-                if may(access or "rw") and value.size not in sizes:
+                if may(access or "rw") and value.size not in sizes and verb not in pieces:
                     have = plural(value.size, "byte")
                     text = f"{fact.name or parameter.name} has {have}, and no message can {verb} as many"
                     there = label(carriers[0].place, "name", "a field with the values of these parameters")
-                    help = "correct the type, or state a message that carries it; segments of a value cannot be stated"
+                    help = "correct the type, or state a message that carries it, or `segments` for values in pieces"
                     yield finding(_CODE, fact.place, "type", text, help, there)
 
 
@@ -135,6 +141,12 @@ def _carrier(record: Record, names: tuple[str, ...]) -> Field | None:
             if field.value.parameter.set in names:
                 return field
     return None
+
+
+def _numbers(record: Record, names: tuple[str, ...]) -> bool:
+    """Whether a request has the number of a parameter of a set."""
+    parts = (field.value.parameter for field in record.fields if field.value is not None)
+    return any(part is not None and part.part == "number" and part.set in names for part in parts)
 
 
 def _sizes(field: Field) -> frozenset[int]:

@@ -90,6 +90,7 @@ from fieldspec.checks.repeat_last import repeat_last
 from fieldspec.checks.replies_agree import replies_agree
 from fieldspec.checks.restatements_agree import restatements_agree
 from fieldspec.checks.roles_unique import roles_unique
+from fieldspec.checks.segments_complete import segments_complete
 from fieldspec.checks.senses_differ import senses_differ
 from fieldspec.checks.series_regular import series_regular
 from fieldspec.checks.siblings_agree import siblings_agree
@@ -202,6 +203,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("replies_agree", replies_agree),
     ("restatements_agree", restatements_agree),
     ("roles_unique", roles_unique),
+    ("segments_complete", segments_complete),
     ("senses_differ", senses_differ),
     ("series_regular", series_regular),
     ("siblings_agree", siblings_agree),

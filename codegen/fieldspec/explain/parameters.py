@@ -97,6 +97,8 @@ def with_parameter(
         size = field.size
         if part.sizes is not None:
             stated = known.get(part.sizes.by)
+            if isinstance(stated, int) and stated not in field.sizes:
+                return replace(row, meanings=(element.meaning, *row.meanings))  # its bytes are no value
             size = field.sizes.get(stated, 0) if isinstance(stated, int) else 0
         return _read_as(device, row, field, element, is_request, size)
     if part.part == "subindex" and element.index is None:
@@ -150,6 +152,8 @@ def _read_as(
         if row.reason or not field.carries_bytes or element.parameter.reserved or fact.reserved:
             return row
         stated = fact.value.size
+        if fact.value.type.kind is Kind.TEXT and size < stated:
+            return row  # without the zeros that fill it up
         text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
         return replace(row, verdict=text, reason="out_of_range")
     read = decode_value(device, fact.value.for_writing() if is_request else fact.value, *again, reserved=fact.reserved)

@@ -273,7 +273,7 @@ class LinkLayout:
         if shared is None:
             return text
         place = self.frame(direction).header_size + shared.offset
-        return f"{text} with {shared.number_of(message):0{2 * shared.size}X} at byte {place}"
+        return f"{text} with {' or '.join(shared.texts_of(message))} at byte {place}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
         """The messages in one direction: all requests, and the responses to those that are answered on the link."""

@@ -10,7 +10,7 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
-from fieldspec.model.record import RegisterAccess
+from fieldspec.model.record import RegisterAccess, Segments
 from fieldspec.model.value import ParameterPart, Value
 
 Words = tuple[object, ...]
@@ -155,6 +155,17 @@ def _access(access: RegisterAccess | None) -> str | None:
     return text if access.set is None else f"{text} set={access.set} clear={access.clear}"
 
 
+def _segments(segments: Segments | None) -> Iterator[object]:
+    """How a value follows a message in pieces; nothing where none does."""
+    if segments is not None:
+        yield "segments"
+        yield from (segments.message, segments.when, segments.size, segments.unsized, segments.data)
+        yield from (segments.counter, segments.unused, segments.last)
+        if segments.abort is not None:
+            own = segments.abort
+            yield from ("abort", own.message, own.reason, own.counter, own.size)
+
+
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
     for message_layout in messages.values():
         message = message_layout.message
@@ -165,6 +176,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
             message.number,
             message.broadcast is True,
             _access(message.accesses),
+            *_segments(message.segments),
         )
         for data in message_layout.bodies:
             yield from _record(data)

@@ -1,11 +1,12 @@
-"""Messages that share a code: the constant in their data that tells them apart."""
+"""Messages that share a code: the field in their data that tells them apart."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.model.subcodes import Place, constant_at, distinct_place
+from fieldspec.model.ranges import merged
+from fieldspec.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
 class Subcode:
     """The field that tells messages of one code apart, `offset` bytes behind the header, and the messages by its value.
 
-    It has `size` bytes. Its number is unsigned; a negative constant counts as the number with the same bits.
+    It has `size` bytes. Its number is unsigned; a negative constant counts as the number with the same bits. A message
+    has one number where the field is a constant, else all of its range.
     """
 
     offset: int
@@ -36,9 +38,15 @@ class Subcode:
         order: Literal["big", "little"] = "little" if self.order == "little" else "big"
         return int.from_bytes(data[self.offset : self.end], order) if len(data) >= self.end else None
 
-    def number_of(self, message: MessageLayout) -> int:
-        """The number of one of the messages."""
-        return next(number for number, other in self.messages.items() if other is message)
+    def intervals_of(self, message: MessageLayout) -> list[tuple[int, int]]:
+        """The numbers of one of the messages, as intervals with both ends in ascending order."""
+        return merged((number, number) for number, other in self.messages.items() if other is message)
+
+    def texts_of(self, message: MessageLayout) -> list[str]:
+        """The numbers of one of the messages in hexadecimal digits: `000A`, or `00..1F`."""
+        digits = 2 * self.size
+        pairs = ((f"{low:0{digits}X}", f"{high:0{digits}X}") for low, high in self.intervals_of(message))
+        return [low if low == high else f"{low}..{high}" for low, high in pairs]
 
     def message(self, data: bytes) -> MessageLayout | None:
         """The message with some data, None where none has their number.
@@ -56,20 +64,20 @@ def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None
     """
     if len(messages) < 2:
         return None
-    constants = [_constants(message.data(direction)) for message in messages]
-    place = distinct_place(constants)
+    places = [_places(message.data(direction)) for message in messages]
+    place = distinct_place(places)
     assert place is not None or direction == "response", "requests with one code differ, as a check sees to"
     if place is None:
         return None
     offset, size, order = place
-    by_number = {numbers[place]: message for numbers, message in zip(constants, messages, strict=True)}
+    by_number = {number: own for numbers, own in zip(places, messages, strict=True) for number in numbers[place]}
     return Subcode(offset, size, order, by_number)
 
 
-def _constants(record: RecordLayout) -> dict[Place, int]:
-    constants = (
-        constant_at(field.field, field.offset, field.order)
+def _places(record: RecordLayout) -> dict[Place, Numbers]:
+    places = (
+        numbers_at(field.field, field.offset, field.order)
         for field in record.fields
         if not field.cases and record.has_place(field)
     )
-    return dict(place_and_number for place_and_number in constants if place_and_number is not None)
+    return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)

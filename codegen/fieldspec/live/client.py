@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+class UnfitAnswerError(Exception):
+    """An answer whose bytes are no value of the parameter that was asked for."""
+
+
 class NoAnswerError(Exception):
     """The device has not answered, or not with a frame that answers the request. The message says which."""
 

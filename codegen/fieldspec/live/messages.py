@@ -10,14 +10,17 @@ from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.layout.segments import segments_of
 from fieldspec.layout.values import MeaningError, raw_value
-from fieldspec.live.client import Client, RefusedError
+from fieldspec.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
+from fieldspec.live.segments import read_pieces, write_pieces
 from fieldspec.live.writing import WriteError
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.segments import initial_number
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
-from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes
+from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes, value_of_data
 from fieldspec.reference.records import CodecError, encoded_value
 from fieldspec.reference.structs import value_construct
 from fieldspec.simulator.parameters import count_field, part_of
@@ -82,10 +85,6 @@ class ParameterAssignment:
         return self.signal.path
 
 
-class UnfitAnswerError(Exception):
-    """An answer whose bytes are no value of the parameter that was asked for."""
-
-
 def link_of(layout: DeviceLayout) -> LinkLayout | None:
     """The first link whose messages read something when they are asked; None where there is none."""
     return next((link for link in layout.links.values() if any(True for _ in signals(layout, link))), None)
@@ -112,8 +111,9 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
                 name = row.name if row.count == 1 else f"{row.name}[{place}]"
                 number = parameter_set.base + row.number + place
                 for path, fact, value, index in _elements(name, row):
-                    if carried is not None and carried.carries_bytes and not carries(carried, value.size):
-                        continue  # a value that needs more than one frame
+                    whole = carried is not None and carried.carries_bytes and reading.message.segments is None
+                    if whole and carried is not None and not carries(carried, value.size):
+                        continue  # a value that no message carries
                     order, swapped = orders.of(value)
                     yield Signal(path, fact, value, order, swapped, parameter_set, row, number, index)
 
@@ -152,21 +152,26 @@ def parameter_message(
 ) -> MessageLayout | None:
     """The message of a link that reads or writes one parameter of a set; the one with the fewest other fields.
 
-    A field with the bytes of a value must be able to carry `size` of them, where that is stated.
+    A field with the bytes of a value must be able to carry `size` of them, where that is stated, or they follow it in
+    pieces.
     """
-    suitable = []
+    suitable, beginning = [], []
     for message in link.carried("response").values():
         number = part_of(message.request, "number")
         part = number.value.parameter if number is not None and number.value is not None else None
         if part is None or part.set not in (parameter_set.name, parameter_set.space):
             continue
+        pieces = message.message.segments
+        if pieces is not None and not pieces.reads and operation == "write":
+            beginning.append(message)
         sent = part_of(message.request, "value")
         carried = sent or part_of(message.response, "value")
         if (sent is not None) != (operation == "write") or carried is None:
             continue
-        if size is None or not carried.carries_bytes or carries(carried, size):
+        follows = pieces is not None and pieces.reads
+        if size is None or not carried.carries_bytes or carries(carried, size) or follows:
             suitable.append(message)
-    return min(suitable, key=lambda message: len(message.request.fields), default=None)
+    return min(suitable or beginning, key=lambda message: len(message.request.fields), default=None)
 
 
 def named_signals(layout: DeviceLayout, known: Sequence[Signal], name: str) -> list[Signal]:
@@ -214,11 +219,16 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
     assert message is not None
-    answer = client.ask(message.name, parameter_address(message.request, signal))
+    first = parameter_address(message, signal)
+    answer = client.ask(message.name, first)
     carried = part_of(message.response, "value")
     assert carried is not None
     if carried.carries_bytes:
+        pieces = segments_of(client.layout, message)
         try:
+            if pieces is not None and pieces.follows(answer.values):
+                data = read_pieces(client, pieces, first, answer.values, signal.value.size)
+                return value_of_data(signal.value, data, signal.order, signal.swapped)
             return value_of_bytes(client.layout.device, carried, signal.value, answer.values)
         except CodecError as error:
             raise UnfitAnswerError(str(error)) from None
@@ -226,14 +236,15 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     return content[0] if isinstance(content, list) else content
 
 
-def parameter_address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
+def parameter_address(message: MessageLayout, signal: Signal) -> dict[str, Any]:
     """The fields of a request that name a parameter: its number, the element, and how many elements."""
+    request, pieces = message.request, message.message.segments
     number, index = part_of(request, "number"), part_of(request, "subindex")
     assert number is not None
     values: dict[str, Any] = {number.name: signal.wire_number}
     if index is not None:
         values[index.name] = signal.index or 0
-        count = count_field(request)
+        count = count_field(request, pieces.size if pieces is not None else "")
         if count is not None:
             values[count.name] = 0 if signal.index is None else 1
     return values
@@ -280,8 +291,9 @@ def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal,
 
 def writes_elements(message: MessageLayout) -> bool:
     """Whether a message writes one element of a parameter by itself: in bytes, which carry values of any type."""
-    carried = part_of(message.request, "value")
-    return carried is not None and carried.carries_bytes and part_of(message.request, "subindex") is not None
+    carried, pieces = part_of(message.request, "value"), message.message.segments
+    has_bytes = carried.carries_bytes if carried is not None else pieces is not None and not pieces.reads
+    return has_bytes and part_of(message.request, "subindex") is not None
 
 
 def _hazards(signal: Signal, message: MessageLayout) -> Iterator[str]:
@@ -299,10 +311,13 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
     message = parameter_message(client.frames.link, signal.parameter_set, "write", signal.value.size)
     assert message is not None
     request = message.request
-    values = parameter_address(request, signal)
-    carried = part_of(request, "value")
-    assert carried is not None
-    if carried.carries_bytes:
+    values = parameter_address(message, signal)
+    carried, pieces = part_of(request, "value"), segments_of(client.layout, message)
+    if carried is None:
+        assert pieces is not None
+        values |= {field.name: initial_number(field.field) for field in request.fields if field.name not in values}
+        values |= pieces.size_content(len(chosen.words))
+    elif carried.carries_bytes:
         values |= bytes_of_value(client.layout.device, carried, signal.value, chosen.raw)
     else:
         values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
@@ -315,6 +330,21 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
         return message.name, values, client.request(message.name, values)
     except CodecError as error:
         raise WriteError(f"{signal.path}: {error}") from None
+
+
+def write_parameter(client: Client, chosen: ParameterAssignment) -> None:
+    """Writes a parameter, once, in pieces where no message has its value alone.
+
+    Raises WriteError, NoAnswerError, RefusedError and CarrierError.
+    """
+    name, values, _ = parameter_request(client, chosen)
+    client.ask(name, values, retries=0)
+    pieces = segments_of(client.layout, client.layout.messages[name])
+    if pieces is not None and not pieces.reads:
+        try:
+            write_pieces(client, pieces, values, bytes(chosen.words))
+        except UnfitAnswerError as error:
+            raise NoAnswerError(str(error)) from None
 
 
 def _form(request: RecordLayout, value: Value) -> int | None:

@@ -18,6 +18,7 @@ from fieldspec.live.messages import (
     roles_of,
     signal_reading,
     signals,
+    write_parameter,
     writes_elements,
 )
 from fieldspec.live.value_lists import COMMANDS
@@ -131,8 +132,7 @@ class ParameterAccess:
 
     def write(self, client: Client, chosen: ParameterAssignment) -> None:
         """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
-        name, values, _ = parameter_request(client, chosen)
-        client.ask(name, values, retries=0)
+        write_parameter(client, chosen)
 
     def read_back(self, client: Client, chosen: ParameterAssignment) -> SignalReading | None:
         """What the device holds after a write. Raises NoAnswerError and CarrierError."""

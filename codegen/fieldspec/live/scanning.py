@@ -10,13 +10,17 @@ from fieldspec.layout.bases import at_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
-from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.record import FieldLayout, Orders
+from fieldspec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.live.bases import known_bases
-from fieldspec.live.client import Client, NoAnswerError, RefusedError
+from fieldspec.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
 from fieldspec.live.messages import parameter_message
 from fieldspec.live.reading import all_occupants, message_for, read_words, reading
+from fieldspec.live.segments import read_pieces
 from fieldspec.model.registers import ParameterSet
-from fieldspec.reference.parameters import stated_bytes, value_of_bytes
+from fieldspec.model.value import Kind
+from fieldspec.reference.parameters import stated_bytes, value_of_bytes, value_of_data
+from fieldspec.reference.records import CodecError
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.parameters import count_field, part_of
 
@@ -216,11 +220,35 @@ def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) 
     carried = part_of(message.response, "value")
     assert carried is not None
     answer = client.ask(message.name, values).values
+    pieces = segments_of(client.layout, message)
+    if pieces is not None and pieces.follows(answer):
+        return _count_in_pieces(client, pieces, parameter_set, values, number, answer)
     if carried.carries_bytes:
         return (_count_of_bytes(client, carried, parameter_set, number, answer),)
     content = answer[carried.name]
     own = content if isinstance(content, list) else [content]
     return tuple(int(count) for count in own if isinstance(count, int))
+
+
+def _count_in_pieces(
+    client: Client,
+    pieces: SegmentsLayout,
+    parameter_set: ParameterSet,
+    first: Mapping[str, Any],
+    number: int,
+    values: Mapping[str, Any],
+) -> tuple[int, ...]:
+    """The count of a value that follows in pieces; none for what is no number, and where the spec has none of it."""
+    parameter = parameter_set.numbered(number - parameter_set.base)
+    value = element_value(parameter, 0) if parameter is not None else None
+    if value is None or value.type.kind is not Kind.INTEGER:
+        return ()
+    try:
+        data = read_pieces(client, pieces, first, values, value.size)
+        raw = value_of_data(value, data, *Orders(pieces.data.order, client.layout.device.word_order).of(value))
+    except (UnfitAnswerError, CodecError):
+        return ()
+    return (int(raw),) if isinstance(raw, int) else ()
 
 
 def _count_of_bytes(

@@ -123,6 +123,45 @@ class RegisterAccess:
     clear: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class SegmentsAbort:
+    """The message that ends the transfer of a value whose pieces do not follow: its field `reason` says why.
+
+    `counter` and `size` are members of the enum of that field.
+    """
+
+    message: str
+    reason: str
+    counter: str
+    size: str
+
+
+@dataclass(frozen=True, slots=True)
+class Segments:
+    """A message begins to read or to write a value that follows in pieces, each in another `message`.
+
+    It reads where `when` has members, of the field that says how many bytes of its response are the value. `size` is
+    the field with the number of bytes of the whole value, which has none with the members `unsized`. `data` is the
+    field with a piece. `counter`, `unused` and `last` are fields or bits of its message; each may be empty. `abort` is
+    None where nothing ends a transfer before its last piece.
+    """
+
+    message: str
+    when: tuple[str, ...]
+    size: str
+    unsized: tuple[str, ...]
+    data: str
+    counter: str
+    unused: str
+    last: str
+    abort: SegmentsAbort | None = None
+
+    @property
+    def reads(self) -> bool:
+        """Whether a value is read in pieces; else it is written."""
+        return bool(self.when)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Message(Fact):
     """A code, the data of its request and of its response.
@@ -149,6 +188,7 @@ class Message(Fact):
     broadcast: bool | None
     handling: Handling
     accesses: RegisterAccess | None
+    segments: Segments | None = None
 
     @property
     def is_answered(self) -> bool:

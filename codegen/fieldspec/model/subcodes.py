@@ -1,4 +1,4 @@
-"""Where messages that share a code differ: a constant that all of them have at the same place of their data."""
+"""Where messages that share a code differ: in the numbers of a field that all of them have at the same place."""
 
 from __future__ import annotations
 
@@ -16,6 +16,9 @@ Place = tuple[int, int, str]
 WIDEST = 2
 """The bytes of the widest constant that tells messages apart."""
 
+Numbers = tuple[int, ...]
+"""The numbers that a field may have, in the order of the spec."""
+
 
 def constant_at(field: Field, offset: int, order: str) -> tuple[Place, int] | None:
     """The place and the number of a field that may tell messages apart, None for any other field.
@@ -31,10 +34,33 @@ def constant_at(field: Field, offset: int, order: str) -> tuple[Place, int] | No
     return (offset, value.size, own), value.const & (1 << 8 * value.size) - 1
 
 
-def distinct_place(constants: Sequence[Mapping[Place, int]]) -> Place | None:
-    """The first place at which all of some messages have a constant, each another one; None if there is none."""
-    for place in constants[0]:
-        numbers = {numbers.get(place) for numbers in constants}
-        if None not in numbers and len(numbers) == len(constants):
+def numbers_at(field: Field, offset: int, order: str) -> tuple[Place, Numbers] | None:
+    """The place and the numbers of a field that may tell messages apart, None for any other field.
+
+    The numbers are its constant, or those of the range of an unsigned byte. `order` is as in `constant_at`.
+    """
+    constant = constant_at(field, offset, order)
+    if constant is not None:
+        return constant[0], (constant[1],)
+    value = field.value
+    if value is None or value.ranges is None or value.write_ranges is not None or value.sentinels or field.reserved:
+        return None
+    if field.count is not None or field.repeat is not None or value.parameter is not None or value.width:
+        return None
+    if value.type.kind is not Kind.INTEGER or value.type.signed or value.size != 1 or value.digits:
+        return None
+    numbers = (number for low, high in value.ranges.intervals for number in range(max(low, 0), min(high, 0xFF) + 1))
+    return (offset, 1, "big"), tuple(dict.fromkeys(numbers))
+
+
+def distinct_place(places: Sequence[Mapping[Place, Numbers]]) -> Place | None:
+    """The first place at which all of some messages have numbers that no other of them has; None if there is none.
+
+    A place where each has a constant is preferred.
+    """
+    common = [place for place in places[0] if all(numbers.get(place) for numbers in places)]
+    for place in sorted(common, key=lambda place: any(len(numbers[place]) > 1 for numbers in places)):
+        every = [number for numbers in places for number in numbers[place]]
+        if len(set(every)) == len(every):
             return place
     return None

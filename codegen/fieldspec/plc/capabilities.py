@@ -37,6 +37,7 @@ CONSTRUCTS = {
     "byte_registers": "registers in spaces of bytes",
     "tables": "tables of records in registers",
     "moving_tables": "tables of records that begin where a register says",
+    "pieces": "values of parameters that are read and written in pieces",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
     "can_frames": "frames of CAN buses",
@@ -101,6 +102,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
     capabilities["moving_tables"] = refused("the addresses of elements are constants: plc_addresses_constant")
+    capabilities["pieces"] = refused("nothing puts the pieces together: plc_values_whole")
     capabilities["choices"] = lossy(
         "are bit strings as wide as the widest type, with a function that says which it is; whoever makes a number of "
         "them compares it with the ranges and the enum"

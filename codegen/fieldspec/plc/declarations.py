@@ -11,6 +11,7 @@ from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.layout.segments import piece_refusals
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
@@ -87,6 +88,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
         narrowed_layout, _ = narrowed(without_digits(supported), dialect)
     findings += [*absent_reals(with_spaces, dialect), *binary_findings, *moving_findings]
     findings += inner_list_refusals([with_spaces], dialect.title, for_controllers=True)
+    findings += piece_refusals(layout, dialect.title)
     findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]
     declaring = _Declaring(narrowed_layout, dialect, findings)
     enums = tuple(declaring.enums())

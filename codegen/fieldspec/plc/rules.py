@@ -104,6 +104,15 @@ Example: a table with `base: 0x1000, base_by: log_address`.
 
 Cure: Exclude the output for the device (`--to`). Python, JavaScript and C take the address that the device says.
 """,
+    "plc_values_whole": """No value of a parameter is read or written in pieces.
+
+Why: nothing in a controller puts the pieces of such a value together. Its messages alone would leave that to programs
+that nobody has tested.
+
+Example: a message with `segments: {message: upload_segment, when: [segments], data: data, unused: unused, last: last}`.
+
+Cure: Exclude the output for the device (`--to`). Clients in Python read and write such values.
+""",
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 
 Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.

@@ -14,6 +14,7 @@ from fieldspec.reading.expansion import expanded
 from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
 from fieldspec.reading.overlays import Silent, applied
+from fieldspec.reading.rows import rows_in_order
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.versions import Lines, overlays, selected
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
@@ -86,6 +87,8 @@ def _merged(base: Node, over: Node) -> Node:
         for key, value in over.values.items():
             have = base.values.get(key)
             values[key] = value if have is None else _merged(have, value)
+            if key == "rows" and isinstance(have, Sequence) and isinstance(value, Sequence):
+                values[key] = rows_in_order(values[key], have, value)
             keys[key] = over.holder(key)
         return Mapping(over.file, over.start, over.end, values, keys)
     if isinstance(base, Sequence) and isinstance(over, Sequence) and _named(base) and _named(over):

@@ -8,7 +8,7 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.values import number_of
 from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.model.device import Device
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import CodecError
 from fieldspec.reference.structs import value_construct
 
@@ -25,10 +25,16 @@ def carries(field: FieldLayout, size: int) -> bool:
 
 def value_of_bytes(device: Device, field: FieldLayout, value: Value, values: Mapping[str, Any]) -> Raw:
     """The raw value that a field of bytes has. Raises CodecError where its bytes are not as many as the value's."""
-    data = stated_bytes(field, values)
+    return value_of_data(value, stated_bytes(field, values), *orders_of(device, field, value))
+
+
+def value_of_data(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
+    """The raw value that some bytes are; of a text, the zeros that fill it up may be missing. Raises CodecError."""
+    if value.type.kind is Kind.TEXT:
+        data = data.ljust(value.size, b"\0")
     if len(data) != value.size:
         raise CodecError("wrong_length", f"the value has {value.size} bytes, not {len(data)}")
-    return number_of(value, data, *_order(device, field, value))
+    return number_of(value, data, order, swapped)
 
 
 def stated_bytes(field: FieldLayout, values: Mapping[str, Any]) -> bytes:
@@ -42,10 +48,11 @@ def stated_bytes(field: FieldLayout, values: Mapping[str, Any]) -> bytes:
 
 def bytes_of_value(device: Device, field: FieldLayout, value: Value, raw: Any) -> dict[str, Any]:
     """The fields that carry a raw value: its bytes with zeros behind them, and what says how many count."""
-    if isinstance(raw, bytes):
-        data = raw.ljust(value.size, b"\0")
-    else:
-        data = value_construct(value, *_order(device, field, value)).build(raw)
+    return field_of_bytes(field, data_of_value(value, raw, *orders_of(device, field, value)))
+
+
+def field_of_bytes(field: FieldLayout, data: bytes) -> dict[str, Any]:
+    """The fields that carry the bytes of a value: the bytes with zeros behind them, and what says how many count."""
     fields: dict[str, Any] = {field.name: data.ljust(field.size, b"\0")}
     part = field.value.parameter if field.value is not None else None
     if field.sizes and part is not None and part.sizes is not None:
@@ -53,5 +60,13 @@ def bytes_of_value(device: Device, field: FieldLayout, value: Value, raw: Any) -
     return fields
 
 
-def _order(device: Device, field: FieldLayout, value: Value) -> tuple[str, bool]:
+def data_of_value(value: Value, raw: Any, order: str, swapped: bool) -> bytes:
+    """The bytes of a raw value."""
+    if isinstance(raw, bytes):
+        return raw.ljust(value.size, b"\0")
+    return bytes(value_construct(value, order, swapped).build(raw))
+
+
+def orders_of(device: Device, field: FieldLayout, value: Value) -> tuple[str, bool]:
+    """The byte order of a value in a field of bytes, and whether its words are swapped."""
     return Orders(field.order, device.word_order).of(value)

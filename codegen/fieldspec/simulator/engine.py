@@ -75,6 +75,7 @@ class Engine:
         self.memory.words = dict(self.saved)
         self.memory.elements = dict(self.saved_elements)
         self.memory.fields.clear()
+        self.memory.transfers.clear()
         self.axis.halt(self.now)
         self.axis.homed = False
         self.states = {part.name: part.subject[0] for part in self.behaviour.of_kind("machine")}

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from typing import Any, Literal, TypeAlias
 
     from fieldspec.layout.values import Raw
+    from fieldspec.simulator.segments import Transfer
 
 Address: TypeAlias = "tuple[str, int]"
 """The name of a space, and an address in it."""
@@ -60,6 +61,8 @@ class Memory:
         self.fields: dict[str, Raw] = {}
         self.lists: dict[str, list[dict[str, Raw]]] = {}
         self.formats: dict[tuple[str, int], int] = {}
+        self.transfers: dict[str, Transfer] = {}
+        """The values in pieces that are on their way, by link."""
         """The number of the format in which a parameter was last written, or is to be read."""
         self._constructs: dict[int, Any] = {}
         self.order: Literal["big", "little"] = "big" if layout.device.byte_order == "big" else "little"

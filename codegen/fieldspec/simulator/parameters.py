@@ -51,8 +51,11 @@ def part_of(record: RecordLayout, part: str) -> FieldLayout | None:
     return None
 
 
-def count_field(record: RecordLayout) -> FieldLayout | None:
-    """The field that says how many elements are meant: the only one that nothing else decides."""
+def count_field(record: RecordLayout, size: str = "") -> FieldLayout | None:
+    """The field that says how many elements are meant: the only one that nothing else decides.
+
+    `size` names a field with the number of bytes of a value, which is another one.
+    """
     free = [
         field
         for field in record.fields
@@ -62,12 +65,16 @@ def count_field(record: RecordLayout) -> FieldLayout | None:
         and field.value.parameter is None
         and field.field.measures is None
         and field is not record.selector
+        and field.name != size
     ]
     return free[0] if len(free) == 1 else None
 
 
-def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -> Target | None:
-    """The parameter that a request names; None where it names none. Raises Refusal for one that does not exist."""
+def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any], size: str = "") -> Target | None:
+    """The parameter that a request names; None where it names none. Raises Refusal for one that does not exist.
+
+    `size` names a field with the number of bytes of its value, empty without one.
+    """
     numbered = part_of(record, "number")
     if numbered is None or numbered.value is None or numbered.value.parameter is None:
         return None
@@ -76,7 +83,7 @@ def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -
     if known is None:
         raise Refusal("unknown_address", f"no parameter has the number {wire_number}")
     indexed = part_of(record, "subindex")
-    amount = count_field(record) if indexed is not None else None
+    amount = count_field(record, size) if indexed is not None else None
     count = int(values[amount.name]) if amount is not None and values[amount.name] else None
     first = int(values[indexed.name]) if indexed is not None and (amount is None or count is not None) else 0
     carried = part_of(record, "value")
@@ -116,8 +123,7 @@ def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
         for index, raw in zip(target.elements, raws, strict=True):
             engine.memory.elements[target.set_name, target.number, index] = raw
         return
-    if any(parameter.element_access(index) == "ro" for index in target.elements):
-        raise Refusal("write_forbidden", f"{parameter.name} can only be read")
+    refuse_unwritable(target)
     for index, raw in zip(target.elements, raws, strict=True):
         why = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)
         if why:
@@ -132,6 +138,13 @@ def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
         for index, raw in before.items():
             elements[target.set_name, target.number, index] = raw
         raise
+
+
+def refuse_unwritable(target: Target) -> None:
+    """Raises Refusal for elements that can only be read."""
+    parameter = target.parameter
+    if parameter is not None and any(parameter.element_access(index) == "ro" for index in target.elements):
+        raise Refusal("write_forbidden", f"{parameter.name} can only be read")
 
 
 def all_values(engine: Engine, name: str) -> list[Raw]:

@@ -10,25 +10,19 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.reference.frames import FrameCodec, codec
-from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes
+from fieldspec.reference.parameters import bytes_of_value, carries, field_of_bytes, value_of_bytes
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
+from fieldspec.simulator.judging import DAMAGED, DamagedError, field_out_of_range, refusal_reason
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.raw_values import chosen_kind, in_type, number_of_kind, signed
 from fieldspec.simulator.refusal import Refusal, reason_place
 from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
+from fieldspec.simulator.segments import Transfer, Transfers, sent_bytes
 
 if TYPE_CHECKING:
     from typing import Any
-
-_DAMAGED = ("wrong_mark", "not_hex", "wrong_check")
-_REASONS = {
-    "unknown_code": "unknown_code",
-    "incomplete": "count_invalid",
-    "wrong_length": "count_invalid",
-    "wrong_measure": "count_invalid",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +40,7 @@ class Server:
         self.engine, self.unit_address = engine, unit_address
         self.codecs = codec(engine.layout).links
         self.refusals: dict[str, Part] = {part.subject: part for part in engine.behaviour.of_kind("refuse")}
+        self.transfers = Transfers(engine.layout, engine.memory.transfers)
         self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
 
     def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
@@ -79,6 +74,8 @@ class Server:
         ):
             return Answer(b"", "another identifier")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
+        if coded is not None and coded.part.bits is not None and not frames.link.messages_with_code(int(code or 0)):
+            return Answer(b"", "another identifier")
         asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
         if asked is not None and asked.name not in frames.link.carried("response"):
@@ -88,14 +85,14 @@ class Server:
             if forced:
                 raise Refusal(forced, "by a fault")
             announced, values = self._decoded(frames, frame, message if code is None else "")
-            asked_values |= values
+            asked_values |= {**self.transfers.fields(link, announced), **values}
             if broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
                 return Answer(b"", "broadcast, not accepted")
-            body = self._carried_out(announced, values)
+            body = self._carried_out(link, announced, values)
             self.engine.refresh()
             if not silent:
                 return self._encoded(frames, head, announced, values, body)
-        except _Damaged as damaged:
+        except DamagedError as damaged:
             return Answer(b"", f"damaged: {damaged}")
         except Refusal as refusal:
             answer = self._refused(frames, head, code, refusal, asked_values)
@@ -110,22 +107,25 @@ class Server:
         try:
             decoded = frames.decode(frame, "request", message)
         except CodecError as error:
-            if error.reason in _DAMAGED:
-                raise _Damaged(error.detail) from None
-            raise Refusal(_reason(frames, frame, error), error.detail) from None
+            if error.reason in DAMAGED:
+                raise DamagedError(error.detail) from None
+            raise Refusal(refusal_reason(frames, frame, error), error.detail) from None
         announced = decoded.message
         if announced is None:
             raise Refusal("unknown_code")
         return announced, decoded.values
 
-    def _carried_out(self, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
+    def _carried_out(self, link: str, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
         """Carries out a request: the values of the response that are not computed. Raises Refusal."""
         engine, message = self.engine, announced.message
+        if announced.name in self.transfers.pieces:
+            return self._of_piece(link, announced, values)
+        self.transfers.running.pop(link, None)
         access, bits = engine.layout.device.register_access(message), engine.layout.device.bit_access(message)
         read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
         access = access or bits
         if access is not None:
-            judged = [_out_of_range(field, values) for field in announced.request.fields]
+            judged = [field_out_of_range(field, values) for field in announced.request.fields]
             wrong = next((name for name in judged if name), "")
             reasons: list[Refusal] = []
             if wrong:
@@ -145,12 +145,13 @@ class Server:
         if message.accesses is not None:
             raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
         for field in announced.request.fields:
-            if _out_of_range(field, values):
+            if field_out_of_range(field, values):
                 raise Refusal("value_invalid", f"{field.name} is out of range")
         self._store(announced.request, message.request.place.path, values)
-        target = parameters.target_of(engine, announced.request, values)
+        size = message.segments.size if message.segments is not None else ""
+        target = parameters.target_of(engine, announced.request, values, size)
         if target is not None:
-            return self._of_parameter(announced, values, target)
+            return self._of_parameter(link, announced, values, target)
         every = parameters.part_of(announced.request, "values")
         if every is not None and every.value is not None and every.value.parameter is not None:
             parameters.write_all(engine, every.value.parameter.set, list(values[every.name]))
@@ -164,15 +165,25 @@ class Server:
         number = self._exception(part) if part is not None else None
         return 0x10000 if number is None else number
 
+    def _of_piece(self, link: str, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
+        """Carries out a request with a piece of a value, or for one. Raises Refusal."""
+        body, ended, raw = self.transfers.next(link, announced, values)
+        if ended is not None and raw is not None:
+            parameters.write_parameter(self.engine, ended.target, [raw])
+            first = ended.pieces.first.message
+            self.engine.follow_message(first.name, first.place.path, first.roles)
+        return body
+
     def _of_parameter(
-        self, announced: MessageLayout, values: dict[str, Any], target: parameters.Target
+        self, link: str, announced: MessageLayout, values: dict[str, Any], target: parameters.Target
     ) -> dict[str, Any]:
         engine, request, response = self.engine, announced.request, announced.response
         key = (target.set_name, target.number)
         value = element_value(target.parameter, target.first) if target.parameter is not None else None
         value_field = parameters.part_of(request, "value")
         carried = value_field or parameters.part_of(response, "value")
-        if carried is not None and carried.carries_bytes and value is None:
+        pieces = self.transfers.by_first.get(announced.name)
+        if value is None and (pieces is not None or (carried is not None and carried.carries_bytes)):
             raise Refusal("unknown_address", f"nothing says how many bytes parameter {target.number} has")
         if value_field is not None:
             kind = chosen_kind(request, values)
@@ -193,11 +204,20 @@ class Server:
             engine.follow_message(announced.name, announced.message.place.path, announced.message.roles)
             return {}
         answer_field = parameters.part_of(response, "value")
+        if pieces is not None and not pieces.reads and value is not None:
+            parameters.refuse_unwritable(target)
+            self.transfers.begin_write(link, Transfer(pieces, target, value, values))
+            return {}
         if answer_field is None:
             return {}
         engine.refresh()
         read = parameters.read_parameter(engine, target)
         if answer_field.carries_bytes and value is not None:
+            sent = sent_bytes(engine.layout.device, answer_field, value, read[0])
+            if pieces is not None and not carries(answer_field, len(sent)):
+                return self.transfers.begin_read(link, Transfer(pieces, target, value, values), read[0])
+            if pieces is not None and len(sent) < value.size:
+                return field_of_bytes(answer_field, sent)
             if not carries(answer_field, value.size):
                 raise Refusal("type_invalid", f"no response carries {value.size} bytes")
             return bytes_of_value(engine.layout.device, answer_field, value, read[0])
@@ -368,28 +388,3 @@ class Server:
         for cell, raw in zip(cells, before, strict=True):
             cell.write(raw)
         return Answer(frame, text)
-
-
-class _Damaged(Exception):
-    """A frame that no device can understand."""
-
-
-def _reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
-    """Why a request that cannot be decoded is refused."""
-    shape = frames.link.request
-    coded = shape.role("code")
-    parts = frames.original_parts(frame, "request")
-    code = coded.read(parts[coded.offset : coded.offset + coded.size]) if coded is not None else None
-    announced = frames.link.message_with_code(code) if code is not None else None
-    selector = announced.request.selector if announced is not None else None
-    if selector is not None and error.offset == shape.header_size + selector.offset:
-        return "format_invalid"
-    return _REASONS.get(error.reason, "value_invalid")
-
-
-def _out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
-    """The name of a field whose value is beyond its range; empty for all others."""
-    value, raw = field.value, values.get(field.name)
-    if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
-        return ""
-    return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name

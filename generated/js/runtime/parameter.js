@@ -41,9 +41,17 @@ export function parameter(name, number, base, access, read, write, more) {
     fromRaw(raw, subindex = 0) {
       return fromRaw(elementOf(subindex), raw);
     },
-    /** The value of exactly all of the bytes that a message carries, for the element with an index. Throws CodecError. */
+    /**
+     * The value of exactly all of the bytes that a message carries, for the element with an index. Of a text, the zeros
+     * that fill it up may be missing. Throws CodecError.
+     */
     fromBytes(bytes, subindex = 0) {
       const element = elementOf(subindex);
+      if (element.kind === "text" && bytes.length < element.size) {
+        const filled = new Uint8Array(element.size);
+        filled.set(bytes);
+        return element.read(filled, 0);
+      }
       if (bytes.length !== element.size) {
         throw new CodecError("wrong_length", `${element.name} has ${element.size} bytes, not ${bytes.length}`);
       }

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from ._client import Session, Work
     from ._parameters import Parameter
+    from ._segments import Segments
     from ._typing import Quantity
 
 Span = tuple[str, int, int]
@@ -185,10 +186,19 @@ class ParameterAccess:
     """How the parameters of a set are reached: the functions of their space that make requests, and the arguments.
 
     `count` is the argument with the number of elements, empty where there is none. It is 0 for a single value.
+    `reads` and `writes` say how values follow in pieces that no message carries alone.
     """
 
-    def __init__(self, space: Any, *, count: str = "", indexed: bool = False) -> None:
-        self.space, self.count, self.indexed = space, count, indexed
+    def __init__(
+        self,
+        space: Any,
+        *,
+        count: str = "",
+        indexed: bool = False,
+        reads: Segments | None = None,
+        writes: Segments | None = None,
+    ) -> None:
+        self.space, self.count, self.indexed, self.reads, self.writes = space, count, indexed, reads, writes
 
     def reading(self, parameter: Parameter[Any]) -> Any:
         """The function that makes the request to read a parameter. Raises InvalidValueError where there is none."""
@@ -217,6 +227,10 @@ class ParameterWork:
         access = self._access(parameter)
         request = _encoded(access.reading(parameter), parameter, **access.arguments(parameter, subindex, 1))
         response = yield from self.session.ask(request)
+        if access.reads is not None and access.reads.follows(response.message):
+            data = yield from access.reads.read(self.session, request, response.message, parameter.size(subindex))
+            whole: T = _decoded(parameter.from_bytes, data, subindex)
+            return whole
         value: T = _decoded(access.space.read_value, parameter, response.message, *([subindex] if subindex else []))
         return value
 
@@ -242,6 +256,11 @@ class ParameterWork:
     def write(self, parameter: Parameter[T], value: T, subindex: int = 0) -> Work[None]:
         """Writes a parameter, or one element; the value is encoded at once."""
         access = self._access(parameter)
+        if access.writes is not None and parameter.size(subindex) not in access.writes.whole:
+            _encoded(parameter.writable, subindex)
+            data = _encoded(parameter.to_bytes, value, subindex)
+            first = _encoded(access.writes.begin, parameter, subindex, data)
+            return access.writes.write(self.session, first, data)
         arguments = access.arguments(parameter, subindex, 1)
         return self._sent(_encoded(access.writing(parameter), parameter, value, **arguments))
 

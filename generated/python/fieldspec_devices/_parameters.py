@@ -8,7 +8,7 @@ from struct import error as StructError
 from ._carried import Unknown
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
-from ._values import Value
+from ._values import Text, Value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -191,9 +191,10 @@ class Parameter(Generic[T]):
     def from_bytes(self, data: bytes, subindex: int = 0) -> T:
         """The value of exactly all of the bytes that a message carries, for its element with an index.
 
-        Raises CodecError.
+        Of a text, the zeros that fill it up may be missing. Raises CodecError.
         """
         own, title = self._element(subindex)
+        data = _filled(own, data)
         if len(data) != own.struct.size:
             raise CodecError("wrong_length", f"{title} has {own.struct.size} bytes, not {len(data)}")
         value: T = own.decode(title, data)
@@ -211,6 +212,10 @@ class Parameter(Generic[T]):
     def to_raws(self, values: Sequence[T], subindex: int = 0) -> list[Any]:
         """The raw values of its elements in a message. Raises CodecError."""
         return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
+
+    def size(self, subindex: int = 0) -> int:
+        """The bytes of its value, or of that of the element with an index."""
+        return self._element(subindex)[0].struct.size
 
     def _element(self, index: int) -> tuple[Value[Any], str]:
         """The type of the element with an index, and its name in errors."""
@@ -348,6 +353,11 @@ class ParameterSpace:
 
     def __iter__(self) -> Iterator[Parameter[Any]]:
         return (parameter for parameter_set in self.sets for parameter in parameter_set)
+
+
+def _filled(value: Value[Any], data: bytes) -> bytes:
+    """The bytes of a value with the zeros behind a text, which need not be sent."""
+    return data.ljust(value.struct.size, b"\0") if isinstance(value, Text) else data
 
 
 def no_parameter(space: str, wire_number: int) -> CodecError:

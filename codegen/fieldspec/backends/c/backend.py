@@ -21,7 +21,7 @@ from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
-from fieldspec.backends.c.subcodes import subcode_of
+from fieldspec.backends.c.subcodes import has_subcode, subcodes_of
 from fieldspec.backends.templates import fill
 from fieldspec.backends.usages import VersionUsages
 from fieldspec.layout.device import DeviceLayout
@@ -169,7 +169,8 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
-        subcode = subcode_of(layout, layout_of_message)
+        subcodes = subcodes_of(layout, layout_of_message)
+        subcode = subcodes[0][0] if len(subcodes) == 1 and subcodes[0][0] == subcodes[0][1] else None
         numbers = (("code", message.code), ("subcode", subcode), ("number", message.number))
         comment_of_message = describe_fact(message, about)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []
@@ -178,6 +179,9 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
             for name, number in numbers
             if number is not None
         ]
+        if subcodes and subcode is None:
+            what = comment("Whether an opened frame with the code and this subcode is of the message.")
+            block += [what, has_subcode(naming, layout_of_message.name, subcodes)]
         access = message.accesses
         if access is not None and access.set is not None:
             block += [

@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
+from fieldspec.backends.c.declarations import Function
 from fieldspec.backends.c.expressions import (
     IN,
     LENGTH,
     OUT,
     Call,
     Expression,
+    Identifier,
     PointerMember,
+    Type,
     add,
     all_of,
+    any_of,
+    at_least,
+    at_most,
     decimal,
     different,
     equal,
+    greater,
     less,
     unsigned,
 )
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.statements import If, Statement, assign
+from fieldspec.backends.c.statements import If, Return, Statement, Variable, assign
 from fieldspec.backends.c.values import access_name, refuse
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
@@ -43,20 +52,49 @@ def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode
         (
             *refuse(naming, less(LENGTH, unsigned(around + subcode.end)), "err_incomplete"),
             assign(member, Call(naming.own(f"load_{access_name(subcode.size, subcode.order, False)}"), (place,))),
-            *refuse(
-                naming, all_of([different(member, unsigned(number)) for number in subcode.messages]), "err_unknown_code"
-            ),
+            *refuse(naming, all_of(list(_differences(member, subcode))), "err_unknown_code"),
         ),
     )
 
 
-def subcode_of(layout: DeviceLayout, message: MessageLayout) -> int | None:
-    """What tells a message from others with its code, None where nothing has to or where it depends on the link."""
+def _differences(member: Expression, subcode: Subcode) -> Iterator[Expression]:
+    """The tests that a number is none of a subcode: one for each number, or for each run of them."""
+    for message in dict.fromkeys(message.name for message in subcode.messages.values()):
+        own = next(other for other in subcode.messages.values() if other.name == message)
+        for low, high in subcode.intervals_of(own):
+            if low == high:
+                yield different(member, unsigned(low))
+            elif low == 0:
+                yield greater(member, unsigned(high))
+            else:
+                yield any_of([less(member, unsigned(low)), greater(member, unsigned(high))])
+
+
+def subcodes_of(layout: DeviceLayout, message: MessageLayout) -> tuple[tuple[int, int], ...]:
+    """What tells a message from others with its code, as intervals with both ends.
+
+    There are none where nothing has to, and where it depends on the link.
+    """
     numbers = {
-        subcode.number_of(message)
+        tuple(subcode.intervals_of(message))
         for link in layout.links.values()
         for direction in ("request", "response")
         for code, subcode in shared_codes(link, direction).items()
         if code == message.message.code and message in subcode.messages.values()
     }
-    return numbers.pop() if len(numbers) == 1 else None
+    return numbers.pop() if len(numbers) == 1 else ()
+
+
+def has_subcode(naming: Naming, message: str, intervals: Sequence[tuple[int, int]]) -> Function:
+    """Whether an opened frame with the code of several messages is one of this message.
+
+    `bool message_next_has_subcode(uint32_t subcode) { return subcode == 0x60u || subcode == 0x70u; }`
+    """
+    number = Identifier("subcode")
+    tests: list[Expression] = []
+    for low, high in intervals:
+        most = at_most(number, unsigned(high))
+        both = most if low == 0 else all_of([at_least(number, unsigned(low)), most])
+        tests.append(equal(number, unsigned(low)) if low == high else both)
+    name = naming.function("message", message, "has_subcode")
+    return Function(Type("bool"), name, (Variable(Type("uint32_t"), "subcode"),), (Return(any_of(tests)),))

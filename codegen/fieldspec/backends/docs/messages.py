@@ -10,6 +10,7 @@ from fieldspec.backends.docs.document import (
     DocumentTable,
     Facts,
     Line,
+    Piece,
     Section,
     TableColumn,
     TableRow,
@@ -26,7 +27,7 @@ from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, value_cells
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.record import Message
+from fieldspec.model.record import Message, Segments
 from fieldspec.model.value import Conversion, Signal
 
 DIRECTIONS = ("request", "response")
@@ -92,14 +93,39 @@ def _frame(
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """What tells the message from others with its code, once for all links and directions where it is the same."""
     texts = dict.fromkeys(
-        f"0x{subcode.number_of(message_layout):0{2 * subcode.size}X}"
+        "..".join(f"0x{bound}" for bound in text.split(".."))
         for link in context.layout.links.values()
         for direction in DIRECTIONS
         for number, subcode in link.subcodes(direction).items()
         if number == message_layout.message.code and message_layout in subcode.messages.values()
+        for text in subcode.texts_of(message_layout)
     )
     if texts:
         yield "Subcode", (joined((code(text),) for text in texts),)
+
+
+def _pieces(segments: Segments) -> Iterator[Piece]:
+    """How the value of a message follows in pieces."""
+    verb = "read" if segments.reads else "written"
+    yield text_piece(f"the value is {verb} by ")
+    yield code(segments.message, f"#messages/{segments.message}")
+    if segments.when:
+        yield text_piece(" where the response says ")
+        yield from joined((code(name),) for name in segments.when)
+    names = ("data", "counter", "unused", "last", "size")
+    parts = [(name, getattr(segments, name)) for name in names if getattr(segments, name)]
+    for name, field in parts:
+        yield text_piece(f", {name} ")
+        yield code(field)
+    if segments.unsized:
+        yield text_piece(" except with ")
+        yield from joined((code(name),) for name in segments.unsized)
+    abort = segments.abort
+    if abort is not None:
+        yield text_piece("; what does not follow is ended by ")
+        yield code(abort.message, f"#messages/{abort.message}")
+        yield text_piece(f" with the {abort.reason} ")
+        yield from joined(((code(abort.counter),), (code(abort.size),)), " or ")
 
 
 def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
@@ -144,6 +170,8 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
             yield "Accesses", ((text_piece(f"{verb} {space.title or space.name}", f"#{space.place.path}"),),)
         else:
             yield "Accesses", ((text_piece(f"{verb} registers", "#registers"),),)
+    if message.segments is not None:
+        yield "In pieces", (tuple(_pieces(message.segments)),)
     examples = [example for example in context.device.examples.values() if example.message == message.name]
     if examples:
         yield "Examples", (joined((text_piece(example.id, f"#{example.place.path}"),) for example in examples),)

@@ -82,6 +82,7 @@ _NOT_EXACT = {
     "can_frames": refused("are no words of a serial line"),
     "byte_registers": refused("are in no word; the bytes of their messages are in the map"),
     "moving_tables": refused("addresses are constants: output_addresses_constant"),
+    "pieces": lossy("are messages whose words are in the map; nothing puts them together"),
     "choices": lossy("stand once for each type, with the values that decide it"),
     "aliases": lossy("have the name to write"),
     "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),

@@ -49,6 +49,7 @@ RUNTIME = (
     "_record",
     "_refusals",
     "_registers",
+    "_segments",
     "_subcodes",
     "_texts",
     "_typing",

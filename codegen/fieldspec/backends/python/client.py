@@ -9,6 +9,7 @@ from fieldspec.backends.fact_texts import described, sentence
 from fieldspec.backends.python.client_cyclic import CyclicView, cyclic_view
 from fieldspec.backends.python.client_links import ClientLinkView, client_link, is_framed, reply_type
 from fieldspec.backends.python.client_names import CODEC, ClientNames, NoTask
+from fieldspec.backends.python.client_segments import client_segments
 from fieldspec.backends.python.client_tasks import TaskView, task_view
 from fieldspec.backends.python.links import Exchange, LinkView
 from fieldspec.backends.python.naming import BUILTINS, EXCEPTIONS, TYPES, Scope
@@ -266,5 +267,6 @@ def _parameters(layout: DeviceLayout, view: Mapping[str, Any]) -> list[str]:
         arguments = [f"{CODEC}.{owner.name}"]
         arguments += [f"count={literal(name)}" for name in extra]
         arguments += ["indexed=True"] if all(message.indexed for message in messages) else []
+        arguments += client_segments(layout, parameter_set, {own.message.name: own for own in view["exchanges"]})
         rows.append(f"{literal(parameter_set.name)}: _ParameterAccess({', '.join(arguments)})")
     return rows

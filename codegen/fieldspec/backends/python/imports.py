@@ -91,6 +91,7 @@ _CLIENT = {
     "_client_registers": "Group ParameterAccess ParameterWork RegisterWork",
     "_client_sync": "BlockingClient Motion ParameterClient RegisterClient",
     "_client_tasks": "Condition DeviceWork Jog",
+    "_segments": "Place Segments",
 }
 _CRC = [f"_C{place}" for place in range(8)]
 _CRC_EXCHANGED = [f"_X{place}" for place in range(8)]

@@ -9,6 +9,7 @@ from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair
 from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.changes.evidence import hexadecimal, value_text
+from fieldspec.changes.message_texts import access_text, segments_text
 from fieldspec.model.device import Detection, Device, Version, VersionLine
 from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
@@ -186,9 +187,12 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
             text = f"{named(value_pair.of.new)}: {difference_text('the part of a parameter that it is', old, new)}"
             yield change("role_changed", Effect.WIRE, value_pair, "parameter", text, old, new)
     for message in comparison.of(Message):
-        before, after = _access(comparison, message.old), _access(None, message.new)
+        before, after = access_text(comparison, message.old), access_text(None, message.new)
         if before != after:
             yield _role_text(message, "accesses", "how it accesses registers", before, after)
+        before, after = segments_text(comparison, message.old), segments_text(None, message.new)
+        if before != after:
+            yield _role_text(message, "segments", "how its value follows in pieces", before, after)
 
 
 def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, what: str, old: str, new: str) -> Change:
@@ -224,26 +228,6 @@ def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str
     name = comparison.renamed_to("parameters", part.set) if comparison else part.set
     sizes = f", {value_text(part.sizes)}" if part.sizes else ""
     return f"the {part.part} of {name}" + (f" by {part.number}" if part.number else "") + sizes
-
-
-def _access(comparison: Comparison | None, message: Message) -> str:
-    access = message.accesses
-    if access is None:
-        return ""
-    words = [access.start, access.count, access.values]
-    if comparison is not None:
-        words = [_renamed(comparison, message, word) for word in words]
-    text = ", ".join(
-        f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
-    )
-    bits = "" if (access.set, access.clear) == (None, 0) else f", a bit as {access.set} or {access.clear}"
-    return f"{access.operation} with {text}{bits}"
-
-
-def _renamed(comparison: Comparison, message: Message, name: str) -> str:
-    """The new name of a field of the request or of the response."""
-    asked = comparison.renamed_to(f"messages/{message.name}/request", name)
-    return asked if asked != name else comparison.renamed_to(f"messages/{message.name}/response", name)
 
 
 def sending_changed(comparison: Comparison) -> Iterator[Change]:

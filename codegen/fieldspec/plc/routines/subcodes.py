@@ -1,4 +1,4 @@
-"""Responses of messages that share a code: a constant in their data tells which message they answer."""
+"""Responses of messages that share a code: a field in their data tells which message they answer."""
 
 from __future__ import annotations
 
@@ -14,17 +14,16 @@ def refuse_other_subcode(
 ) -> None:
     """Refuses the response to another message with the same code.
 
-    Data that are too short for the constant count as those of the first message, as in the other codecs.
+    Data that are too short for the field count as those of the first message, as in the other codecs.
     """
     shared = link.subcodes("response").get(message.message.code or 0)
     if shared is None or all(other is not message for other in shared.messages.values()):
         return
     field = next(field for field in message.response.fields if field.offset == shared.offset)
-    assert field.value is not None
-    assert field.value.const is not None
     wire = Wire.of_field(field)
     bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
-    differs = compared(bits, "<>", wire.literal(field.value.const))
+    numbers = [key for key, other in shared.messages.items() if other is message]
+    differs = every([compared(bits, "<>", wire.literal(own)) for own in numbers])
     if next(iter(shared.messages.values())) is message:
         test = every([compared(size, ">=", number(shared.end)), differs])
     else:

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from fieldspec.model.record import Case, Choice, Field, Measure, Message, Record, RegisterAccess
+from fieldspec.model.record import (
+    Case,
+    Choice,
+    Field,
+    Measure,
+    Message,
+    Record,
+    RegisterAccess,
+    Segments,
+    SegmentsAbort,
+)
 from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
@@ -84,7 +94,7 @@ def _span(text: str) -> tuple[int, int] | None:
 def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
-    access = entry.entry("accesses")
+    access, pieces = entry.entry("accesses"), entry.entry("segments")
     return Message(
         **entry.fact(),
         title=entry.text("title"),
@@ -103,6 +113,7 @@ def message(entry: Entry, reused: Reused) -> Message:
         broadcast=entry.maybe("broadcast"),
         handling=entry.handling(),
         accesses=_access(access) if access else None,
+        segments=_segments(pieces) if pieces else None,
     )
 
 
@@ -115,6 +126,31 @@ def _answered_on(entry: Entry) -> tuple[str, ...] | None:
         text = "the message is never answered, but it has a `response`"
         entry.refuse("wrong_form", "response", text, "remove `response`, or name the links under `answered_on`")
     return links
+
+
+def _segments(entry: Entry) -> Segments:
+    if "unsized" in entry.own and "size" not in entry.own:
+        entry.refuse(
+            "wrong_form", "unsized", "`unsized` has no effect without `size`", "add `size`, or remove `unsized`"
+        )
+    if "unsized" in entry.own and "when" not in entry.own:
+        text = "`unsized` has no effect without `when`: the request that writes always has its `size`"
+        entry.refuse("wrong_form", "unsized", text, "remove `unsized`, or state `when` for a message that reads")
+    return Segments(
+        message=entry.text("message"),
+        when=entry.texts("when"),
+        size=entry.text("size"),
+        unsized=entry.texts("unsized"),
+        data=entry.text("data"),
+        counter=entry.text("counter"),
+        unused=entry.text("unused"),
+        last=entry.text("last"),
+        abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None,
+    )
+
+
+def _segments_abort(entry: Entry) -> SegmentsAbort:
+    return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
 
 
 def _access(entry: Entry) -> RegisterAccess:

@@ -79,17 +79,23 @@ export function withParameter(device, row, field, index, known, outer, isRequest
     at = isWhole(first) ? Number(first) + index : null;
   }
   const element = elementOf(words, number, parameterNumbered(words, number), at);
-  if (part === "value") return readAs(device, row, field, element, isRequest, statedSize(field, known));
+  if (part === "value") {
+    const size = statedSize(field, known);
+    // Its bytes are no value.
+    if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
+    return readAs(device, row, field, element, isRequest, size);
+  }
   if (part === "subindex" && element.index === null) return row;
   return { ...row, meanings: [...row.meanings, element.meaning] };
 }
 
-/** How many bytes of a field are the value of a parameter; 0 where what should say so does not. */
+/** How many bytes of a field are the value of a parameter: 0 where what should say so does not; undefined for none. */
 function statedSize(field, known) {
   const [, , by, sizes] = field.valueBytes ?? [];
   if (!by) return field.size;
   const stated = known(by);
-  return sizes.find(([number]) => isWhole(stated ?? "") && BigInt(stated) === BigInt(number))?.[1] ?? 0;
+  if (!isWhole(stated ?? "")) return 0;
+  return sizes.find(([number]) => BigInt(stated) === BigInt(number))?.[1];
 }
 
 /** The name of the field with the index of the first element that a message carries; empty if it has none. */
@@ -110,6 +116,8 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
     if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
     const stated = fact.value.size;
+    // A text may come without the zeros that fill it up.
+    if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
   let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);

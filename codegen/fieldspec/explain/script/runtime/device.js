@@ -130,7 +130,7 @@ export function messageWithCode(link, direction, code, data, asked) {
   return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code. */
+/** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
 export function codeText(link, direction, message) {
   if (message.code === undefined) return "no code";
   const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
@@ -138,8 +138,16 @@ export function codeText(link, direction, message) {
   const part = link[direction].code;
   const own = part?.value.digits ? latinOf(digitsBytes(part.value, message.code)).toUpperCase() : digits(message.code, 1);
   if (!shared) return own;
-  const [number] = shared.messages.find(([, name]) => name === message.name);
-  return `${own} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
+  const intervals = [];
+  const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);
+  for (const number of numbers.sort((left, right) => left - right)) {
+    const last = intervals[intervals.length - 1];
+    if (last && last[1] === number - 1) last[1] = number;
+    else intervals.push([number, number]);
+  }
+  const text = ([low, high]) => digits(low, shared.size) + (low === high ? "" : `..${digits(high, shared.size)}`);
+  const place = link[direction].headerSize + shared.offset;
+  return `${own} with ${intervals.map(text).join(" or ")} at byte ${place}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */

@@ -1,0 +1,46 @@
+"""Why a simulated device does not carry out a request that it has received."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.layout.record import FieldLayout
+from fieldspec.reference.frames import FrameCodec
+from fieldspec.reference.records import CodecError
+
+if TYPE_CHECKING:
+    from typing import Any
+
+DAMAGED = ("wrong_mark", "not_hex", "wrong_check")
+_REASONS = {
+    "unknown_code": "unknown_code",
+    "incomplete": "count_invalid",
+    "wrong_length": "count_invalid",
+    "wrong_measure": "count_invalid",
+}
+
+
+class DamagedError(Exception):
+    """A frame that no device can understand."""
+
+
+def refusal_reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
+    """Why a request that cannot be decoded is refused."""
+    shape = frames.link.request
+    coded = shape.role("code")
+    parts = frames.original_parts(frame, "request")
+    code = coded.read(parts[coded.offset : coded.offset + coded.size]) if coded is not None else None
+    announced = frames.link.message_with_code(code) if code is not None else None
+    selector = announced.request.selector if announced is not None else None
+    if selector is not None and error.offset == shape.header_size + selector.offset:
+        return "format_invalid"
+    return _REASONS.get(error.reason, "value_invalid")
+
+
+def field_out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
+    """The name of a field whose value is beyond its range; empty for all others."""
+    value, raw = field.value, values.get(field.name)
+    if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
+        return ""
+    return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
