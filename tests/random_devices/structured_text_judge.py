@@ -6,7 +6,8 @@ import random
 import sys
 from pathlib import Path
 
-from fieldspec.backends.iec.backend import source
+from fieldspec.backends import OUTPUTS
+from fieldspec.backends.iec.backend import refusals, source
 from fieldspec.backends.iec.backend import text as standard_text
 from fieldspec.backends.st.backend import text
 from fieldspec.layout.device import DeviceLayout
@@ -32,18 +33,23 @@ TRIES = 6
 
 
 class StructuredText:
-    """The functions of a device; those of a device that the output refuses are not asked."""
+    """The functions of a device; those of a device that the output refuses are not asked.
+
+    Every other output also says what it refuses, and must not raise.
+    """
 
     def __init__(self, layout: DeviceLayout, folder: Path, is_compiled: bool = False) -> None:
         self.prover: Proof | None = None
-        if is_compiled and not source(layout).declared.findings:
+        if is_compiled and not refusals([layout]):
             own = source(layout)
             try:
                 self.prover = Proof(own.declared.world, Compiled(standard_text(own), folder))
             except AssertionError as error:
                 if not any(defect in str(error) for defect in DEFECTS_OF_MATIEC):
                     raise
-        elif not is_compiled and not declared_in_text(layout).findings:
+        for output in () if is_compiled else OUTPUTS.values():
+            output.refusals([layout])
+        if not is_compiled and not declared_in_text(layout).findings:
             own_program = program(layout)
             self.prover = Proof(own_program.declared.world, Machine(parsed(text(own_program))))
 

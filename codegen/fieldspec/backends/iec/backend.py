@@ -46,7 +46,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that a compiler does not take, or takes for one."""
-    return list(source(newest(versions)).declared.findings)
+    return list(declarations(newest(versions), IEC).findings)
 
 
 def shared() -> dict[str, str]:

@@ -12,6 +12,7 @@ from fieldspec.plc.cache import cached
 from fieldspec.plc.declarations import Declarations, declarations
 from fieldspec.plc.dialects import SIEMENS, Scope
 from fieldspec.plc.enums import TextTable
+from fieldspec.plc.routines.blocks.device import Blocks
 from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.expressions import Elementary
 from fieldspec.plc.routines.messages import telegrams
@@ -92,7 +93,7 @@ def declared_for_portal(layout: DeviceLayout) -> Declarations:
 
 @cached
 def project(layout: DeviceLayout) -> Project:
-    """The project of a device that has passed the checks."""
+    """The project of a device that has passed the checks; without functions if TIA Portal cannot have it."""
     declared = declared_for_portal(layout)
     findings = [*declared.findings]
     scope = Scope(SIEMENS, "block", findings)
@@ -102,7 +103,7 @@ def project(layout: DeviceLayout) -> Project:
         TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
         for table in declared.texts
     )
-    all_blocks = routines(declared.world)
+    all_blocks = Blocks((), ()) if findings else routines(declared.world)
     text_type = SIEMENS.texts.format(device, "Code")
     return Project(
         layout, declared, telegram_blocks, texts, all_blocks.routines, text_type, tuple(findings), all_blocks.missing

@@ -95,7 +95,7 @@ def _scaled(layout: DeviceLayout) -> Iterator[Quantity]:
                 (parameter.name, inner.name, inner.value, inner) for inner in parameter.subindices if not inner.reserved
             ]
     for owner, name, value, fact in every_value:
-        if value is not None and value.scaled and value.type.kind is Kind.INTEGER:
+        if value is not None and value.scaled and value.type.kind is Kind.INTEGER and _intervals(value):
             yield Quantity(owner, name, value, fact)
 
 
