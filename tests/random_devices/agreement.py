@@ -130,15 +130,20 @@ def compare_layout(layout: DeviceLayout, seed: int, frames: int, judges: tuple[J
             except Exception as error:
                 result.disagreements.append(f"{judge.name}: {type(error).__name__}: {str(error)[-1500:]}")
                 continue
-            result.disagreements += _disagreements(judge, asked, expected, answers)
+            result.disagreements += _disagreements(layout, judge, asked, expected, answers)
 
 
-def _disagreements(judge: Judge, asked: list[Query], expected: list[Answer], answers: list[Answer]) -> list[str]:
+def _disagreements(
+    layout: DeviceLayout, judge: Judge, asked: list[Query], expected: list[Answer], answers: list[Answer]
+) -> list[str]:
     disagreements = []
     for query, wanted, answer in zip(asked, expected, answers, strict=True):
         if answer.reason is None:
             continue
-        if judge.name == "explainer" and wanted.reason and wanted.reason in (answer.reason or "").split():
+        reasons = (answer.reason or "").split()
+        if judge.name == "explainer" and wanted.reason and wanted.reason in reasons:
+            continue
+        if judge.name == "explainer" and "wrong_length" in reasons and _may_move(layout, query, wanted):
             continue
         if judge.name == "javascript" and query.values is not None and _may_differ(wanted, answer):
             continue
@@ -151,6 +156,17 @@ def _disagreements(judge: Judge, asked: list[Query], expected: list[Answer], ans
                 f"{judge.name}: {query.kind} {' '.join(query.path)}: {'; '.join(differences)} for {about}"
             )
     return disagreements
+
+
+def _may_move(layout: DeviceLayout, query: Query, wanted: Answer) -> bool:
+    """Whether codecs read digits of a trailer at the end of a frame, which the explainer has where the data ends.
+
+    Where a frame has a wrong length, only codecs take other bytes for these digits.
+    """
+    if wanted.reason != "unknown_value" or query.kind != "frame":
+        return False
+    link, direction, _ = query.path
+    return any(part.form for part in layout.links[link].frame(direction).trailer)
 
 
 def _may_differ(wanted: Answer, answer: Answer) -> bool:
