@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.python.client_names import CODEC, ClientNames
+from fieldspec.backends.python.frames import head_arguments
 from fieldspec.backends.python.links import LinkView
 from fieldspec.backends.python.naming import RECORD
 from fieldspec.backends.python.records import shape
@@ -66,6 +67,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"refusal_code={refusal.code}"] if refusal is not None and refusal.code is not None else []
     arguments += ["refusal_code=0"] if link.has_uncoded_exceptions and link.request.role("code") is None else []
     arguments += _reason(layout.records[refusal.record], names) if refusal is not None else []
+    arguments += _refusal_part(link, view, names)
     repeated, value_counts = [], []
     for message in link.carried("response").values():
         access = message.message.accesses
@@ -89,6 +91,24 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
     name = f"_{Name.of(link.name).upper()}"
     return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0))
+
+
+def _response_names(link: LinkLayout, view: LinkView) -> dict[str, str]:
+    """The attributes of a response with the parts before its body, by the names of the parts."""
+    own = view.response.head_parts if view.response is not None else []
+    passed = [part for part in head_arguments(link.response) if part.role == "plain"]
+    return {part.name: part_view.name for part, part_view in zip(passed, own, strict=True)}
+
+
+def _refusal_part(link: LinkLayout, view: LinkView, names: ClientNames) -> list[str]:
+    """The arguments with the part of an exception response that says why, and with its enum; none without one."""
+    mark = link.link.exception_response
+    if mark is None or not mark.part:
+        return []
+    part = next(part for part in link.response.header if part.name == mark.part)
+    enum = part.value.enum if part.value is not None else ""
+    named = [f"refusal_names={{int(own): own for own in {CODEC}.{names.words.enums[enum].name}}}"] if enum else []
+    return [f"refusal_part={literal(_response_names(link, view)[part.name])}", *named]
 
 
 def _reason(record: RecordLayout, names: ClientNames) -> list[str]:

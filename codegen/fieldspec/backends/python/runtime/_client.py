@@ -14,7 +14,7 @@ from ._typing import TYPE_CHECKING, R, T
 from .errors import InvalidValueError, NoAnswerError, RefusedError, TransportError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
+    from collections.abc import Callable, Generator, Mapping
     from typing import Any, Final, TypeAlias
 
     from ._framers import Framer
@@ -35,7 +35,8 @@ class Link:
     `counters` are the parts of a request that its response repeats, each with its lowest and highest number. `timeout`
     is how long a response may take, `pause` how long the line is silent before a request, in seconds. `refusal_code` is
     the code of all exception responses, None where it is that of the request, and `reason` their field that says why,
-    empty for the first one. `repeated` has the fields that a response repeats, by the class of the request, and
+    empty for the first one. `refusal_part` is the part before the body that says so instead, and `refusal_names` its
+    members by their numbers. `repeated` has the fields that a response repeats, by the class of the request, and
     `value_counts` the field with the number of values and the field of the response with these values.
     """
 
@@ -49,12 +50,14 @@ class Link:
         pause: float = 0.0,
         refusal_code: int | None = None,
         reason: str = "",
+        refusal_part: str = "",
+        refusal_names: Mapping[int, Any] | None = None,
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
     ) -> None:
         self.codec, self.addressed, self.counters = codec, addressed, counters
         self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
-        self.reason = reason
+        self.reason, self.refusal_part, self.refusal_names = reason, refusal_part, refusal_names
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
 
     def is_answer(self, reply: Any, request: Any, unit_address: int, head: dict[str, int]) -> bool:
@@ -187,7 +190,7 @@ class Session:
                 self._owed -= self._owed > 0
                 self._silent_until = self.now() + self.pause
                 if isinstance(reply, ErrorReply):
-                    raise refusal(reply.exception, self.link.reason)
+                    raise refusal(reply, self.link)
                 return reply
         self._owed_until = deadline + self.timeout
         self._silent_until = self.now() + self.pause
@@ -202,10 +205,14 @@ class Session:
         return reply if self.link.is_answer(reply, request, self.unit_address, self._head) else None
 
 
-def refusal(exception: Any, reason: str = "") -> RefusedError:
-    """The error for an exception response: its number is in the field `reason`, or else in the first one."""
-    names = (reason,) if reason else exception.__match_args__
+def refusal(reply: ErrorReply[Any], link: Link) -> RefusedError:
+    """The error for an exception response: a part or a field of it has its number, or else its first field."""
+    exception = reply.exception
+    names = (link.reason,) if link.reason else exception.__match_args__
     first = getattr(exception, names[0]) if names else 0
+    if link.refusal_part:
+        first = getattr(reply, link.refusal_part)
+        first = link.refusal_names.get(first, first) if link.refusal_names else getattr(first, "raw", first)
     name = getattr(first, "name", "")
     text = f"the device refuses the request: exception {int(first)}" + (f", {name.lower()}" if name else "")
     return RefusedError(text, int(first), exception)
