@@ -219,6 +219,16 @@ def test_a_part_may_be_a_word_of_flags(module: Any, client: Any) -> None:
     assert line.sent == ["04 02 06"]
 
 
+def test_a_request_of_another_link_is_refused_with_the_links_that_carry_it(
+    module: Any, client: Any, errors: Any
+) -> None:
+    line = Line()
+    meter = client.Client(line, link="line", meter_address=1)
+    with pytest.raises(errors.InvalidValueError, match="PingRequest is not sent on this link, but on counted, flag"):
+        meter.ask(module.PingRequest())
+    assert line.sent == []
+
+
 def test_of_several_repeated_parts_without_the_name_of_a_number_none_is_counted() -> None:
     sequencer = module_of(newest(TEST_SPECS, "sequencer"))
     owner = importlib.import_module(f"{sequencer.__package__}.client")

@@ -161,6 +161,12 @@ class Session:
                 frame = link.codec.encode_request(request, **head)
         except CodecError as error:
             raise InvalidValueError(str(error)) from error
+        except AttributeError as error:
+            links = [name[4:] for name in dir(request) if name.startswith("_to_") and name != "_to_image"]
+            if error.obj is not request or not links:
+                raise
+            text = f"{request.__class__.__name__} is not sent on this link, but on {', '.join(links)}"
+            raise InvalidValueError(text) from error
         return frame
 
     def _ready(self, request: Any = None) -> Work[None]:
