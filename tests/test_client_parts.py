@@ -16,6 +16,7 @@ from fieldspec.behaviour.reading import behaviour_of
 from fieldspec.cli import main
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.client import Client, NoAnswerError, Timing
+from fieldspec.live.messages import signals
 from fieldspec.pipeline import layouts, load
 from fieldspec.reference.frames import codec
 from fieldspec.simulator.engine import Engine
@@ -92,6 +93,7 @@ messages:
     response: [{name: values, type: u16, repeat: 1..20}]
     accesses: {operation: read, start: address, count: words, values: values}
   - {name: ping, code: 2, links: [counted, flagged, routed], source: 2 L2, request: [], response: []}
+  - {name: state, code: 3, links: [counted], source: 2 L5, request: [], response: [{name: volume, type: u8}]}
 registers:
   - group: readings
     section: "2"
@@ -274,3 +276,7 @@ def test_live_takes_a_part_that_no_spec_states(tmp_path: Path, capsys: pytest.Ca
         assert "voltage" in capsys.readouterr().out
         assert main(command) == 2
         assert "meter_address is not given; add it with --with NAME=VALUE" in capsys.readouterr().err
+
+
+def test_a_part_that_repeats_one_of_the_request_says_nothing_about_the_device(meter: DeviceLayout) -> None:
+    assert [signal.path for signal in signals(meter, meter.links["counted"])] == ["state.volume"]
