@@ -21,9 +21,9 @@ from random_devices.queries import shapes
 
 REASONS = [name.removeprefix("err_") for name in status_names()]
 _MAIN = """
-static char name[512], text[16384];
-static uint8_t data[8192], again[16384], buffer[16384];
-static char line[20000];
+static char name[512], text[131072];
+static uint8_t data[65536], again[131072], buffer[131072];
+static char line[131600];
 static size_t length;
 static int status, second;
 
@@ -76,7 +76,7 @@ int main(void)
         text[0] = 0;
         length = 0;
         status = second = -1;
-        if (sscanf(line, "%511s %16383s", name, text) >= 1) {
+        if (sscanf(line, "%511s %131071s", name, text) >= 1) {
             size = hex(text, data);
         }
         memset(again, 0xAA, sizeof again);

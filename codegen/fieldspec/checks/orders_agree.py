@@ -1,6 +1,7 @@
 """All links of a device have the same byte order and the same word order. If the device has values of several
 words, such as registers or data counted in words, at least one link states the word order, and so does every
-link whose data is counted in words. A value may state an order of its own.
+link whose data is counted in words, and every link with values of several words if another link exchanges words. A
+value may state an order of its own.
 
 Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have
 two orders. A protocol that has only bytes needs no word order.
@@ -20,7 +21,9 @@ from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
+from fieldspec.model.record import Case, Field, Record
 from fieldspec.model.sizes import messages_on
+from fieldspec.model.value import Value
 
 _CODE = "orders_agree"
 
@@ -47,16 +50,39 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
-    """A link on which data are counted in words says itself which word of a longer number comes first."""
-    for message in messages_on(device, link) if not link.word_order else ():
+    """A link on which data are counted in words, or values have words, says itself which word of a number comes first.
+
+    Where no link exchanges words, values need no word order.
+    """
+    if link.word_order:
+        return
+    other = next((other for other in device.links.values() if other.word_order not in ("", device.byte_order)), None)
+    for message in messages_on(device, link):
         for data in (message.request, message.response):
-            for field in data.fields:
-                value = field.value
-                if field.word_span is not None and value is not None and value.has_words and not value.word_order:
-                    text = f"{field.name} has several words, but {link.name} does not state the word order"
+            for field, value in _values(device, data):
+                if not value.has_words or value.word_order or value.has_characters:
+                    continue
+                text = f"{field.name} has several words, but {link.name} does not state the word order"
+                if isinstance(field, Field) and field.word_span is not None:
                     there = label(field.place, "word_span", "the words")
                     yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", there)
                     return
+                if other is not None:
+                    there = label(other.place, "word_order", f"{other.name} exchanges the words")
+                    help = f"add `word_order: {other.word_order}` to the link, or the order to the value"
+                    yield finding(_CODE, field.place, "type", text, help, there)
+                    return
+
+
+def _values(device: Device, record: Record) -> Iterator[tuple[Field | Case, Value]]:
+    """The values of a record, of its cases, and of the records in it."""
+    for field in record.fields:
+        if field.value is not None:
+            yield field, field.value
+        if field.record in device.records:
+            yield from _values(device, device.records[field.record])
+        for case in field.choice.cases if field.choice is not None else ():
+            yield case, case.value
 
 
 def _has_words(device: Device) -> bool:

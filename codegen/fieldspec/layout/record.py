@@ -260,7 +260,7 @@ def _fixed(
     repeated = [(field.field.repeat, field.size) for field in fields if field.field.repeat is not None]
     if not repeated:
         return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
-    leasts = [size if field.record is None else field.record.least for field in fields if field.count is None]
+    leasts = [field.size if field.record is None else field.record.least for field in fields if field.count is None]
     least = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
     most = fixed + sum(repeat.high * size for repeat, size in repeated)
     inner_lists = _inner_lists(record, tuple(fields), fixed) if is_inner else None
