@@ -216,7 +216,7 @@ def test_only_what_the_rules_name_is_refused(layout: DeviceLayout) -> None:
 
 
 def test_two_functions_of_one_name_are_refused() -> None:
-    layout = newest(TEST_SPECS, "widget")
+    layout = newest(SPECS, "tc100")
     value = project(layout)
     (finding,) = clashes(replace(value, routines=(*value.routines, value.routines[0])))
     assert finding.code == "plc_names_distinct"

@@ -38,7 +38,8 @@ class InnerList:
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
-        self.at, self.length, self.order, self.unit, self.plus = count
+        self.at, self.length, _, self.unit, self.plus = count
+        self.order: Literal["big", "little"] = count[2]
         self.tail = tail
 
     def count_size(self, data: bytes) -> int:
