@@ -950,15 +950,18 @@ class ExplainedDevice {
       const messages = link.carried[direction].map((name) => [name, this.messages.get(name)]);
       carried[direction] = new Map(messages);
       coded[direction] = new Map();
-      for (const [, message] of messages) this.add(coded[direction], message.code, message);
+      for (const [, message] of messages) this.add(coded[direction], codeIn(direction, message), message);
       subcodes[direction] = new Map(link.subcodes[direction].map((shared) => [
         shared.code, { ...shared, named: new Map(shared.messages.map(([number, name]) => [number, this.messages.get(name)])) },
       ]));
       delimiters[direction] = link.delimiters[direction].map(bytesOfHex);
     }
+    const refused = new Map();
+    for (const [, message] of carried.request) this.add(refused, codeIn("response", message), message);
     return {
       ...link,
       carriedMessages: carried,
+      refusedByCode: refused,
       messagesByCode: coded,
       subcodes,
       delimiters,
@@ -1018,6 +1021,11 @@ function indexedFrame(frame) {
   };
 }
 
+/** The code of a message in one direction; undefined where there is none. */
+function codeIn(direction, message) {
+  return direction === "response" ? message?.responseCode ?? message?.code : message?.code;
+}
+
 /** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
 function isAmbiguous({ ambiguous = [] }, direction, code) {
   return direction === "response" && ambiguous.includes(code);
@@ -1039,13 +1047,23 @@ function messageWithCode(link, direction, code, data, asked) {
   return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
+/**
+ * The message that an exception response with a code refuses. It carries no subcode: of several messages with the code,
+ * only the request tells which one it answers.
+ */
+function refusedMessage(link, code, asked) {
+  const messages = link.refusedByCode.get(code) ?? [];
+  return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
+}
+
 /** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
 function codeText(link, direction, message) {
-  if (message.code === undefined) return "no code";
+  const code = codeIn(direction, message);
+  if (code === undefined) return "no code";
   const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
-  const shared = link.subcodes[direction].get(message.code);
+  const shared = link.subcodes[direction].get(code);
   const part = link[direction].code;
-  const own = part?.value.digits ? latinOf(digitsBytes(part.value, message.code)).toUpperCase() : digits(message.code, 1);
+  const own = part?.value.digits ? latinOf(digitsBytes(part.value, code)).toUpperCase() : digits(code, 1);
   if (!shared) return own;
   const intervals = [];
   const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);
@@ -2526,17 +2544,16 @@ class ExplainedFrame {
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
-    const carried = this.error ? "request" : direction;
     const end = this.data.length - this.shape.trailerSize;
-    const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
-    // An exception response carries no subcode; only the request tells which message it answers.
-    const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
-    this.message = messageWithCode(link, carried, code, body, this.named) ?? shared.find(({ name }) => name === this.named);
+    const body = this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
+    this.message = this.error
+      ? refusedMessage(link, code, this.named)
+      : messageWithCode(link, direction, code, body, this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
-      if (isAmbiguous(link, carried, code)) {
-        const names = link.messagesByCode[carried].get(code).map(({ name }) => name).join(", ");
+      if (isAmbiguous(link, direction, code)) {
+        const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
@@ -2733,7 +2750,7 @@ function candidatesOf(link, direction, frame, close) {
 
 /** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
 function isGuessed(device, link, direction, message) {
-  return !link[direction].code || isAmbiguous(link, direction, device.messages.get(message)?.code);
+  return !link[direction].code || isAmbiguous(link, direction, codeIn(direction, device.messages.get(message)));
 }
 
 /** The reading of an explanation. */
@@ -2877,7 +2894,12 @@ function mismatchesOf(device, request, response) {
     const have = theirs && response.values.get(theirs.name);
     // A code of its own marks the exception responses to all requests.
     if (role === "code" && response.error && link.exception?.code !== undefined) continue;
-    if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
+    const { responseCode } = device.messages.get(request.message) ?? {};
+    if (role === "code" && responseCode !== undefined) {
+      if (isWhole(have ?? "") && have !== responseCode) {
+        texts.push(`${theirs.name} is ${have}, but ${responseCode} answers ${request.message}`);
+      }
+    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
     }
   }
@@ -3622,7 +3644,8 @@ function partBytes(part, number) {
 function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
-  if (part.role === "code") return error ? link.exception.code ?? message.code | link.exception.flag : message.code;
+  const code = codeIn(direction, message);
+  if (part.role === "code") return error ? link.exception.code ?? code | link.exception.flag : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;

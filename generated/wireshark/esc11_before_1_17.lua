@@ -2937,6 +2937,7 @@ local device = {
       name = "read_points",
       title = "Read consecutive points",
       code = 80,
+      response_code = 80,
       request = "read_points request",
       response = "read_points response",
     },
@@ -2944,6 +2945,7 @@ local device = {
       name = "read_parameters",
       title = "Read all parameters",
       code = 81,
+      response_code = 81,
       request = "read_parameters request",
       response = "read_parameters response",
     },
@@ -2951,6 +2953,7 @@ local device = {
       name = "read_io_status",
       title = "Read the inputs and outputs",
       code = 82,
+      response_code = 82,
       request = "read_io_status request",
       response = "read_io_status response",
     },
@@ -2958,6 +2961,7 @@ local device = {
       name = "read_alarm_history",
       title = "Read the alarm history",
       code = 83,
+      response_code = 83,
       errata = { "alarm-history-response-length" },
       request = "read_alarm_history request",
       response = "read_alarm_history response",
@@ -2966,6 +2970,7 @@ local device = {
       name = "write_points",
       title = "Write points",
       code = 96,
+      response_code = 96,
       request = "write_points request",
       response = "write_points response",
     },
@@ -2973,6 +2978,7 @@ local device = {
       name = "write_parameters",
       title = "Write all parameters",
       code = 97,
+      response_code = 97,
       request = "write_parameters request",
       response = "write_parameters response",
     },
@@ -2980,6 +2986,7 @@ local device = {
       name = "write_parameter",
       title = "Write one parameter",
       code = 98,
+      response_code = 98,
       request = "write_parameter request",
       response = "write_parameter response",
     },
@@ -2987,6 +2994,7 @@ local device = {
       name = "write_temporary_point",
       title = "Write the temporary point",
       code = 99,
+      response_code = 99,
       errata = { "write-temporary-point-missing" },
       request = "write_temporary_point request",
       response = "write_temporary_point response",
@@ -2995,6 +3003,7 @@ local device = {
       name = "clear_points",
       title = "Delete points",
       code = 112,
+      response_code = 112,
       request = "clear_points request",
       response = "clear_points response",
     },
@@ -3002,6 +3011,7 @@ local device = {
       name = "initialize_points",
       title = "Delete all points",
       code = 113,
+      response_code = 113,
       request = "initialize_points request",
       response = "initialize_points response",
     },
@@ -3009,6 +3019,7 @@ local device = {
       name = "initialize_parameters",
       title = "Set all parameters to those of an actuator type",
       code = 114,
+      response_code = 114,
       request = "initialize_parameters request",
       response = "initialize_parameters response",
     },
@@ -3016,6 +3027,7 @@ local device = {
       name = "clear_alarm_history",
       title = "Delete the alarm history",
       code = 115,
+      response_code = 115,
       request = "clear_alarm_history request",
       response = "clear_alarm_history response",
     },
@@ -3023,14 +3035,23 @@ local device = {
       name = "clear_accumulated_time",
       title = "Set the accumulated time to zero",
       code = 116,
+      response_code = 116,
       request = "clear_accumulated_time request",
       response = "clear_accumulated_time response",
     },
-    stop = { name = "stop", title = "Stop", code = 16, request = "stop request", response = "stop response" },
+    stop = {
+      name = "stop",
+      title = "Stop",
+      code = 16,
+      response_code = 16,
+      request = "stop request",
+      response = "stop response",
+    },
     start_homing = {
       name = "start_homing",
       title = "Start homing",
       code = 17,
+      response_code = 17,
       request = "start_homing request",
       response = "start_homing response",
     },
@@ -3038,6 +3059,7 @@ local device = {
       name = "move_positive_distance",
       title = "Move a distance in the positive direction",
       code = 18,
+      response_code = 18,
       errata = { "sign-of-opening" },
       request = "move_positive_distance request",
       response = "move_positive_distance response",
@@ -3046,6 +3068,7 @@ local device = {
       name = "move_negative_distance",
       title = "Move a distance in the negative direction",
       code = 19,
+      response_code = 19,
       request = "move_negative_distance request",
       response = "move_negative_distance response",
     },
@@ -3053,6 +3076,7 @@ local device = {
       name = "move_open",
       title = "Move in the opening direction at constant speed",
       code = 20,
+      response_code = 20,
       request = "move_open request",
       response = "move_open response",
     },
@@ -3060,6 +3084,7 @@ local device = {
       name = "move_close",
       title = "Move in the closing direction at constant speed",
       code = 21,
+      response_code = 21,
       request = "move_close request",
       response = "move_close response",
     },
@@ -3067,6 +3092,7 @@ local device = {
       name = "move_relative",
       title = "Move to a relative position",
       code = 22,
+      response_code = 22,
       request = "move_relative request",
       response = "move_relative response",
     },
@@ -3074,6 +3100,7 @@ local device = {
       name = "move_absolute",
       title = "Move to an absolute position",
       code = 23,
+      response_code = 23,
       request = "move_absolute request",
       response = "move_absolute response",
     },
@@ -3081,6 +3108,7 @@ local device = {
       name = "move_to_point",
       title = "Move as a point says",
       code = 26,
+      response_code = 26,
       request = "move_to_point request",
       response = "move_to_point response",
     },
@@ -3088,6 +3116,7 @@ local device = {
       name = "grip_open",
       title = "Move in the opening direction at constant speed and grip",
       code = 32,
+      response_code = 32,
       request = "grip_open request",
       response = "grip_open response",
     },
@@ -3095,6 +3124,7 @@ local device = {
       name = "grip_close",
       title = "Move in the closing direction at constant speed and grip",
       code = 33,
+      response_code = 33,
       request = "grip_close request",
       response = "grip_close response",
     },
@@ -3102,6 +3132,7 @@ local device = {
       name = "grip_relative",
       title = "Move to a relative position and grip",
       code = 34,
+      response_code = 34,
       request = "grip_relative request",
       response = "grip_relative response",
     },
@@ -3109,6 +3140,7 @@ local device = {
       name = "grip_absolute",
       title = "Move to an absolute position and grip",
       code = 35,
+      response_code = 35,
       request = "grip_absolute request",
       response = "grip_absolute response",
     },
@@ -3116,6 +3148,7 @@ local device = {
       name = "grip_open_with_zone",
       title = "Move in the opening direction at constant speed and grip, with a zone",
       code = 36,
+      response_code = 36,
       request = "grip_open_with_zone request",
       response = "grip_open_with_zone response",
     },
@@ -3123,6 +3156,7 @@ local device = {
       name = "grip_close_with_zone",
       title = "Move in the closing direction at constant speed and grip, with a zone",
       code = 37,
+      response_code = 37,
       request = "grip_close_with_zone request",
       response = "grip_close_with_zone response",
     },
@@ -3130,6 +3164,7 @@ local device = {
       name = "no_operation",
       title = "No operation",
       code = 48,
+      response_code = 48,
       request = "no_operation request",
       response = "no_operation response",
     },
@@ -3137,6 +3172,7 @@ local device = {
       name = "set_motor_excitation",
       title = "Switch the motor's excitation",
       code = 49,
+      response_code = 49,
       request = "set_motor_excitation request",
       response = "set_motor_excitation response",
     },
@@ -3144,6 +3180,7 @@ local device = {
       name = "read_version",
       title = "Read the version",
       code = 64,
+      response_code = 64,
       request = "read_version request",
       response = "read_version response",
     },
@@ -3151,6 +3188,7 @@ local device = {
       name = "read_current_position",
       title = "Read the current position",
       code = 65,
+      response_code = 65,
       request = "read_current_position request",
       response = "read_current_position response",
     },
@@ -3158,6 +3196,7 @@ local device = {
       name = "read_current_point_number",
       title = "Read the current point's number",
       code = 66,
+      response_code = 66,
       request = "read_current_point_number request",
       response = "read_current_point_number response",
     },
@@ -3165,6 +3204,7 @@ local device = {
       name = "read_parameter",
       title = "Read one parameter",
       code = 67,
+      response_code = 67,
       request = "read_parameter request",
       response = "read_parameter response",
     },
@@ -3172,6 +3212,7 @@ local device = {
       name = "read_point",
       title = "Read one point",
       code = 68,
+      response_code = 68,
       request = "read_point request",
       response = "read_point response",
     },
@@ -3179,6 +3220,7 @@ local device = {
       name = "read_homing_state",
       title = "Read whether homing is complete",
       code = 69,
+      response_code = 69,
       request = "read_homing_state request",
       response = "read_homing_state response",
     },
@@ -3186,6 +3228,7 @@ local device = {
       name = "read_motor_excitation",
       title = "Read whether the motor is excited",
       code = 70,
+      response_code = 70,
       request = "read_motor_excitation request",
       response = "read_motor_excitation response",
     },
@@ -3193,6 +3236,7 @@ local device = {
       name = "read_alarm_code",
       title = "Read the alarm or error",
       code = 71,
+      response_code = 71,
       request = "read_alarm_code request",
       response = "read_alarm_code response",
     },
@@ -3200,6 +3244,7 @@ local device = {
       name = "read_accumulated_time",
       title = "Read the accumulated time",
       code = 72,
+      response_code = 72,
       request = "read_accumulated_time request",
       response = "read_accumulated_time response",
     },
@@ -4434,7 +4479,7 @@ end
 -- data tells them apart, it is that of the request.
 local function message_with(shape, code, body, asked)
     if shape.is_ambiguous[code] then
-        return asked and asked.message and asked.message.code == code and asked.message or nil
+        return asked and asked.message and asked.message.response_code == code and asked.message or nil
     end
     local subcode = shape.shared[code]
     if not subcode then
@@ -4487,11 +4532,11 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
-        if link.request.shared[code] then
+        if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
-            return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
+            return asked and asked.message and asked.message.response_code == code and asked.message or nil, true, code
         end
-        return link.request.by_code[code], true, code
+        return link.refused_by_code[code], true, code
     end
     return message_with(link[direction], code, body, asked), false, code
 end
@@ -4831,7 +4876,9 @@ local function answers(link, request, response)
     end
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
-        if is_other or request.code ~= response.code then
+        local code = request.message and request.message.response_code or request.code
+        local answers_any = link.exception and link.exception.code == response.code
+        if is_other or code ~= response.code and not answers_any then
             return false
         end
     end
@@ -5034,11 +5081,17 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    for _, shape in ipairs({ link.request, link.response }) do
+    link.refused_by_code = {}
+    for _, name in ipairs(link.request.messages) do
+        local message = device.messages[name]
+        -- An exception response does not say which of several messages with one code it refuses.
+        link.refused_by_code[message.response_code] = link.refused_by_code[message.response_code] == nil and message
+    end
+    for key, shape in pairs({ code = link.request, response_code = link.response }) do
         shape.by_code, shape.shared = {}, {}
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
-            shape.by_code[message.code] = message
+            shape.by_code[message[key]] = message
         end
         shape.is_ambiguous = {}
         for _, code in ipairs(shape.ambiguous or {}) do

@@ -2939,6 +2939,7 @@ local device = {
       name = "read_points",
       title = "Read consecutive points",
       code = 80,
+      response_code = 80,
       request = "read_points request",
       response = "read_points response",
     },
@@ -2946,6 +2947,7 @@ local device = {
       name = "read_parameters",
       title = "Read all parameters",
       code = 81,
+      response_code = 81,
       request = "read_parameters request",
       response = "read_parameters response",
     },
@@ -2953,6 +2955,7 @@ local device = {
       name = "read_io_status",
       title = "Read the inputs and outputs",
       code = 82,
+      response_code = 82,
       request = "read_io_status request",
       response = "read_io_status response",
     },
@@ -2960,6 +2963,7 @@ local device = {
       name = "read_alarm_history",
       title = "Read the alarm history",
       code = 83,
+      response_code = 83,
       errata = { "alarm-history-response-length" },
       request = "read_alarm_history request",
       response = "read_alarm_history response",
@@ -2968,6 +2972,7 @@ local device = {
       name = "write_points",
       title = "Write points",
       code = 96,
+      response_code = 96,
       request = "write_points request",
       response = "write_points response",
     },
@@ -2975,6 +2980,7 @@ local device = {
       name = "write_parameters",
       title = "Write all parameters",
       code = 97,
+      response_code = 97,
       request = "write_parameters request",
       response = "write_parameters response",
     },
@@ -2982,6 +2988,7 @@ local device = {
       name = "write_parameter",
       title = "Write one parameter",
       code = 98,
+      response_code = 98,
       request = "write_parameter request",
       response = "write_parameter response",
     },
@@ -2989,6 +2996,7 @@ local device = {
       name = "write_temporary_point",
       title = "Write the temporary point",
       code = 99,
+      response_code = 99,
       errata = { "write-temporary-point-missing" },
       request = "write_temporary_point request",
       response = "write_temporary_point response",
@@ -2997,6 +3005,7 @@ local device = {
       name = "clear_points",
       title = "Delete points",
       code = 112,
+      response_code = 112,
       request = "clear_points request",
       response = "clear_points response",
     },
@@ -3004,6 +3013,7 @@ local device = {
       name = "initialize_points",
       title = "Delete all points",
       code = 113,
+      response_code = 113,
       request = "initialize_points request",
       response = "initialize_points response",
     },
@@ -3011,6 +3021,7 @@ local device = {
       name = "initialize_parameters",
       title = "Set all parameters to those of an actuator type",
       code = 114,
+      response_code = 114,
       request = "initialize_parameters request",
       response = "initialize_parameters response",
     },
@@ -3018,6 +3029,7 @@ local device = {
       name = "clear_alarm_history",
       title = "Delete the alarm history",
       code = 115,
+      response_code = 115,
       request = "clear_alarm_history request",
       response = "clear_alarm_history response",
     },
@@ -3025,14 +3037,23 @@ local device = {
       name = "clear_accumulated_time",
       title = "Set the accumulated time to zero",
       code = 116,
+      response_code = 116,
       request = "clear_accumulated_time request",
       response = "clear_accumulated_time response",
     },
-    stop = { name = "stop", title = "Stop", code = 16, request = "stop request", response = "stop response" },
+    stop = {
+      name = "stop",
+      title = "Stop",
+      code = 16,
+      response_code = 16,
+      request = "stop request",
+      response = "stop response",
+    },
     start_homing = {
       name = "start_homing",
       title = "Start homing",
       code = 17,
+      response_code = 17,
       request = "start_homing request",
       response = "start_homing response",
     },
@@ -3040,6 +3061,7 @@ local device = {
       name = "move_positive_distance",
       title = "Move a distance in the positive direction",
       code = 18,
+      response_code = 18,
       errata = { "sign-of-opening" },
       request = "move_positive_distance request",
       response = "move_positive_distance response",
@@ -3048,6 +3070,7 @@ local device = {
       name = "move_negative_distance",
       title = "Move a distance in the negative direction",
       code = 19,
+      response_code = 19,
       request = "move_negative_distance request",
       response = "move_negative_distance response",
     },
@@ -3055,6 +3078,7 @@ local device = {
       name = "move_open",
       title = "Move in the opening direction at constant speed",
       code = 20,
+      response_code = 20,
       request = "move_open request",
       response = "move_open response",
     },
@@ -3062,6 +3086,7 @@ local device = {
       name = "move_close",
       title = "Move in the closing direction at constant speed",
       code = 21,
+      response_code = 21,
       request = "move_close request",
       response = "move_close response",
     },
@@ -3069,6 +3094,7 @@ local device = {
       name = "move_relative",
       title = "Move to a relative position",
       code = 22,
+      response_code = 22,
       request = "move_relative request",
       response = "move_relative response",
     },
@@ -3076,6 +3102,7 @@ local device = {
       name = "move_absolute",
       title = "Move to an absolute position",
       code = 23,
+      response_code = 23,
       request = "move_absolute request",
       response = "move_absolute response",
     },
@@ -3083,6 +3110,7 @@ local device = {
       name = "move_to_point",
       title = "Move as a point says",
       code = 26,
+      response_code = 26,
       request = "move_to_point request",
       response = "move_to_point response",
     },
@@ -3090,6 +3118,7 @@ local device = {
       name = "grip_open",
       title = "Move in the opening direction at constant speed and grip",
       code = 32,
+      response_code = 32,
       request = "grip_open request",
       response = "grip_open response",
     },
@@ -3097,6 +3126,7 @@ local device = {
       name = "grip_close",
       title = "Move in the closing direction at constant speed and grip",
       code = 33,
+      response_code = 33,
       request = "grip_close request",
       response = "grip_close response",
     },
@@ -3104,6 +3134,7 @@ local device = {
       name = "grip_relative",
       title = "Move to a relative position and grip",
       code = 34,
+      response_code = 34,
       request = "grip_relative request",
       response = "grip_relative response",
     },
@@ -3111,6 +3142,7 @@ local device = {
       name = "grip_absolute",
       title = "Move to an absolute position and grip",
       code = 35,
+      response_code = 35,
       request = "grip_absolute request",
       response = "grip_absolute response",
     },
@@ -3118,6 +3150,7 @@ local device = {
       name = "grip_open_with_zone",
       title = "Move in the opening direction at constant speed and grip, with a zone",
       code = 36,
+      response_code = 36,
       request = "grip_open_with_zone request",
       response = "grip_open_with_zone response",
     },
@@ -3125,6 +3158,7 @@ local device = {
       name = "grip_close_with_zone",
       title = "Move in the closing direction at constant speed and grip, with a zone",
       code = 37,
+      response_code = 37,
       request = "grip_close_with_zone request",
       response = "grip_close_with_zone response",
     },
@@ -3132,6 +3166,7 @@ local device = {
       name = "no_operation",
       title = "No operation",
       code = 48,
+      response_code = 48,
       request = "no_operation request",
       response = "no_operation response",
     },
@@ -3139,6 +3174,7 @@ local device = {
       name = "set_motor_excitation",
       title = "Switch the motor's excitation",
       code = 49,
+      response_code = 49,
       request = "set_motor_excitation request",
       response = "set_motor_excitation response",
     },
@@ -3146,6 +3182,7 @@ local device = {
       name = "read_version",
       title = "Read the version",
       code = 64,
+      response_code = 64,
       request = "read_version request",
       response = "read_version response",
     },
@@ -3153,6 +3190,7 @@ local device = {
       name = "read_current_position",
       title = "Read the current position",
       code = 65,
+      response_code = 65,
       request = "read_current_position request",
       response = "read_current_position response",
     },
@@ -3160,6 +3198,7 @@ local device = {
       name = "read_current_point_number",
       title = "Read the current point's number",
       code = 66,
+      response_code = 66,
       request = "read_current_point_number request",
       response = "read_current_point_number response",
     },
@@ -3167,6 +3206,7 @@ local device = {
       name = "read_parameter",
       title = "Read one parameter",
       code = 67,
+      response_code = 67,
       request = "read_parameter request",
       response = "read_parameter response",
     },
@@ -3174,6 +3214,7 @@ local device = {
       name = "read_point",
       title = "Read one point",
       code = 68,
+      response_code = 68,
       request = "read_point request",
       response = "read_point response",
     },
@@ -3181,6 +3222,7 @@ local device = {
       name = "read_homing_state",
       title = "Read whether homing is complete",
       code = 69,
+      response_code = 69,
       request = "read_homing_state request",
       response = "read_homing_state response",
     },
@@ -3188,6 +3230,7 @@ local device = {
       name = "read_motor_excitation",
       title = "Read whether the motor is excited",
       code = 70,
+      response_code = 70,
       request = "read_motor_excitation request",
       response = "read_motor_excitation response",
     },
@@ -3195,6 +3238,7 @@ local device = {
       name = "read_alarm_code",
       title = "Read the alarm or error",
       code = 71,
+      response_code = 71,
       request = "read_alarm_code request",
       response = "read_alarm_code response",
     },
@@ -3202,6 +3246,7 @@ local device = {
       name = "read_accumulated_time",
       title = "Read the accumulated time",
       code = 72,
+      response_code = 72,
       request = "read_accumulated_time request",
       response = "read_accumulated_time response",
     },
@@ -3209,6 +3254,7 @@ local device = {
       name = "reset_alarm",
       title = "Reset the alarm",
       code = 78,
+      response_code = 78,
       errata = { "reset-alarm-missing" },
       request = "reset_alarm request",
       response = "reset_alarm response",
@@ -4449,7 +4495,7 @@ end
 -- data tells them apart, it is that of the request.
 local function message_with(shape, code, body, asked)
     if shape.is_ambiguous[code] then
-        return asked and asked.message and asked.message.code == code and asked.message or nil
+        return asked and asked.message and asked.message.response_code == code and asked.message or nil
     end
     local subcode = shape.shared[code]
     if not subcode then
@@ -4502,11 +4548,11 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
-        if link.request.shared[code] then
+        if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
-            return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
+            return asked and asked.message and asked.message.response_code == code and asked.message or nil, true, code
         end
-        return link.request.by_code[code], true, code
+        return link.refused_by_code[code], true, code
     end
     return message_with(link[direction], code, body, asked), false, code
 end
@@ -4846,7 +4892,9 @@ local function answers(link, request, response)
     end
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
-        if is_other or request.code ~= response.code then
+        local code = request.message and request.message.response_code or request.code
+        local answers_any = link.exception and link.exception.code == response.code
+        if is_other or code ~= response.code and not answers_any then
             return false
         end
     end
@@ -5049,11 +5097,17 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    for _, shape in ipairs({ link.request, link.response }) do
+    link.refused_by_code = {}
+    for _, name in ipairs(link.request.messages) do
+        local message = device.messages[name]
+        -- An exception response does not say which of several messages with one code it refuses.
+        link.refused_by_code[message.response_code] = link.refused_by_code[message.response_code] == nil and message
+    end
+    for key, shape in pairs({ code = link.request, response_code = link.response }) do
         shape.by_code, shape.shared = {}, {}
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
-            shape.by_code[message.code] = message
+            shape.by_code[message[key]] = message
         end
         shape.is_ambiguous = {}
         for _, code in ipairs(shape.ambiguous or {}) do

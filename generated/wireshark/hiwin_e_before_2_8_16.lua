@@ -9313,6 +9313,7 @@ local device = {
       name = "read_parameter",
       title = "Read a parameter",
       code = 1,
+      response_code = 1,
       request = "read_parameter request",
       response = "read_parameter response",
     },
@@ -9320,6 +9321,7 @@ local device = {
       name = "write_parameter",
       title = "Write a parameter",
       code = 2,
+      response_code = 2,
       request = "write_parameter request",
       response = "write_parameter response",
     },
@@ -10560,7 +10562,7 @@ end
 -- data tells them apart, it is that of the request.
 local function message_with(shape, code, body, asked)
     if shape.is_ambiguous[code] then
-        return asked and asked.message and asked.message.code == code and asked.message or nil
+        return asked and asked.message and asked.message.response_code == code and asked.message or nil
     end
     local subcode = shape.shared[code]
     if not subcode then
@@ -10613,11 +10615,11 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
-        if link.request.shared[code] then
+        if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
-            return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
+            return asked and asked.message and asked.message.response_code == code and asked.message or nil, true, code
         end
-        return link.request.by_code[code], true, code
+        return link.refused_by_code[code], true, code
     end
     return message_with(link[direction], code, body, asked), false, code
 end
@@ -10957,7 +10959,9 @@ local function answers(link, request, response)
     end
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
-        if is_other or request.code ~= response.code then
+        local code = request.message and request.message.response_code or request.code
+        local answers_any = link.exception and link.exception.code == response.code
+        if is_other or code ~= response.code and not answers_any then
             return false
         end
     end
@@ -11160,11 +11164,17 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    for _, shape in ipairs({ link.request, link.response }) do
+    link.refused_by_code = {}
+    for _, name in ipairs(link.request.messages) do
+        local message = device.messages[name]
+        -- An exception response does not say which of several messages with one code it refuses.
+        link.refused_by_code[message.response_code] = link.refused_by_code[message.response_code] == nil and message
+    end
+    for key, shape in pairs({ code = link.request, response_code = link.response }) do
         shape.by_code, shape.shared = {}, {}
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
-            shape.by_code[message.code] = message
+            shape.by_code[message[key]] = message
         end
         shape.is_ambiguous = {}
         for _, code in ipairs(shape.ambiguous or {}) do

@@ -3582,6 +3582,7 @@ local device = {
       name = "read_registers",
       title = "Read holding registers",
       code = 3,
+      response_code = 3,
       request = "read_registers request",
       response = "read_registers response",
       access = { operation = "read", start = "address", count = "word_count", values = "values", space = "", clear = 0 },
@@ -3590,6 +3591,7 @@ local device = {
       name = "write_register",
       title = "Write one register",
       code = 6,
+      response_code = 6,
       request = "write_register request",
       response = "write_register response",
       access = { operation = "write", start = "address", values = "value", space = "", clear = 0 },
@@ -3598,6 +3600,7 @@ local device = {
       name = "write_registers",
       title = "Write several registers",
       code = 16,
+      response_code = 16,
       errata = { "rtu-write-refusal-code" },
       request = "write_registers request",
       response = "write_registers response",
@@ -4871,7 +4874,7 @@ end
 -- data tells them apart, it is that of the request.
 local function message_with(shape, code, body, asked)
     if shape.is_ambiguous[code] then
-        return asked and asked.message and asked.message.code == code and asked.message or nil
+        return asked and asked.message and asked.message.response_code == code and asked.message or nil
     end
     local subcode = shape.shared[code]
     if not subcode then
@@ -4924,11 +4927,11 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
-        if link.request.shared[code] then
+        if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
-            return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
+            return asked and asked.message and asked.message.response_code == code and asked.message or nil, true, code
         end
-        return link.request.by_code[code], true, code
+        return link.refused_by_code[code], true, code
     end
     return message_with(link[direction], code, body, asked), false, code
 end
@@ -5268,7 +5271,9 @@ local function answers(link, request, response)
     end
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
-        if is_other or request.code ~= response.code then
+        local code = request.message and request.message.response_code or request.code
+        local answers_any = link.exception and link.exception.code == response.code
+        if is_other or code ~= response.code and not answers_any then
             return false
         end
     end
@@ -5471,11 +5476,17 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    for _, shape in ipairs({ link.request, link.response }) do
+    link.refused_by_code = {}
+    for _, name in ipairs(link.request.messages) do
+        local message = device.messages[name]
+        -- An exception response does not say which of several messages with one code it refuses.
+        link.refused_by_code[message.response_code] = link.refused_by_code[message.response_code] == nil and message
+    end
+    for key, shape in pairs({ code = link.request, response_code = link.response }) do
         shape.by_code, shape.shared = {}, {}
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
-            shape.by_code[message.code] = message
+            shape.by_code[message[key]] = message
         end
         shape.is_ambiguous = {}
         for _, code in ipairs(shape.ambiguous or {}) do

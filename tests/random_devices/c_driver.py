@@ -240,8 +240,8 @@ class Driver:
             if message in ("", name) and (message or not link.is_guessed(direction, name)):
                 record = layout_message.data(direction)
                 encode = self.naming.function("link", link.name, "encode", name, direction)
-                test = f"opened.code == {layout_message.message.code}u" if coded else "1"
-                subcode = shared_codes(link, direction).get(layout_message.message.code or 0)
+                test = f"opened.code == {layout_message.message.code_of(direction)}u" if coded else "1"
+                subcode = shared_codes(link, direction).get(layout_message.message.code_of(direction) or 0)
                 if subcode is not None and layout_message in subcode.messages.values():
                     intervals = subcode.intervals_of(layout_message)
                     bounds = (f"({low}u <= opened.subcode && opened.subcode <= {high}u)" for low, high in intervals)

@@ -55,6 +55,7 @@ def devices(draw: Any) -> Spec:
         spec["conversions"] = drawn_words.conversions(draft)
     spec["messages"] = drawn_messages.messages(draft, coded, others)
     drawn_messages.mark_exceptions(draft)
+    drawn_messages.draw_response_codes(draft)
     return {section: spec[section] for section in SECTIONS if spec.get(section)}
 
 

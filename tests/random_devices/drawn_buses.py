@@ -28,6 +28,7 @@ def add_bus(draft: Draft) -> None:
             link["exception_response"] = {**mark, "record": draft.pick(small).name}
     else:
         drawn_messages.mark_exceptions(draft)
+    drawn_messages.draw_response_codes(draft)
 
 
 def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:

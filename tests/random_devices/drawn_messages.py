@@ -60,6 +60,22 @@ def mark_exceptions(draft: Draft) -> None:
                 message["response"] = [draft.fact(type=kind, const=another), *message["response"]]
 
 
+def draw_response_codes(draft: Draft) -> None:
+    """Responses may have other codes than their requests, and several of them the same."""
+    coded = [link["name"] for link in draft.spec["links"] if any(p.get("role") == "code" for p in link["response"])]
+    if not coded or not draft.chance(30):
+        return
+    high = (1 << (draft.code_bits - 1)) - 1
+    common = draft.number(0, high)
+    for message in draft.spec["messages"]:
+        answered = message.get("answered_on", message.get("links", coded))
+        if "code" not in message or not set(coded) & set(answered) or not draft.chance(60):
+            continue
+        code = common if draft.chance(40) else draft.number(0, high)
+        if code != message["code"]:
+            message["response_code"] = code
+
+
 def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     """Several messages with the code of the first one; the beginning of their data tells them apart.
 

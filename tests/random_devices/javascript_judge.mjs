@@ -55,7 +55,8 @@ function frame({ path: [linkName, direction, messageName], data, encodes, header
   const bytes = new Uint8Array(Buffer.from(data, "hex"));
   const value = direction === "request" ? link.decodeRequest(bytes, message) : link.decodeResponse(bytes, message);
   const isError = value.kind === "exception";
-  const number = !carriesCode && isError ? null : isError ? value.code : value.message.code;
+  const stated = value.message && (direction === "request" ? value.message.code : value.message.responseCode);
+  const number = !carriesCode && isError ? null : isError ? value.code : stated;
   return {
     value: { ...toJson({ kind: value.kind, name: value.name, header: value.header, data: value.data }), code: coded(number) },
     again: again(() => encode(value.header, value.message, value.data, isError, number)),

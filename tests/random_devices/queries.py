@@ -173,7 +173,7 @@ def _queried(link: LinkLayout, direction: str) -> list[str]:
 
 def _unanswered(layout: DeviceLayout, link: str, message: str, dice: random.Random) -> Query:
     """A response to what is not answered, which every codec refuses."""
-    shape, code = layout.links[link].response, layout.messages[message].message.code
+    shape, code = layout.links[link].response, layout.messages[message].message.code_of("response")
     part = shape.role("code")
     assert part is not None
     assert code is not None
@@ -198,7 +198,7 @@ def _frame_queries(
         record = layout.records[error.record]
     head = header_values(layout, link, shape, dice)
     values = record_values(layout, record, dice)
-    code = layout.messages[message].message.code if coded else None
+    code = layout.messages[message].message.code_of(direction) if coded else None
     yield Query(
         "frame", (link, direction, message), values={**head, **values}, error=bool(error), code=code, shape=record
     )

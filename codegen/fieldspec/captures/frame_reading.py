@@ -184,27 +184,40 @@ class FrameReader:
         if refusal is not None and self.direction == "response":
             frames.is_refused[:] = self._refused(frames, code, refusal)
             code = np.where(frames.is_refused, code & ~refusal.flag, code)
-        frames.code[:] = code
+        frames.code[:] = code if self.direction == "request" else self._answered_code(code)
         if refusal is not None and refusal.code is not None:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}
         is_open = np.zeros(len(code), np.bool_)
-        for is_refused, carried in ((False, self.direction), (True, "request")):
-            for number in {message.message.code for message in self.link.carried(carried).values()} - {None}:
-                assert number is not None
-                rows = np.flatnonzero((code == number) & (frames.is_refused == is_refused))
-                messages = self.link.messages_with_code(number, carried)
-                shared = subcode(messages, carried)
-                if len(messages) == 1:
-                    frames.message[rows] = places[messages[0].name]
-                elif not is_refused and shared is not None:
-                    self._by_subcode(frames, rows, shared, places)
-                elif not is_refused:
-                    own = numbers([places[message.name] for message in messages])
-                    is_open[rows] = not judges_body
-                    if asked is not None:
-                        frames.message[rows] = np.where(np.isin(asked[rows], own), asked[rows], NONE)
+        for number in {own.message.code_of("response") for own in self.link.messages.values()} - {None}:
+            refused = self.link.refused_message(number)
+            if refused is not None:
+                frames.message[(code == number) & frames.is_refused] = places[refused.name]
+        for number in self.link.codes(self.direction):
+            rows = np.flatnonzero((code == number) & ~frames.is_refused)
+            messages = self.link.messages_with_code(number, self.direction)
+            shared = subcode(messages, self.direction)
+            if len(messages) == 1:
+                frames.message[rows] = places[messages[0].name]
+            elif shared is not None:
+                self._by_subcode(frames, rows, shared, places)
+            else:
+                own = numbers([places[message.name] for message in messages])
+                is_open[rows] = not judges_body
+                if asked is not None:
+                    frames.message[rows] = np.where(np.isin(asked[rows], own), asked[rows], NONE)
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
+
+    def _answered_code(self, code: Numbers) -> Numbers:
+        """The codes of the requests that responses with some codes answer; NONE where they may answer several."""
+        if not self.link.has_response_codes:
+            return code
+        answered = code.copy()
+        for number in self.link.codes("response"):
+            own = [message.message for message in self.link.messages.values()]
+            asked = {message.code for message in own if message.code_of("response") == number}
+            answered[code == number] = asked.pop() if len(asked) == 1 else NONE
+        return answered
 
     def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
         """Which frames are exception responses."""

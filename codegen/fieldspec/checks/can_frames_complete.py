@@ -138,9 +138,10 @@ def _numbers(device: Device, link: Link) -> Iterator[Diagnostic]:
                 text = f"a unit address can be {greatest}, but the bits of {part.name} hold at most {highest}"
                 yield finding(_CODE, link.place, "unit_addresses", text, "correct the addresses or the bits")
         for message in messages_on(device, link) if part.role == "code" else ():
-            if message.code is not None and message.code > highest:
-                text = f"the code {message.code:#x} does not fit the bits of {part.name}, which hold at most {highest}"
-                yield finding(_CODE, message.place, "code", text, "correct the code or the bits")
+            for key, code in message.codes:
+                if code > highest:
+                    text = f"the code {code:#x} does not fit the bits of {part.name}, which hold at most {highest}"
+                    yield finding(_CODE, message.place, key, text, "correct the code or the bits")
         error = link.exception_response
         if part.role == "code" and error is not None and max(error.flag, error.code or 0) > highest:
             text = f"the bits of {part.name} do not hold the mark of exception responses"

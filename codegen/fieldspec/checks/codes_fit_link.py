@@ -49,12 +49,13 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
             there = label(part.place, "digits", part.name)
             yield finding(_CODE, link.place, "exception_response", text, help, there)
         for message in messages_on(device, link):
-            if message.code is not None and message.code > high:
-                code = str(message.code) if part.value.digits == "decimal" else f"{message.code:#x}"
-                text = f"the code {code} does not fit {part.name}, which is {_kind(part.value)}"
-                help = "correct the code or the part's type"
-                yield finding(_CODE, message.place, "code", text, help, label(part.place, "type", part.name))
-            else:
+            for key, code in message.codes:
+                if code > high:
+                    printed = str(code) if part.value.digits == "decimal" else f"{code:#x}"
+                    text = f"the code {printed} does not fit {part.name}, which is {_kind(part.value)}"
+                    help = "correct the code or the part's type"
+                    yield finding(_CODE, message.place, key, text, help, label(part.place, "type", part.name))
+            if all(code <= high for _, code in message.codes):
                 yield from _check_flag(link, message)
 
 
@@ -70,14 +71,14 @@ def _mark(error: ExceptionResponse) -> int:
 
 def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
     error = link.exception_response
-    if error is None or message.code is None:
+    if error is None or not message.codes:
         return
-    if message.code == error.code:
-        text = f"{message.name} has the code {message.code:#x} of exception responses"
-        there = label(link.place, "exception_response", f"exception responses on {link.name}")
-        yield finding(_CODE, message.place, "code", text, "correct one of the codes", there)
-    if message.code & error.flag:
-        text = f"the code {message.code:#x} has the bit {error.flag:#x}"
-        text += ", which marks an exception response"
-        there = label(link.place, "exception_response", f"exception responses on {link.name}")
-        yield finding(_CODE, message.place, "code", text, "correct the code or the bit", there)
+    # Responses are marked by their own codes.
+    key, code = message.codes[-1]
+    there = label(link.place, "exception_response", f"exception responses on {link.name}")
+    if code == error.code:
+        text = f"{message.name} has the code {code:#x} of exception responses"
+        yield finding(_CODE, message.place, key, text, "correct one of the codes", there)
+    if code & error.flag:
+        text = f"the code {code:#x} has the bit {error.flag:#x}, which marks an exception response"
+        yield finding(_CODE, message.place, key, text, "correct the code or the bit", there)

@@ -34,6 +34,7 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         yield from _check_supplements(device, message)
         yield from _check_answers(device, message)
+        yield from _check_response_code(device, message)
 
 
 def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -103,6 +104,18 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
         if stated is not None and not message.is_answered:
             text = f"{message.name} is never answered, but `{key}` has a response"
             yield finding(_CODE, message.place, key, text, "remove the response there, or `answered_on`")
+
+
+def _check_response_code(device: Device, message: Message) -> Iterator[Diagnostic]:
+    """Some response has a code in which the response code can be."""
+    if message.response_code is None:
+        return
+    links = [link for link in device.links.values() if sent_on(link, message) and message.is_answered_on(link.name)]
+    if links and not any(part.role == "code" for link in links for part in link.response):
+        names = ", ".join(link.name for link in links)
+        text = f"{message.name} has a `response_code`, but responses on {names} have no code"
+        help = "remove it, or add the part with the role `code` to `response` of the link"
+        yield finding(_CODE, message.place, "response_code", text, help)
 
 
 def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:

@@ -121,7 +121,7 @@ def _refusal_code(device: Device, message: Message) -> int | None:
     links = [link for link in device.links.values() if sent_on(link, message)]
     marks = {(link.exception_response.flag or None) if link.exception_response is not None else None for link in links}
     mark = marks.pop() if len(marks) == 1 else None
-    return None if mark is None or message.code is None else message.code | mark
+    return None if mark is None or (code := message.code_of("response")) is None else code | mark
 
 
 def _parameter(device: Device, parameter: Parameter) -> dict[str, object]:

@@ -263,19 +263,17 @@ class _Frame:
             self.values[part.name] = code
             if refusal.code is not None:
                 return self._refusing_code(read)
-        carried = "request" if self.error else self.direction
         link = self.layout.links[self.link.name]
         start = self.shape.header_size
         end = max(start, len(self.data) - self.shape.trailer_size)
-        body = None if self.error else self.data[start:end]
-        self.message = link.message_with_code(code, carried, body, self.named)
-        if self.error and self.message is None and link.messages_with_code(code, carried):
-            # An exception response carries no subcode; only the request tells which message it answers.
-            self.message = next((m for m in link.messages_with_code(code, carried) if m.name == self.named), None)
+        if self.error:
+            self.message = link.refused_message(code, self.named)
+        else:
+            self.message = link.message_with_code(code, self.direction, self.data[start:end], self.named)
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
-            several = link.ambiguous_codes(carried).get(code)
+            several = link.ambiguous_codes(self.direction).get(code)
             if several is not None:
                 names = ", ".join(message.name for message in several)
                 return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")

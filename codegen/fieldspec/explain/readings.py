@@ -183,6 +183,12 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         have = response.values.get(theirs.name) if theirs else None
         if role == "code" and _has_code_of_its_own(layout, response):
             continue  # it marks the exception responses to all requests
+        announced = layout.messages.get(request.message)
+        if role == "code" and announced is not None and announced.message.response_code is not None:
+            want = announced.message.response_code
+            if theirs and isinstance(have, int) and have != want:
+                yield f"{theirs.name} is {have}, but {want} answers {request.message}"
+            continue
         if ours and isinstance(want, int) and isinstance(have, int) and have != want:
             yield f"{ours.name} is {have}, but {want} in the request"
     for row in response.rows:

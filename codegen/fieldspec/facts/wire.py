@@ -152,6 +152,9 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[Fa
     message, kind = message_layout.message, _kind(layout, message_layout.message)
     code = message.number if message.code is None else message.code
     yield from of_fact(kind, message, code=code, number=message.number)
+    if message.response_code is not None:
+        path = f"{message.place.path}/response_code"
+        yield row("response_code", path, message.sources, code=message.response_code, name=message.name)
     yield from _lengths(message, code)
     for number, name in enumerate(message.supplements):
         yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)

@@ -208,7 +208,27 @@ class LinkLayout:
 
     def messages_with_code(self, code: int, direction: str = "request") -> list[MessageLayout]:
         """The messages with a code in one direction; several differ in a constant in their data."""
-        return [message for message in self.carried(direction).values() if message.message.code == code]
+        return [message for message in self.carried(direction).values() if message.message.code_of(direction) == code]
+
+    def refused_message(self, code: int, asked: str = "") -> MessageLayout | None:
+        """The message that an exception response with a code refuses.
+
+        Several messages may have the code, and exception responses have no data that tell them apart: `asked` names
+        the message of the request. None if there is no such message, and where this leaves open which one it is.
+        """
+        messages = [message for message in self.messages.values() if message.message.code_of("response") == code]
+        named = (message for message in messages if message.name == asked)
+        return messages[0] if len(messages) == 1 else next(named, None)
+
+    def codes(self, direction: str) -> list[int]:
+        """The codes of the messages in one direction, in ascending order."""
+        codes = (message.message.code_of(direction) for message in self.carried(direction).values())
+        return sorted({code for code in codes if code is not None})
+
+    @property
+    def has_response_codes(self) -> bool:
+        """Whether some response has another code than its request."""
+        return any(message.message.response_code is not None for message in self.carried("response").values())
 
     def message_with_code(
         self, code: int, direction: str = "request", data: bytes | None = None, asked: str = ""
@@ -231,7 +251,7 @@ class LinkLayout:
         seen: set[int] = set()
         shared: set[int] = set()
         for message in self.carried(direction).values():
-            if (code := message.message.code) is not None:
+            if (code := message.message.code_of(direction)) is not None:
                 (shared if code in seen else seen).add(code)
         return sorted(shared)
 
@@ -249,7 +269,7 @@ class LinkLayout:
         """Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one."""
         if self.frame(direction).role("code") is None:
             return True
-        code = self.messages[message].message.code if message in self.messages else None
+        code = self.messages[message].message.code_of(direction) if message in self.messages else None
         return code in self.ambiguous_codes(direction)
 
     def announced(self, code: int | None, data: bytes, message: str) -> MessageLayout | None:
@@ -264,7 +284,7 @@ class LinkLayout:
 
     def code_text(self, message: MessageLayout, direction: str) -> str:
         """`08`, or `08 with 0001 at byte 2` for a message that shares its code."""
-        code = message.message.code
+        code = message.message.code_of(direction)
         if code is None:
             return "no code"
         part = self.frame(direction).role("code")

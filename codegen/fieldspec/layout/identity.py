@@ -174,6 +174,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
             message.name,
             message.code,
             message.number,
+            *((message.response_code,) if message.response_code is not None else ()),
             message.broadcast is True,
             _access(message.accesses),
             *_segments(message.segments),

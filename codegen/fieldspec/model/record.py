@@ -166,10 +166,10 @@ class Segments:
 class Message(Fact):
     """A code, the data of its request and of its response.
 
-    A message without a code may have a `number` by which people know it. It is sent on `links`, which are all
-    of the device's where they are empty, and never without one of those that it `supplements`. It is answered on
-    those of `answered_on`, which is None for all. The lengths are the frame's in bytes, and the words those of the
-    data, as printed.
+    A response has the code of its request, or `response_code`. A message without a code may have a `number` by which
+    people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
+    those that it `supplements`. It is answered on those of `answered_on`, which is None for all. The lengths are the
+    frame's in bytes, and the words those of the data, as printed.
     """
 
     title: str
@@ -189,6 +189,17 @@ class Message(Fact):
     handling: Handling
     accesses: RegisterAccess | None
     segments: Segments | None = None
+    response_code: int | None = None
+
+    def code_of(self, direction: str) -> int | None:
+        """The code in one direction, `request` or `response`; None where the message has none."""
+        return self.code if direction == "request" or self.response_code is None else self.response_code
+
+    @property
+    def codes(self) -> tuple[tuple[str, int], ...]:
+        """The codes of the request and of the response with the keys of the spec that state them, each once."""
+        stated = (("code", self.code), ("response_code", self.response_code))
+        return tuple((key, code) for key, code in stated if code is not None)
 
     @property
     def is_answered(self) -> bool:

@@ -137,9 +137,9 @@ def _numbered(parameter_set: ParameterSet, parameter: Parameter) -> str:
 def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for message in layout.messages.values():
         model = message.message
-        for word, number in (("code", model.code), ("number", model.number)):
+        for word, number in (("code", model.code), ("response_code", model.response_code), ("number", model.number)):
             if number is not None:
-                hexadecimal = word == "code"
+                hexadecimal = word != "number"
                 yield Draft(f"{model.name}_{word}", UINT, number, cited(model.title, model), model, hexadecimal)
         for data in message.bodies:
             if data.size:

@@ -181,7 +181,7 @@ class FrameCodec:
         code = head[part.name]
         if error is not None and shape.direction == "response" and error.is_marked(code, head):
             head[part.name] = code & ~error.flag
-            return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
+            return self.link.refused_message(code & ~error.flag), self.layout.records[error.record], True
         announced = self.link.message_with_code(code, shape.direction, inner, message)
         if announced is None and code in self.link.ambiguous_codes(shape.direction):
             text = f"several messages have the code {code:#04x}, and only the request tells which one this is"
@@ -233,9 +233,11 @@ class FrameCodec:
         inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
         if direction == "request" and announced is not None:
             self._refuse_barred(shape, announced, values)
+        if code is None and announced is not None:
+            code = announced.message.code_of(direction)
         numbers: Values = {}
         for part in shape.parts:
-            numbers[part.name] = self._head_value(part, values, announced, error, code)
+            numbers[part.name] = self._head_value(part, values, error, code)
         coded = shape.role("code")
         if error and refusal and refusal.code is not None and coded and numbers[coded.name] != refusal.code:
             raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
@@ -291,9 +293,7 @@ class FrameCodec:
         start, stop = shape.escape_start, len(data) + (shape.escape_stop or 0)
         return data[:start] + escaped(shape.escape, data[start:stop]) + data[stop:]
 
-    def _head_value(
-        self, part: PartLayout, values: Mapping[str, Any], message: MessageLayout | None, error: bool, code: int | None
-    ) -> int | bytes:
+    def _head_value(self, part: PartLayout, values: Mapping[str, Any], error: bool, code: int | None) -> int | bytes:
         if part.role in ("length", "checksum"):
             return bytes(part.size) if part.digits else 0
         if part.constant is not None:
@@ -302,11 +302,10 @@ class FrameCodec:
                 raise CodecError("wrong_const", f"{part.name} is {number}, not {part.constant}")
             return part.constant
         if part.role == "code":
-            own = code if code is not None else message.message.code if message else None
-            if own is None:
+            if code is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.exception_response
-            own |= refusal.flag if error and refusal else 0
+            own = code | (refusal.flag if error and refusal else 0)
             assert part.value is not None
             if not 0 <= own <= part.value.high:
                 raise CodecError("unknown_code", f"{part.name} cannot be {own}")

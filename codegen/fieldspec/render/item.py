@@ -174,7 +174,7 @@ def numbered(item: Item, number: int) -> bool:
             table = item.table
             return table.base <= number < table.base + table.stride * (table.count - 1) + item.words
         case MessageLayout():
-            return number in (item.message.code, item.message.number)
+            return number in (item.message.code, item.message.response_code, item.message.number)
         case ParameterNumber():
             count = item.parameter.count if item.parameter is not None else 1
             return any(0 <= number - first < count for first in (item.number, item.parameter_set.base + item.number))

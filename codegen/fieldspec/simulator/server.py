@@ -353,6 +353,9 @@ class Server:
         code = part.get("code", code) if record.code is None else record.code
         is_uncoded = frames.link.has_uncoded_exceptions
         known = frames.link.message_with_code(code) if code is not None and not is_uncoded else None
+        announced = frames.link.messages_with_code(code) if code is not None and "code" not in part.keys else []
+        if announced:
+            code = announced[0].message.code_of("response")
         flagged = code is not None and (code & record.flag or code == record.code)
         try:
             frame = frames.encode(

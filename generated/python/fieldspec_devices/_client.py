@@ -86,13 +86,19 @@ class Link:
             if getattr(reply, echo) != head[name]:
                 return False
         if isinstance(reply, ErrorReply):
-            return bool(reply.code == (request.CODE if self.refusal_code is None else self.refusal_code))
+            return bool(reply.code == (_response_code(request) if self.refusal_code is None else self.refusal_code))
         kind = request.__class__
         for name in self.repeated.get(kind, ()):
             if getattr(reply.message, name) != getattr(request, name):
                 return False
         value_counts = self.value_counts.get(kind)
         return value_counts is None or len(getattr(reply.message, value_counts[1])) == getattr(request, value_counts[0])
+
+
+def _response_code(request: Any) -> int | None:
+    """The code of the response to a request; that of the request where the device never answers it."""
+    code: int | None = getattr(request, "_RESPONSE", request).CODE
+    return code
 
 
 class Session:

@@ -171,7 +171,8 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
         subcodes = subcodes_of(layout, layout_of_message)
         subcode = subcodes[0][0] if len(subcodes) == 1 and subcodes[0][0] == subcodes[0][1] else None
-        numbers = (("code", message.code), ("subcode", subcode), ("number", message.number))
+        codes = (("code", message.code), ("response_code", message.response_code))
+        numbers = (*codes, ("subcode", subcode), ("number", message.number))
         comment_of_message = describe_fact(message, about)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []
         block += [

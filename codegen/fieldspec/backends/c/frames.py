@@ -219,9 +219,8 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     if link.link.exception_response is not None and frame.direction == "response":
         body += read_mark(link.link.exception_response, frame, code, error)
         guard.append(negate(error))
-    carried = link.carried(frame.direction).values()
-    codes = sorted({m.message.code for m in carried if m.message.code is not None})
-    if codes or (link.messages and not carried):
+    codes = link.codes(frame.direction)
+    if codes or (link.messages and not link.carried(frame.direction)):
         tests = [*guard, *(different(code, unsigned(known)) for known in codes)]
         body += (
             refuse(naming, all_of(tests), "err_unknown_code") if tests else (Return(naming.status("err_unknown_code")),)

@@ -57,7 +57,7 @@ def declare_messages(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> 
         for direction in DIRECTIONS:
             if message.name not in link.carried(direction):
                 continue
-            code = message.message.code if link.frame(direction).role("code") is not None else None
+            code = message.message.code_of(direction) if link.frame(direction).role("code") is not None else None
             data = message.data(direction)
             barred = link.barred_address(message) if direction == "request" else None
             declarations += [BLANK, *_declare_message(naming, link, direction, data, message.name, code, barred)]

@@ -133,7 +133,8 @@ def _test_code_texts(naming: Naming, enum: Enum) -> Iterator[Statement]:
 
 def _test_messages(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
     for message in layout.messages.values():
-        for kind, number in (("code", message.message.code), ("number", message.message.number)):
+        own = message.message
+        for kind, number in (("code", own.code), ("response_code", own.response_code), ("number", own.number)):
             if number is not None:
                 yield _expect_constant(naming.macro("message", message.name, kind), unsigned(number))
 

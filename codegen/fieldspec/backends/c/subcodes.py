@@ -80,7 +80,7 @@ def subcodes_of(layout: DeviceLayout, message: MessageLayout) -> tuple[tuple[int
         for link in layout.links.values()
         for direction in ("request", "response")
         for code, subcode in shared_codes(link, direction).items()
-        if code == message.message.code and message in subcode.messages.values()
+        if code == message.message.code_of(direction) and message in subcode.messages.values()
     }
     return numbers.pop() if len(numbers) == 1 else ()
 

@@ -56,24 +56,23 @@ def _message(context: Context, message_layout: MessageLayout) -> Section:
         for direction in (way for way in DIRECTIONS if message.name in link.carried(way)):
             blocks.append(_frame(context, message_layout, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
-    code_pieces: Line = () if message.code is None else (code(_code(context, message)), text_piece(" "))
+    code_pieces: Line = () if message.code is None else (code(_code(context, message, message.code)), text_piece(" "))
     return Section(path, (*code_pieces, *context.section_title(title, message)), tuple(blocks))
 
 
-def _code(context: Context, message: Message) -> str:
-    """The code of a message in as many digits as the widest of the parts that carry it."""
+def _code(context: Context, message: Message, number: int) -> str:
+    """A code of a message in as many digits as the widest of the parts that carry it."""
     links = context.layout.links.values()
     carriers = [link for link in links if message.name in link.messages]
     parts = [part for link in carriers for direction in DIRECTIONS if (part := link.frame(direction).role("code"))]
     widest = max(parts, key=lambda part: part.size if part.form else 2 * part.size, default=None)
-    number = message.code or 0
     return f"0x{number:02X}" if widest is None else widest.number_text(number)
 
 
-def _code_pieces(context: Context, message: Message) -> Line:
+def _code_pieces(context: Context, message: Message, number: int) -> Line:
     """A code, and its number where that is not what the code looks like."""
-    text = _code(context, message)
-    return (code(text),) if text.isdecimal() else (code(text), text_piece(f" ({message.code})"))
+    text = _code(context, message, number)
+    return (code(text),) if text.isdecimal() else (code(text), text_piece(f" ({number})"))
 
 
 def _frame(
@@ -87,7 +86,9 @@ def _frame(
     if link.link.encoding == "hex_ascii":
         length += ", as two characters each"
     caption = f"{title} on {link.link.title or link.name}: {length}"
-    return FrameTable(context, link, direction, anchor, anchored).table(caption, record, message_layout.message.code)
+    return FrameTable(context, link, direction, anchor, anchored).table(
+        caption, record, message_layout.message.code_of(direction)
+    )
 
 
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
@@ -97,7 +98,7 @@ def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple
         for link in context.layout.links.values()
         for direction in DIRECTIONS
         for number, subcode in link.subcodes(direction).items()
-        if number == message_layout.message.code and message_layout in subcode.messages.values()
+        if number == message_layout.message.code_of(direction) and message_layout in subcode.messages.values()
         for text in subcode.texts_of(message_layout)
     )
     if texts:
@@ -144,7 +145,10 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     if message.group:
         yield "Group", ((text_piece(" ".join(message.group.split("_"))),),)
     if message.code is not None:
-        yield "Code", (_code_pieces(context, message),)
+        yield "Code", (_code_pieces(context, message, message.code),)
+    if message.response_code is not None:
+        yield "Code of the response", (_code_pieces(context, message, message.response_code),)
+    if message.code is not None:
         yield from _subcodes(context, message_layout)
     printed = [
         f"{direction} {many(length, 'byte')}"

@@ -41,6 +41,8 @@ def declare_message(message: MessageLayout, names: Names) -> Declaration:
     request = names.records[message.request.name]
     response = names.records[message.response.name] if own.is_answered else "null"
     number = f", {own.number}" if own.number is not None else ""
+    if own.response_code is not None:
+        number = f"{number or ', undefined'}, 0x{own.response_code:02X}"
     code = "null" if own.code is None else f"0x{own.code:02X}"
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
     answered = response if own.is_answered else "never"
@@ -291,7 +293,7 @@ def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], name
         return None
     extents: dict[int, str] = {}
     for message in carried:
-        number = message.message.code
+        number = message.message.code_of(direction)
         if number is not None:
             extent = _extent(link, frame, message.data(direction))
             # Of messages that share a code, only those of one form are told by it.

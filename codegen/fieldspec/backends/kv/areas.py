@@ -275,7 +275,7 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
         whole = None if data.size is None else shape.header_size + data.size + shape.trailer_size
         length = shape.role("length")
         fixed = {
-            "code": message.message.code,
+            "code": message.message.code_of(direction),
             "length": None if length is None or whole is None else length.number(whole),
         }
         values = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.header]

@@ -145,7 +145,6 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()
     group = f"Group {Name.of(message.group).title().lower()}." if message.group else ""
-    code = "" if message.code is None else f"Code {message.code:#04x}."
     carrying = [link.link for link in layout.links.values() if message.name in link.messages]
     called = {link.message_name for link in carrying}
     known = Name.of(called.pop() if len(called) == 1 else "message").title()
@@ -156,6 +155,8 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
     quiet = f"It is not answered on {', '.join(silent)}." if silent else ""
     quiet = quiet if message.is_answered else "It is never answered."
     for direction in ("response", "request") if message.is_answered else ("request",):
+        number_of_code = message.code_of(direction)
+        code = "" if number_of_code is None else f"Code {number_of_code:#04x}."
         shaped, name = exchange.side(direction)
         names = {link.direction_name(direction) for link in carrying} - {direction}
         named = f"the {direction} ({', '.join(sorted(names))})" if names else f"the {direction}"
@@ -166,7 +167,7 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
         views.append(
             MessageView(
                 record=_viewed(shaped, name, doc),
-                code=code_literal(message.code),
+                code=code_literal(message.code_of(direction)),
                 number="" if message.number is None else str(message.number),
                 supplements=tuple_of(map(literal, message.supplements)) if message.supplements else "",
                 response=exchange.response_name if direction == "request" else "",

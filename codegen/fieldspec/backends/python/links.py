@@ -70,6 +70,7 @@ class DirectionView:
     classes: str
     rows: list[str]
     has_subcodes: bool
+    has_response_codes: bool
     alias: str
     union: list[str]
     exchanges: list[ExchangeView]
@@ -249,7 +250,7 @@ def _direction(
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
     views = [_exchange(link, direction, exchange, frames, wrapper, parts) for exchange in carried]
     messages = [
-        (exchange.message.name, exchange.message.message.code, exchange.side(direction)[0].record)
+        (exchange.message.name, exchange.message.message.code_of(direction), exchange.side(direction)[0].record)
         for exchange in carried
     ]
     refusal = (
@@ -271,6 +272,7 @@ def _direction(
         classes=f"_{upper}_{direction.upper()}_CLASSES",
         rows=_class_rows(link, direction, carried, views),
         has_subcodes=code is not None and bool(link.shared_codes(direction)),
+        has_response_codes=code is not None and link.has_response_codes,
         alias=alias,
         union=union(alias, [view.message for view in views]),
         exchanges=views,
@@ -296,7 +298,7 @@ def _class_rows(link: LinkLayout, direction: str, carried: list[Exchange], views
     ambiguous = link.ambiguous_codes(direction)
     rows = []
     for exchange, view in zip(carried, views, strict=True):
-        code = exchange.message.message.code
+        code = exchange.message.message.code_of(direction)
         if code is not None and code in ambiguous:
             if ambiguous[code][0] is exchange.message:
                 rows.append(f"{view.key}: _Answers({', '.join(names[message.name] for message in ambiguous[code])})")
@@ -328,7 +330,7 @@ def _exchange(
 ) -> ExchangeView:
     shaped, name = exchange.side(direction)
     frame = link.frame(direction)
-    code = exchange.message.message.code
+    code = exchange.message.message.code_of(direction)
     upper = f"_{Name.of(exchange.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
     part, unit_address = frame.role("code"), frame.role("unit_address")
     flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0

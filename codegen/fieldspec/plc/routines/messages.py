@@ -272,7 +272,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     )
     draft.add([Assignment(status, opened), draft.status.passed_on(draft.result, status)])
     if code is not None and coded is not None:
-        other: Expression = compared(code, "<>", Whole(message.message.code or 0, coded))
+        other: Expression = compared(code, "<>", Whole(message.message.code_of("response") or 0, coded))
         error = link.link.exception_response
         if refused is not None and error is not None and error.code is not None:
             other = every([Negation(refused), other])

@@ -16,7 +16,7 @@ def refuse_other_subcode(
 
     Data that are too short for the field count as those of the first message, as in the other codecs.
     """
-    shared = link.subcodes("response").get(message.message.code or 0)
+    shared = link.subcodes("response").get(message.message.code_of("response") or 0)
     if shared is None or all(other is not message for other in shared.messages.values()):
         return
     field = next(field for field in message.response.fields if field.offset == shared.offset)

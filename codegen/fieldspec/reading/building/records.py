@@ -115,6 +115,7 @@ def message(entry: Entry, reused: Reused) -> Message:
         handling=entry.handling(),
         accesses=_access(access) if access else None,
         segments=_segments(pieces) if pieces else None,
+        response_code=_response_code(entry),
     )
 
 
@@ -139,6 +140,23 @@ def _answered_on(entry: Entry) -> tuple[str, ...] | None:
         text = "the message is never answered, but it has a `response`"
         entry.refuse("wrong_form", "response", text, "remove `response`, or name the links under `answered_on`")
     return links
+
+
+def _response_code(entry: Entry) -> int | None:
+    """The code of the response where it is another one than that of the request."""
+    code = entry.integer("response_code")
+    if code is None:
+        return None
+    if "code" not in entry.own:
+        text = "the message has a `response_code`, but its request has no `code`"
+        entry.refuse("wrong_form", "response_code", text, "add `code`, or remove `response_code`")
+    elif code == entry.integer("code"):
+        text = "the response has the code of the request, as is usual"
+        entry.refuse("wrong_form", "response_code", text, "remove `response_code`")
+    if "answered_on" in entry.own and not entry.texts("answered_on"):
+        text = "the message is never answered, but it has a `response_code`"
+        entry.refuse("wrong_form", "response_code", text, "remove it, or name the links under `answered_on`")
+    return code
 
 
 def _segments(entry: Entry) -> Segments:

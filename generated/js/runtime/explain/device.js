@@ -41,15 +41,18 @@ export class ExplainedDevice {
       const messages = link.carried[direction].map((name) => [name, this.messages.get(name)]);
       carried[direction] = new Map(messages);
       coded[direction] = new Map();
-      for (const [, message] of messages) this.add(coded[direction], message.code, message);
+      for (const [, message] of messages) this.add(coded[direction], codeIn(direction, message), message);
       subcodes[direction] = new Map(link.subcodes[direction].map((shared) => [
         shared.code, { ...shared, named: new Map(shared.messages.map(([number, name]) => [number, this.messages.get(name)])) },
       ]));
       delimiters[direction] = link.delimiters[direction].map(bytesOfHex);
     }
+    const refused = new Map();
+    for (const [, message] of carried.request) this.add(refused, codeIn("response", message), message);
     return {
       ...link,
       carriedMessages: carried,
+      refusedByCode: refused,
       messagesByCode: coded,
       subcodes,
       delimiters,
@@ -109,6 +112,11 @@ function indexedFrame(frame) {
   };
 }
 
+/** The code of a message in one direction; undefined where there is none. */
+export function codeIn(direction, message) {
+  return direction === "response" ? message?.responseCode ?? message?.code : message?.code;
+}
+
 /** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
 export function isAmbiguous({ ambiguous = [] }, direction, code) {
   return direction === "response" && ambiguous.includes(code);
@@ -130,13 +138,23 @@ export function messageWithCode(link, direction, code, data, asked) {
   return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
+/**
+ * The message that an exception response with a code refuses. It carries no subcode: of several messages with the code,
+ * only the request tells which one it answers.
+ */
+export function refusedMessage(link, code, asked) {
+  const messages = link.refusedByCode.get(code) ?? [];
+  return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
+}
+
 /** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
 export function codeText(link, direction, message) {
-  if (message.code === undefined) return "no code";
+  const code = codeIn(direction, message);
+  if (code === undefined) return "no code";
   const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
-  const shared = link.subcodes[direction].get(message.code);
+  const shared = link.subcodes[direction].get(code);
   const part = link[direction].code;
-  const own = part?.value.digits ? latinOf(digitsBytes(part.value, message.code)).toUpperCase() : digits(message.code, 1);
+  const own = part?.value.digits ? latinOf(digitsBytes(part.value, code)).toUpperCase() : digits(code, 1);
   if (!shared) return own;
   const intervals = [];
   const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);

@@ -1,4 +1,4 @@
-import { codeText, isAmbiguous, isException, messageWithCode } from "./device.js";
+import { codeText, isAmbiguous, isException, messageWithCode, refusedMessage } from "./device.js";
 import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
 import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
@@ -207,17 +207,16 @@ class ExplainedFrame {
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
-    const carried = this.error ? "request" : direction;
     const end = this.data.length - this.shape.trailerSize;
-    const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
-    // An exception response carries no subcode; only the request tells which message it answers.
-    const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
-    this.message = messageWithCode(link, carried, code, body, this.named) ?? shared.find(({ name }) => name === this.named);
+    const body = this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
+    this.message = this.error
+      ? refusedMessage(link, code, this.named)
+      : messageWithCode(link, direction, code, body, this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
-      if (isAmbiguous(link, carried, code)) {
-        const names = link.messagesByCode[carried].get(code).map(({ name }) => name).join(", ");
+      if (isAmbiguous(link, direction, code)) {
+        const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));

@@ -87,6 +87,8 @@ export interface RecordCodec<T, U = object> {
 export interface Message<N extends string, Q, R> {
   readonly name: N;
   readonly code: number | null;
+  /** The code of the response: that of the request where the manual states no other. */
+  readonly responseCode: number | null;
   readonly number: number | null;
   readonly request: RecordCodec<Q>;
   /** Null if the device never answers. */

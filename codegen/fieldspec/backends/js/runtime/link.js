@@ -5,8 +5,8 @@ import { readPart, writePart } from "./parts.js";
 import { rangesText, within } from "./values.js";
 
 /** A message: its data in both directions; `code` is null where frames do not carry one. */
-export function message(name, code, request, response, number = null) {
-  return Object.freeze({ name, code, number, request, response });
+export function message(name, code, request, response, number = null, responseCode = code) {
+  return Object.freeze({ name, code, responseCode, number, request, response });
 }
 
 /**
@@ -26,7 +26,11 @@ export function frames({ name, hex, request, response, unitAddresses }) {
  */
 export function link(shapes, messages, exception, unanswered = [], subcodes = {}, barred = []) {
   const silent = new Set(unanswered);
-  const byCode = { request: codesOf(messages), response: codesOf(messages.filter((entry) => !silent.has(entry))) };
+  const byCode = {
+    request: codesOf(messages, "code"),
+    response: codesOf(messages.filter((entry) => !silent.has(entry)), "responseCode"),
+    refused: refusedCodesOf(messages),
+  };
   const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: silent, subcodes };
   const { name, request, response, unitAddresses } = shapes;
   return Object.freeze({
@@ -36,12 +40,12 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
     /** The frame of a request. Throws CodecError. */
     encodeRequest(header, entry, data) {
       const alone = barred.includes(entry) ? entry.name : "";
-      return encoded(context, request, header, codeOf(context, request, entry), entry.request, data, undefined, alone);
+      return encoded(context, request, header, codeOf(context, request, entry, "code"), entry.request, data, undefined, alone);
     },
     /** The frame of a response. Throws CodecError. */
     encodeResponse(header, entry, data) {
       expectAnswer(context, entry);
-      const code = codeOf(context, response, entry);
+      const code = codeOf(context, response, entry, "responseCode");
       return encoded(context, response, header, code, entry.response, data, context.exception?.normal);
     },
     /** The frame of an exception response to a code, which is null where frames carry none. Throws CodecError. */
@@ -68,9 +72,16 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
   });
 }
 
-function codesOf(messages) {
+function codesOf(messages, key) {
   const byCode = new Map();
-  for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
+  for (const entry of messages) if (entry[key] !== null && !byCode.has(entry[key])) byCode.set(entry[key], entry);
+  return byCode;
+}
+
+/** The messages that exception responses refuse, by the code of these. */
+function refusedCodesOf(messages) {
+  const byCode = new Map();
+  for (const entry of messages) byCode.set(entry.responseCode, [...(byCode.get(entry.responseCode) ?? []), entry]);
   return byCode;
 }
 
@@ -98,9 +109,9 @@ function frame({ header, trailer, start, end, checksums, escape, escapeStart, es
   };
 }
 
-function codeOf(context, { code }, entry) {
+function codeOf(context, { code }, entry, key) {
   if (!context.messages.has(entry)) throw new CodecError("unknown_code", `${context.name} does not carry ${entry?.name}`);
-  return code === null ? null : entry.code;
+  return code === null ? null : entry[key];
 }
 
 function expectAnswer({ name, unanswered }, entry) {
@@ -233,7 +244,7 @@ function decoded(context, shape, bytes, entry, direction) {
     const { exception } = context;
     if (exception !== null && direction === "response" && isUncodedException(exception, shape, data)) {
       const record = exception.record.read(data, shape.headerSize, end);
-      return { kind: "exception", name: entry.name, header, message: entry, code: entry.code ?? 0, data: record };
+      return { kind: "exception", name: entry.name, header, message: entry, code: entry.responseCode ?? 0, data: record };
     }
     return { kind: direction, name: entry.name, header, message: entry, data: entry[direction].read(data, shape.headerSize, end) };
   }
@@ -273,10 +284,9 @@ function isMarked({ flag, code, part, all }, shape, own, data) {
 }
 
 /** The message that an exception response answers: null where its code is unknown, or where several messages have it. */
-function answeredBy({ byCode, subcodes }, code, entry) {
-  const shared = subcodes.request?.get(code);
-  if (shared === undefined) return byCode.request.get(code) ?? null;
-  return [...shared.messages.values()].find((message) => message === entry) ?? null;
+function answeredBy({ byCode }, code, entry) {
+  const refused = byCode.refused.get(code) ?? [];
+  return refused.length === 1 ? refused[0] : refused.find((message) => message === entry) ?? null;
 }
 
 /**

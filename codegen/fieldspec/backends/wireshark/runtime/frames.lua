@@ -42,7 +42,7 @@ end
 -- data tells them apart, it is that of the request.
 local function message_with(shape, code, body, asked)
     if shape.is_ambiguous[code] then
-        return asked and asked.message and asked.message.code == code and asked.message or nil
+        return asked and asked.message and asked.message.response_code == code and asked.message or nil
     end
     local subcode = shape.shared[code]
     if not subcode then
@@ -95,11 +95,11 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
-        if link.request.shared[code] then
+        if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
-            return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
+            return asked and asked.message and asked.message.response_code == code and asked.message or nil, true, code
         end
-        return link.request.by_code[code], true, code
+        return link.refused_by_code[code], true, code
     end
     return message_with(link[direction], code, body, asked), false, code
 end

@@ -4,11 +4,17 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    for _, shape in ipairs({ link.request, link.response }) do
+    link.refused_by_code = {}
+    for _, name in ipairs(link.request.messages) do
+        local message = device.messages[name]
+        -- An exception response does not say which of several messages with one code it refuses.
+        link.refused_by_code[message.response_code] = link.refused_by_code[message.response_code] == nil and message
+    end
+    for key, shape in pairs({ code = link.request, response_code = link.response }) do
         shape.by_code, shape.shared = {}, {}
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
-            shape.by_code[message.code] = message
+            shape.by_code[message[key]] = message
         end
         shape.is_ambiguous = {}
         for _, code in ipairs(shape.ambiguous or {}) do

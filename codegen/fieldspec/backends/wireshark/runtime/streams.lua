@@ -59,7 +59,9 @@ local function answers(link, request, response)
     end
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
-        if is_other or request.code ~= response.code then
+        local code = request.message and request.message.response_code or request.code
+        local answers_any = link.exception and link.exception.code == response.code
+        if is_other or code ~= response.code and not answers_any then
             return false
         end
     end

@@ -4,7 +4,7 @@ import { sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
-import { memberOf } from "./device.js";
+import { codeIn, memberOf } from "./device.js";
 import { digitsBytes } from "./digits.js";
 import { sentinelOf, turnedWords } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
@@ -213,7 +213,8 @@ function partBytes(part, number) {
 function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
-  if (part.role === "code") return error ? link.exception.code ?? message.code | link.exception.flag : message.code;
+  const code = codeIn(direction, message);
+  if (part.role === "code") return error ? link.exception.code ?? code | link.exception.flag : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;

@@ -1,4 +1,4 @@
-import { isAmbiguous } from "./device.js";
+import { codeIn, isAmbiguous } from "./device.js";
 import { isWhole } from "./numbers.js";
 import { enumeration } from "./texts.js";
 import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
@@ -54,7 +54,7 @@ function candidatesOf(link, direction, frame, close) {
 
 /** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
 function isGuessed(device, link, direction, message) {
-  return !link[direction].code || isAmbiguous(link, direction, device.messages.get(message)?.code);
+  return !link[direction].code || isAmbiguous(link, direction, codeIn(direction, device.messages.get(message)));
 }
 
 /** The reading of an explanation. */
@@ -198,7 +198,12 @@ function mismatchesOf(device, request, response) {
     const have = theirs && response.values.get(theirs.name);
     // A code of its own marks the exception responses to all requests.
     if (role === "code" && response.error && link.exception?.code !== undefined) continue;
-    if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
+    const { responseCode } = device.messages.get(request.message) ?? {};
+    if (role === "code" && responseCode !== undefined) {
+      if (isWhole(have ?? "") && have !== responseCode) {
+        texts.push(`${theirs.name} is ${have}, but ${responseCode} answers ${request.message}`);
+      }
+    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
     }
   }
