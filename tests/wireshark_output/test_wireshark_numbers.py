@@ -103,9 +103,9 @@ def test_whole_numbers_of_every_size_and_order_are_shown_in_fields_lists_and_reg
         wanted.append([])
         packets.append(Packet(client, FIRST_PORT + 1, "response", tcp(bytes([3, len(data)]) + data)))
         wanted.append(expected(REGISTERS, pattern))
-    shown = dissected([device], packets, port_options(device, ports))
+    dissections = dissected([device], packets, port_options(device, ports))
     names = {number.name for number in (*FIELDS["big"], *FIELDS["little"])}
-    for items, numbers in zip(shown, wanted, strict=True):
+    for items, numbers in zip(dissections, wanted, strict=True):
         rows = [(item.name.rpartition(".")[2].rstrip("_"), item) for item in items]
         assert [(name, int(item.value, 0)) for name, item in rows if name in names and item.size] == numbers
 
