@@ -11,8 +11,8 @@ AUDITED = Path(__file__).with_name("audit") / "right"
 CAPABILITY_DEVICES = Path(__file__).with_name("capability_devices")
 KEYS = CAPABILITY_DEVICES / "keys"
 """A device with the keys of values at every place that has them, which is quick to build."""
-DRIVE = CAPABILITY_DEVICES / "drive"
-"""A device that states its links on CAN buses itself, so that their keys can be changed in its file."""
+OTHERS = ("drive", "rules")
+"""Devices that state links on CAN buses, and all actions of rules, in their own files."""
 MANUALS = {"audit/right": AUDITED.parent / "pump.txt", "keys": KEYS.with_name("keys.txt")}
 """The texts of the manuals of projects, which audits compare with their specs."""
 LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
@@ -36,7 +36,7 @@ def _projects() -> dict[str, dict[str, bytes]]:
     late = {name: devices[name] for name in order if name in LAST}
     late |= {name: _files(SPECS / name, SPECS) for name in ("esc11", "ck10", "tc100")}
     early |= {"audit/right": _files(AUDITED / "pump", AUDITED), "keys": _files(KEYS, CAPABILITY_DEVICES)}
-    early |= {"drive": _files(DRIVE, CAPABILITY_DEVICES)}
+    early |= {name: _files(CAPABILITY_DEVICES / name, CAPABILITY_DEVICES) for name in OTHERS}
     return {
         name: shared | files if any(b"\nuses:" in data for data in files.values()) else files
         for name, files in (early | cases | late).items()

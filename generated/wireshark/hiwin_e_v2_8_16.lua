@@ -9858,6 +9858,13 @@ function numbers.unsigned(bytes)
     return number
 end
 
+-- A whole number as an Int64 or UInt64 of Wireshark, from its bytes, the most significant one first.
+local function long(ordered, value)
+    local filled = (value.signed and ordered:byte(1) > 127 and "\255" or "\0"):rep(8 - #ordered) .. ordered
+    local class = value.signed and Int64 or UInt64
+    return class.new(numbers.unsigned(filled:sub(5)), numbers.unsigned(filled:sub(1, 4)))
+end
+
 -- The number of a value: a Lua number, or an Int64 or UInt64 of Wireshark for more than six bytes.
 function numbers.of(bytes, value)
     local ordered = numbers.significant(bytes, value)
@@ -9865,15 +9872,21 @@ function numbers.of(bytes, value)
         return (Struct.unpack(#ordered == 8 and ">d" or ">f", ordered))
     end
     if #ordered > 6 then
-        local filled = (value.signed and ordered:byte(1) > 127 and "\255" or "\0"):rep(8 - #ordered) .. ordered
-        local class = value.signed and Int64 or UInt64
-        return class.new(numbers.unsigned(filled:sub(5)), numbers.unsigned(filled:sub(1, 4)))
+        return long(ordered, value)
     end
     local number = numbers.unsigned(ordered)
     if value.signed and ordered:byte(1) > 127 then
         number = number - 256 ^ #ordered
     end
     return number
+end
+
+-- The number of a value as its item takes it: fields of more than 32 bits take no Lua number.
+function numbers.of_item(bytes, value)
+    if value.kind ~= "float" and #bytes > 4 then
+        return long(numbers.significant(bytes, value), value)
+    end
+    return numbers.of(bytes, value)
 end
 
 -- A bound, a constant or another number of a spec: those of more than six bytes are texts of 16 hexadecimal digits.
@@ -10251,10 +10264,12 @@ function values.show(tree, entry, range, bytes, options)
         return item, text, nil
     end
     local number = numbers.of(bytes, value)
-    item = tree:add(field, range, number)
+    item = tree:add(field, range, numbers.of_item(bytes, value))
     local digits = numbers.text(number)
     if value.word then
-        digits = string.format("0x%0" .. 2 * #bytes .. "x", numbers.unsigned(numbers.significant(bytes, value)))
+        digits = "0x" .. numbers.significant(bytes, value):gsub(".", function(char)
+            return string.format("%02x", char:byte())
+        end)
     end
     if entry.reserved then
         item:set_text(title .. ": " .. digits .. " (reserved)")
@@ -10599,9 +10614,10 @@ local function show_value(context, tree, field, at, index, top)
     end
     local item, number, reason = values.show(tree, entry, range, bytes, options)
     if described and described.entry ~= field then
-        local own = field.value.kind ~= "bytes" and numbers.of(context.bytes:sub(at + 1, at + field.size), field.value)
+        local sent = context.bytes:sub(at + 1, at + field.size)
+        local own = field.value.kind ~= "bytes" and numbers.of(sent, field.value)
         number = own
-        local inner = item:add(fields[field.filter], range, own)
+        local inner = item:add(fields[field.filter], range, own and numbers.of_item(sent, field.value))
         inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))
     end
     parameters.name(context, item, field, number)

@@ -16,6 +16,7 @@ from fieldspec.behaviour.part import (
     Product,
 )
 from fieldspec.behaviour.reading import SECTION, behaviour_of, kinds_of
+from fieldspec.checks.finding import is_imported
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.reading.findings import near, quoted
@@ -80,6 +81,18 @@ def _unstated(behaviour: Behaviour) -> Iterator[Diagnostic]:
             yield Diagnostic(_STATED, text, part.place["name"], help=help)
 
 
+def _exceptions(device: Device) -> set[str]:
+    """The members that exception responses have, by name."""
+    return {
+        member.name
+        for link in device.links.values()
+        if link.exception_response is not None and link.exception_response.record in device.records
+        for field in device.records[link.exception_response.record].fields
+        if field.value is not None and field.value.enum in device.enums and field.value.const is None
+        for member in device.enums[field.value.enum].members
+    }
+
+
 class _Resolution:
     """Looks up every name of a behaviour."""
 
@@ -90,9 +103,12 @@ class _Resolution:
         self.events = {*BUILT_IN_EVENTS, *(action.subject for action in actions if action.kind == "raise")}
         self.limits = {limit.place.path for limit in device.limits}
         self.groups = {group.name for group in device.groups}
+        self.exceptions = _exceptions(device)
 
     def findings(self) -> Iterator[Diagnostic]:
         """A finding for each name that does not exist."""
+        if not self.exceptions:
+            yield from self._no_exceptions()
         for part in self.behaviour.parts:
             yield from self._part(part)
             for action in part.subject if part.kind == "rule" else ():
@@ -112,8 +128,8 @@ class _Resolution:
         yield from self._event(part)
         if part.get("mark") is not None:
             yield from self._mark(part, part["mark"])
-        if part.kind == "refuse" and part.get("with") is not None:
-            yield from self._exception(part)
+        if part.kind == "refuse" and self.exceptions and part.get("with", "") not in ("", *self.exceptions):
+            yield self._unknown(part, "with", "member of the exception response", part["with"], self.exceptions)
         if part.kind == "timing" and part["limit"] not in self.limits:
             yield self._unknown(part, "limit", "limit", part["limit"], self.limits)
         if part.kind == "collection":
@@ -121,17 +137,15 @@ class _Resolution:
         if part.kind == "answer" and part["from"] not in self.names.collections:
             yield self._unknown(part, "from", "collection", part["from"], self.names.collections)
 
-    def _exception(self, part: Part) -> Iterator[Diagnostic]:
-        members = {
-            member.name
-            for link in self.device.links.values()
-            if link.exception_response is not None and link.exception_response.record in self.device.records
-            for field in self.device.records[link.exception_response.record].fields
-            if field.value is not None and field.value.enum in self.device.enums and field.value.const is None
-            for member in self.device.enums[field.value.enum].members
-        }
-        if part["with"] not in members:
-            yield self._unknown(part, "with", "member of the exception response", part["with"], members)
+    def _no_exceptions(self) -> Iterator[Diagnostic]:
+        """One finding of all parts that refuse requests with an exception, where the device has none."""
+        parts = [part for part in self.behaviour.of_kind("refuse") if part.get("with") is not None]
+        if parts:
+            own = next((part.place["with"] for part in parts if not is_imported(part.place, self.device)), None)
+            names = ", ".join(part.name for part in parts)
+            text = f"no link of {self.device.id} has an exception response with members, but {names} refuse with one"
+            help = "state `exception_response` at a link, or under `uses` the link of the protocol that has it"
+            yield Diagnostic(_RESOLVES, text, own or self.device.place["id"], help=help)
 
     def _collection(self, part: Part) -> Iterator[Diagnostic]:
         record = self.device.records.get(part.subject)

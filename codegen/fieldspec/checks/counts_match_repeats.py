@@ -21,7 +21,7 @@ from fieldspec.model.device import Device
 def counts_match_repeats(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         access = device.word_access(message)
-        if access is None or not access.count:
+        if access is None or not access.count or (access.space and access.space not in device.spaces):
             continue
         count = message.request.named(access.count)
         values = (message.response if access.operation == "read" else message.request).named(access.values)

@@ -54,6 +54,8 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
 def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     """The findings of the form of the digits, the first one of each value."""
     kind = value.type
+    if isinstance(fact, Part) and (kind.kind is not Kind.INTEGER or kind.is_odd or kind.signed):
+        return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
     if kind.kind is not Kind.INTEGER or kind.is_odd:
         text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"
         yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
@@ -73,7 +75,18 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
-        yield finding(_CODE, fact.place, "type", text, "use a wider type, with a range")
+        yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
+
+
+def _wider(fact: Fact, value: Value) -> str:
+    """The narrowest type that has all numbers of the digits of a value, if it may have that type."""
+    signed = value.type.signed
+    greatest = 32 if isinstance(fact, Part) and fact.role != "plain" else 64
+    wide = (bits for bits in (16, 32, 64) if digit_bounds(value)[1] < 1 << bits - signed)
+    bits = next(wide, 0)
+    if not 0 < bits <= greatest:
+        return "correct `length`: no type has all numbers of so many digits"
+    return f"use `{'i' if signed else 'u'}{bits}`, with a range"
 
 
 def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:

@@ -32,6 +32,12 @@ def label(place: Place, key: str, text: str) -> Label:
     return Label(place[key], text)
 
 
+def is_imported(place: Place, device: Device) -> bool:
+    """Whether only the file of a protocol states a fact. What it lacks is a matter of the device that uses it."""
+    path = device.place.whole.file.path
+    return not place.whole.file.path.startswith(path[: path.rfind("/") + 1])
+
+
 def hexadecimal(address: int) -> str:
     """`0x2011`"""
     return f"0x{address:04X}" if address >= 0 else str(address)

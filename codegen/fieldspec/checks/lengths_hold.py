@@ -14,13 +14,15 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, interval, label
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.link import Part, PartSpan
-from fieldspec.model.record import Field, Record
-from fieldspec.model.sizes import RecordSizes, Shape, messages_on, shapes
-from fieldspec.model.value import Kind
+from fieldspec.model.record import Field
+from fieldspec.model.sizes import RecordSizes, messages_on, shapes
+from fieldspec.model.value import Kind, Value
+from fieldspec.source import Span
 
 _CODE = "lengths_hold"
 _HELP = "correct the number of elements or the type"
@@ -34,8 +36,23 @@ def lengths_hold(device: Device) -> Iterator[Diagnostic]:
             measured = fields.get(field.measures.field) if field.measures is not None else None
             if measured is not None:
                 yield from _of_field(field, measured, sizes)
-    for direction in ("request", "response"):
-        yield from _of_links(device, direction, sizes)
+    frames = [frame for direction in ("request", "response") for frame in _frames(device, direction, sizes)]
+    for frame in frames:
+        yield from _of_data(frame)
+    yield from _of_words([frame for frame in frames if frame.least == frame.most])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Frame:
+    """Frames with the same data, where a finding of them has its place, and the least and the most counted bytes."""
+
+    name: str
+    place: Place
+    key: str
+    part: Part
+    value: Value
+    least: int
+    most: int
 
 
 def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
@@ -62,48 +79,59 @@ def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Dia
         yield finding(_CODE, field.place, "type", text, _HELP, there)
 
 
-def _of_links(device: Device, direction: str, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Frame]:
+    """The frames with a length part, by what they contain."""
     for shape in shapes(device, direction):
         part = next((part for part in shape.link.parts(direction) if part.role == "length"), None)
         if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
             continue
-        for message in messages_on(device, shape.link):
-            data = message.request if direction == "request" else message.response
-            yield from _of_data(shape, part, f"{direction} of {message.name}", (message.place, direction), data, sizes)
+        data = [
+            (f"{direction} of {message.name}", message.place, direction, getattr(message, direction))
+            for message in messages_on(device, shape.link)
+        ]
         error = shape.link.exception_response
         if direction == "response" and error is not None and error.record in device.records:
-            record = device.records[error.record]
-            yield from _of_data(
-                shape,
-                part,
-                f"exception response on {shape.link.name}",
-                (shape.link.place, "exception_response"),
-                record,
-                sizes,
-            )
+            name = f"exception response on {shape.link.name}"
+            data.append((name, shape.link.place, "exception_response", device.records[error.record]))
+        for name, place, key, record in data:
+            both = sizes.bounds(record)
+            if both is not None:
+                least, most = (shape.span_size(part, size) for size in both)
+                yield _Frame(name, place, key, part, part.value, least, most)
 
 
-def _of_data(
-    shape: Shape, part: Part, what: str, at: tuple[Place, str], data: Record, sizes: RecordSizes
-) -> Iterator[Diagnostic]:
+def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
     """Whether a length part holds what it counts of the frames with some data."""
-    both = sizes.bounds(data)
-    if both is None or part.value is None:
-        return
-    value, unit = part.value, part.unit_size
+    value, unit, part, what = frame.value, frame.part.unit_size, frame.part, frame.name
     low, high = (value.low, value.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
-    least, most = (shape.span_size(part, size) for size in both)
     there = label(part.place, "type", part.name)
-    longest, shortest = -(-most // unit) + part.plus, least // unit + part.plus
+    longest, shortest = -(-frame.most // unit) + part.plus, frame.least // unit + part.plus
     if longest > high:
         text = f"{part.name} would be {longest} in the longest {what}"
         if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
             text = f"the longest {what} has {longest} bytes"
-        yield finding(_CODE, *at, f"{text}; the maximum of {part.name} is {high}", _HELP, there)
+        text = f"{text}; the maximum of {part.name} is {high}"
+        yield finding(_CODE, frame.place, frame.key, text, _HELP, there)
     if shortest < low:
         text = f"{part.name} would be {shortest} in the shortest {what}; its minimum is {low}"
-        yield finding(_CODE, *at, text, _HELP, there)
-    if least == most and least % unit:
-        text = f"the {what} has {least} counted bytes, which is not a whole number of words"
-        help = "add a field that fills the last word, or exclude the link with the message's `links`"
-        yield finding(_CODE, *at, text, help, there)
+        yield finding(_CODE, frame.place, frame.key, text, _HELP, there)
+
+
+def _of_words(frames: list[_Frame]) -> Iterator[Diagnostic]:
+    """Whether frames of one size have whole words where words are counted: if none has, the length part is wrong."""
+    by_part: dict[Span, list[_Frame]] = {}
+    for frame in frames:
+        by_part.setdefault(frame.part.place.whole, []).append(frame)
+    for alike in by_part.values():
+        part = alike[0].part
+        odd = [frame for frame in alike if frame.least % part.unit_size]
+        if len(odd) == len(alike) > 1:
+            text = f"{part.name} counts words, but no frame has a whole number of them: the {odd[0].name}"
+            text += f" has {odd[0].least} counted bytes"
+            help = "remove `in: words`, or correct the parts that are counted"
+            yield finding(_CODE, part.place, "counts", text, help)
+            continue
+        for frame in odd:
+            text = f"the {frame.name} has {frame.least} counted bytes, which is not a whole number of words"
+            help = "add a field that fills the last word, or exclude the link with the message's `links`"
+            yield finding(_CODE, frame.place, frame.key, text, help, label(part.place, "type", part.name))

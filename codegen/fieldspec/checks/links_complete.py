@@ -85,12 +85,30 @@ def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
         yield finding(_CODE, link.place, "request", text, help, there)
 
 
+def _frame(link: Link, direction: str) -> str:
+    """What findings call a frame: the same for both directions where the spec states them once."""
+    both = "request" in link.place and link.place["request"] == link.place["response"]
+    return f"the frame of {link.name}" if both else f"the {direction} of {link.name}"
+
+
+def _repeated_length(parts: list[Part]) -> str:
+    """What to write for a length that comes again: of one byte, it is the sum of itself."""
+    first, second = parts[0], parts[1]
+    if any(part.value is None or part.value.size != 1 for part in parts):
+        return "each role comes once: state one of them as a part without a `role`"
+    covers = f"covers: {{from: {first.name}, to: {first.name}}}"
+    copy = f"{{name: {second.name}, role: checksum, algorithm: sum8, {covers}}}"
+    return f"each role comes once; if {second.name} repeats {first.name}, write `{copy}`"
+
+
 def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
     roles = Counter(part.role for part in parts)
     for role in (*_NUMBERS, "body"):
         if roles[role] > 1 or (role == "body" and not roles[role]):
-            text = f"the {direction} of {link.name} has {roles[role]} parts with the role {role}"
+            text = f"{_frame(link, direction)} has {roles[role]} parts with the role {role}"
             help = "each role comes once, and `body` must be there"
+            if role == "length":
+                help = _repeated_length([part for part in parts if part.role == role])
             yield finding(_CODE, link.place, direction, text, help)
     for part in parts:
         yield from _of_type(device, part)
@@ -142,7 +160,7 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     names = [part.name for part in parts]
     for name in (part.span.first, part.span.last):
         if name and name not in names:
-            text = f"the {direction} of {link.name} has no part {name}"
+            text = f"{_frame(link, direction)} has no part {name}"
             yield finding(_CODE, part.place, key, text, near(name, names))
     numbers = link.span(direction, part)
     if numbers is None:
@@ -207,11 +225,11 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
         names = [part.name for part in parts]
         for name in (escape.first, escape.last):
             if name and name not in names:
-                text = f"the {direction} of {link.name} has no part {name}"
+                text = f"{_frame(link, direction)} has no part {name}"
                 yield finding(_CODE, link.place, "escape", text, near(name, names))
         first, last = link.escaped_span(direction) or (0, len(parts) - 1)
         if not any(part.role == "body" for part in parts[first : last + 1]):
-            text = f"the body of the {direction} of {link.name} is not escaped"
+            text = f"the body of {_frame(link, direction)} is not escaped"
             yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
         yield from _of_sent_length(link, direction)
     whole = not escape.first and not escape.last

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.facts import cases, facts, layers, values
-from fieldspec.checks.finding import finding, near
+from fieldspec.checks.finding import finding, is_imported, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
@@ -167,7 +167,13 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
         answered = {field.name for field in message.response.fields}
         holder = answered if message.accesses.operation == "read" else asked
         place = message.place
-        yield from _named(place, "accesses", "address space", message.accesses.space, device.spaces)
+        space = message.accesses.space
+        if space and space not in device.spaces and is_imported(place, device):
+            text = f"there is no address space `{space}`, which messages that {device.id} takes from protocols access"
+            help = "add the space to `spaces`, or state under `uses` which messages the device has"
+            yield finding("references_resolve", device.place, "id", text, help)
+        else:
+            yield from _named(place, "accesses", "address space", space, device.spaces)
         yield from _named(place, "accesses", "field of the request", message.accesses.start, asked)
         yield from _named(place, "accesses", "field of the request", message.accesses.count, asked)
         yield from _named(place, "accesses", "field", message.accesses.values, holder)

@@ -6,17 +6,17 @@ the text is a mistake.
 Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.
 
 Cure: Add the section and the line. Facts of a protocol are cited in the entry of the same name in the device.
-A row may omit the section if its group has one. If the manual prints the rows of a copied block, each row
-cites its own line. A fact that a version adds needs no source where the manual does not print it: the entry that
-adds it states the reason.
+A row may omit the section if its group has one, under `section` or in its `source`. If the manual prints the rows
+of a copied block, each row cites its own line. A fact that a version adds needs no source where the manual does not
+print it: the entry that adds it states the reason.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from fieldspec.checks.facts import facts
-from fieldspec.checks.finding import finding
+from fieldspec.checks.finding import finding, is_imported, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Member, State
@@ -31,21 +31,31 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 
 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
+    imported: dict[str, list[str]] = {}
     for what, place, sources, needed in cited_places(device):
-        if not sources and needed:
+        if not sources and needed and is_imported(place, device):
+            imported.setdefault(place.path.partition("/")[0], []).append(what)
+        elif not sources and needed:
             text = f"{what} has no source"
-            yield finding("sources_present", place, "source", text, _cure(what, place, device))
+            yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
         for citation in sources:
             yield from _wrong(device, what, place, citation)
+    if imported:
+        yield _of_protocols(device, imported)
 
 
-def _cure(what: str, place: Place, device: Device) -> str:
-    """Where the source belongs: that of a shared protocol is a fact of the device."""
-    own = device.place.whole.file.path.rpartition("/")[0]
-    if place.whole.file.path.startswith(own):
-        return "add `source: <section> L<line>`"
-    section = place.path.partition("/")[0]
-    return f"add `{section}: [{{name: {what}, source: <section> L<line>}}]` to the spec of the device"
+def _of_protocols(device: Device, imported: Mapping[str, list[str]]) -> Diagnostic:
+    """The finding of all facts of protocols that the device does not cite, by section."""
+    count = plural(sum(len(names) for names in imported.values()), "fact")
+    section, (name, *_) = next(iter(imported.items()))
+    listing = "; ".join(f"{section}: {', '.join(names)}" for section, names in imported.items())
+    verb = "has" if count == "1 fact" else "have"
+    text = f"{count} that {device.id} takes from protocols {verb} no source: {listing}"
+    fields = device.records[name].fields[:1] if section == "records" else ()  # an entry of a record has fields
+    keys = "".join(f", fields: [{{name: {field.name}}}]" for field in fields)
+    entry = f"{section}: [{{name: {name}, source: <section> L<line>{keys}}}]"
+    help = f"add an entry with the source of each, such as `{entry}`, or state under `uses` what the device has"
+    return finding("sources_present", device.place, "id", text, help)
 
 
 def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:

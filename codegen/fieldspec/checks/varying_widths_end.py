@@ -7,8 +7,8 @@ read as a part of it.
 
 Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
 
-Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or remove `varies` where the manual
-prints a fixed number of characters.
+Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or `{name: end, type: u8, const: 0}`
+for a zero behind a text. Remove `varies` where the manual prints a fixed number of characters.
 """
 
 from __future__ import annotations
@@ -36,9 +36,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             continue
         problem = _form(value) or _place(fact, id(fact) in messages)
         if problem:
-            yield finding(
-                _CODE, fact.place, "varies", f"{fact.name} {problem}", "remove it, and state the usual length"
-            )
+            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(value))
     for message in device.messages.values():
         for body in _bodies(message):
             yield from _of_message(message, body)
@@ -62,6 +60,15 @@ def _form(value: Value) -> str:
     if value.type.signed and not has_sign(value):
         return "is a signed hexadecimal number, whose sign is in its first digit"
     return ""
+
+
+def _cure(value: Value) -> str:
+    """What to write for a value of one width."""
+    form = value.text_form
+    if form is None or form.terminator is None or form.encoding == UTF_16 or form.is_right or form.padding:
+        return "remove it, and state the usual length"
+    end = f"{{name: end, type: u8, const: 0x{form.terminator:02X}}}"
+    return f"remove `terminator`, and state it as the next field: `{end}`; or remove `varies`"
 
 
 def _place(fact: Fact, is_in_message: bool) -> str:
@@ -118,7 +125,10 @@ def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
 
 
 def _own_bytes(value: Value) -> bytes:
-    """The bytes that a value may have, and that cannot end it: for a text letters, digits and what is not ASCII."""
+    """The bytes that a value may have, and that cannot end it: for a text letters, digits and what is not ASCII.
+
+    No text has a zero in it, so that one may end it.
+    """
     if not value.digits:
-        return bytes([0, *range(0x80, 0x100)]) + (string.ascii_letters + string.digits).encode()
+        return bytes(range(0x80, 0x100)) + (string.ascii_letters + string.digits).encode()
     return digits_letters(value) + (b"+-" if has_sign(value) else b"") + (b"." if value.places else b"")

@@ -310,8 +310,8 @@ class Server:
                 values[part.name] = self.unit_address
             elif part.constant is not None:
                 values[part.name] = part.constant
-            elif part.name in head:
-                values[part.name] = head[part.name]
+            elif (part.part.same_as or part.name) in head:
+                values[part.name] = head[part.part.same_as or part.name]
             else:
                 cell = next(iter(self.engine.cells.of(part.part.place.path)), None)
                 values[part.name] = cell.read() if cell is not None else 0

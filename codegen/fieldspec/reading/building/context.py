@@ -50,6 +50,8 @@ class Entry:
         if defaults is not None or "source" in own:
             cited = self.text("source")
             self.sources = citations(cited, self.section) if cited else sources
+            if cited and not self.section:
+                self.section = common_section(self.sources)
 
     def get(self, key: str) -> Node | None:
         """The node under a key, or the default for it."""
@@ -307,6 +309,12 @@ def citations(text: str, section: str) -> tuple[Citation, ...]:
             lines.append((bounds[0], bounds[-1]))
         citations.append(Citation(head.strip() or section, tuple(lines)))
     return tuple(citations)
+
+
+def common_section(sources: tuple[Citation, ...]) -> str:
+    """The section of all citations, which is that of what they enclose; empty where they cite several."""
+    sections = {citation.section for citation in sources}
+    return sections.pop() if len(sections) == 1 else ""
 
 
 Item = TypeVar("Item")

@@ -36,6 +36,7 @@ _HELP = {
     "covers": "move it to the part with `role: checksum`",
     "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
+    "flags": "remove `flags`; only a part without a `role` is a word of bits",
     "algorithm": "add or remove `algorithm`",
     "reserved": "move it to a part without a `role`",
     "same_as": "move it to a part without a `role`; a response always has the unit address of its request",

@@ -46,7 +46,7 @@ def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
         **arguments,
         title=entry.text("title"),
         space=space,
-        section=entry.section,
+        section=entry.text("section"),
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
         registers=registers,

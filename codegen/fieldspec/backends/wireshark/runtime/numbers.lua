@@ -37,6 +37,13 @@ function numbers.unsigned(bytes)
     return number
 end
 
+-- A whole number as an Int64 or UInt64 of Wireshark, from its bytes, the most significant one first.
+local function long(ordered, value)
+    local filled = (value.signed and ordered:byte(1) > 127 and "\255" or "\0"):rep(8 - #ordered) .. ordered
+    local class = value.signed and Int64 or UInt64
+    return class.new(numbers.unsigned(filled:sub(5)), numbers.unsigned(filled:sub(1, 4)))
+end
+
 -- The number of a value: a Lua number, or an Int64 or UInt64 of Wireshark for more than six bytes.
 function numbers.of(bytes, value)
     local ordered = numbers.significant(bytes, value)
@@ -44,15 +51,21 @@ function numbers.of(bytes, value)
         return (Struct.unpack(#ordered == 8 and ">d" or ">f", ordered))
     end
     if #ordered > 6 then
-        local filled = (value.signed and ordered:byte(1) > 127 and "\255" or "\0"):rep(8 - #ordered) .. ordered
-        local class = value.signed and Int64 or UInt64
-        return class.new(numbers.unsigned(filled:sub(5)), numbers.unsigned(filled:sub(1, 4)))
+        return long(ordered, value)
     end
     local number = numbers.unsigned(ordered)
     if value.signed and ordered:byte(1) > 127 then
         number = number - 256 ^ #ordered
     end
     return number
+end
+
+-- The number of a value as its item takes it: fields of more than 32 bits take no Lua number.
+function numbers.of_item(bytes, value)
+    if value.kind ~= "float" and #bytes > 4 then
+        return long(numbers.significant(bytes, value), value)
+    end
+    return numbers.of(bytes, value)
 end
 
 -- A bound, a constant or another number of a spec: those of more than six bytes are texts of 16 hexadecimal digits.

@@ -38,9 +38,10 @@ local function show_value(context, tree, field, at, index, top)
     end
     local item, number, reason = values.show(tree, entry, range, bytes, options)
     if described and described.entry ~= field then
-        local own = field.value.kind ~= "bytes" and numbers.of(context.bytes:sub(at + 1, at + field.size), field.value)
+        local sent = context.bytes:sub(at + 1, at + field.size)
+        local own = field.value.kind ~= "bytes" and numbers.of(sent, field.value)
         number = own
-        local inner = item:add(fields[field.filter], range, own)
+        local inner = item:add(fields[field.filter], range, own and numbers.of_item(sent, field.value))
         inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))
     end
     parameters.name(context, item, field, number)

@@ -199,10 +199,12 @@ function values.show(tree, entry, range, bytes, options)
         return item, text, nil
     end
     local number = numbers.of(bytes, value)
-    item = tree:add(field, range, number)
+    item = tree:add(field, range, numbers.of_item(bytes, value))
     local digits = numbers.text(number)
     if value.word then
-        digits = string.format("0x%0" .. 2 * #bytes .. "x", numbers.unsigned(numbers.significant(bytes, value)))
+        digits = "0x" .. numbers.significant(bytes, value):gsub(".", function(char)
+            return string.format("%02x", char:byte())
+        end)
     end
     if entry.reserved then
         item:set_text(title .. ": " .. digits .. " (reserved)")
