@@ -10809,6 +10809,10 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         return message or asked and asked.message, has_mark(link, direction, parts, body)
     end
     if is_marked(link, direction, code, parts) then
+        if link.exception.code then
+            -- All exception responses have this code; only the request tells which message they answer.
+            return asked and asked.message, true
+        end
         code = code - numbers.band(code, link.exception.flag)
         if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
@@ -11148,6 +11152,7 @@ local function session_of(link, pinfo)
 end
 
 -- Whether a response answers a request: the same unit, code and other parts that it repeats, as far as they have them.
+-- The code that all exception responses have is that of no request.
 local function answers(link, request, response)
     if request.unit ~= response.unit then
         return false
@@ -11185,10 +11190,9 @@ local function head_of(link, direction, bytes, asked, message)
             if part.role == "unit_address" then
                 head.unit = number
             elseif part.role == "code" then
-                head.is_coded = true
                 local body = parts:sub(shape.header + 1)
                 local named, _, own = frames.message_of(link, direction, number, parts, body)
-                head.message, head.code = named, own
+                head.message, head.code, head.is_coded = named, own, own ~= nil
             elseif part.same_as then
                 head.repeated[part.same_as] = number
             end

@@ -90,6 +90,19 @@ def test_packets_of_a_line_without_codes_in_responses_are_paired() -> None:
     assert rows == [[name, pair[0].message] for pair in pairs for name in ("request", "response")]
 
 
+def test_exception_responses_with_a_code_of_their_own_are_paired_with_their_requests() -> None:
+    layout = newest(TEST_SPECS, "scanner")
+    refusal = bytes.fromhex("3E 46 46 30 32 46 46 0D")
+    requests = [
+        example.frame
+        for example in layout.device.examples.values()
+        if (example.link, example.direction, example.message) == ("terminal", "request", "read_state")
+    ]
+    names = ["frame.direction", "frame.message", "frame.request_in", "refusal.reason"]
+    rows = columns(layout, line([requests[0], refusal, refusal]), names, "-o", f"scanner.terminal_line:{USER0}")
+    assert rows == [["request", "read_state", "", ""], ["response", "read_state", "1", "2"], ["response", "", "", "2"]]
+
+
 def test_a_stream_is_cut_into_frames_wherever_its_packets_end() -> None:
     requests = READ_REQUEST + MOVE + READ_REQUEST
     pieces = [("request", requests[:3]), ("request", requests[3:12]), ("request", requests[12:])]

@@ -123,7 +123,8 @@ def _refuse_unstated(entry: Entry) -> None:
     """Refuses a message without a request, and one without the response that is due: nothing says what they are."""
     if "request" not in entry.own:
         text = "the message has no `request`"
-        entry.refuse("missing_key", "name", text, "list the fields of its data, or add `request: []` if it has none")
+        help = "list the fields of its data, or add `request: []` if it has none; where frames have a code, leave out "
+        entry.refuse("missing_key", "name", text, f"{help}a message that only the device sends")
     if "response" in entry.own or ("answered_on" in entry.own and not entry.texts("answered_on")):
         return
     text = "the message has no `response`"

@@ -94,6 +94,10 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         return message or asked and asked.message, has_mark(link, direction, parts, body)
     end
     if is_marked(link, direction, code, parts) then
+        if link.exception.code then
+            -- All exception responses have this code; only the request tells which message they answer.
+            return asked and asked.message, true
+        end
         code = code - numbers.band(code, link.exception.flag)
         if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
