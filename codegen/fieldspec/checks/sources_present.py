@@ -43,7 +43,8 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
             yield from _wrong(device, what, place, citation)
         if any(not citation.section for citation in sources):
             sectionless.append((what, place))
-    yield from _without_section(device, sectionless)
+    if sectionless:
+        yield from _without_section(device, sectionless)
     if imported:
         yield _of_protocols(device, imported)
 
@@ -65,23 +66,19 @@ def _of_protocols(device: Device, imported: Mapping[str, list[str]]) -> Diagnost
 def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Iterator[Diagnostic]:
     """The findings of sources that name no section: one for each group, or other fact, with all that it encloses."""
     groups = {fact.place.path: group for group in device.groups for fact in (*group.registers, group)}
-    enclosed: dict[int | str, list[tuple[str, Place]]] = {}
+    enclosed: dict[str, list[tuple[str, Place]]] = {}
     for what, place in cited:
         path = "/".join(place.path.split("/")[:2])
-        group = groups.get(path)
-        enclosed.setdefault(path if group is None else id(group), []).append((what, place))
-    for items in enclosed.values():
+        holder = groups[path].place.path if path in groups else path
+        enclosed.setdefault(holder, []).append((what, place))
+    for path, items in enclosed.items():
         names = [*dict.fromkeys(what for what, _ in items)]
         (what, place), key = items[0], "source"
         text, help = f"the source of {what} names no section", "add it like `8.2 L1622`, or add it to the group"
         if len(names) > 1:
-            group = groups.get(place.path)
-            if group is not None:
-                what, place, key = (
-                    f"the group {group.name}",
-                    group.place,
-                    "source" if "source" in group.place else "group",
-                )
+            if path in groups:
+                what, place = f"the group {groups[path].name}", groups[path].place
+                key = "source" if "source" in place else "group"
             text = f"the sources of {enumeration(names)} name no section"
             help = f"add `section` to {what}, or the section to each source like `8.2 L1622`"
         yield finding("sources_present", place, key, text, help)
