@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.explain.explanation import explained
+from fieldspec.explain.readings import FrameOptions, OpenRequest, read, remarks
 from fieldspec.live.client import Client, RefusedError, Timing
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
@@ -47,6 +48,32 @@ def test_a_code_of_its_own_marks_an_exception_response() -> None:
         MODULE.terminal.encode_error(0x10, MODULE.Refusal(2))
     assert refused.value.reason == "unknown_code"
     assert explained(SCANNER, "terminal", "response", REFUSED_LINE).error
+
+
+def test_a_code_of_its_own_is_no_code_of_a_request() -> None:
+    asked = explained(SCANNER, "terminal", "request", LINKS["terminal"].encode("request", "read_state", {}))
+    chosen = read(SCANNER, REFUSED_LINE, FrameOptions(), asked=OpenRequest(asked, True))
+    assert (chosen.wrong, chosen.explanation.message, chosen.chosen) == (False, "read_state", "request")
+    unasked = explained(SCANNER, "terminal", "response", REFUSED_LINE)
+    (meaning,) = next(row for row in unasked.rows if row.path == "command").meanings
+    assert meaning.text == "a request is refused"
+
+
+@pytest.mark.parametrize(
+    ("device", "link", "message", "frame"),
+    [
+        ("scanner", "terminal", "read_state", REFUSED_LINE),
+        ("servo2", "bus", "read", bytes.fromhex("FF FF FD 00 01 04 00 55 04 BA 8C")),
+    ],
+)
+def test_an_exception_response_answers_the_message_that_the_user_names(
+    device: str, link: str, message: str, frame: bytes
+) -> None:
+    layout = newest(TEST_SPECS, device)
+    options = FrameOptions(((link, "response"),), message)
+    chosen = read(layout, frame, options)
+    assert (chosen.readings, chosen.wrong) == (((link, "response", message, True),), False)
+    assert not list(remarks(layout, chosen, 0, options))
 
 
 def test_a_part_before_the_body_marks_an_exception_response() -> None:

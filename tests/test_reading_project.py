@@ -27,7 +27,7 @@ messages:
     code: 3
     request: [{name: address, type: u16}, {name: count, type: u16, range: 1..100}]
     response: [{name: values, type: u16, repeat: 1..100}]
-  - {name: write, code: 6}
+  - {name: write, code: 6, request: [], response: []}
 enums:
   - {name: exception, members: [{value: 1, name: illegal}, {value: 2, name: busy}]}
 records:

@@ -46,13 +46,13 @@ FACTS = {
         "registers: [{group: x, rows: [], BOUNDS}]",
         lambda device: [group.name for group in device.groups],
     ),
-    "messages": ("messages: [{name: x, BOUNDS}]", lambda device: list(device.messages)),
+    "messages": ("messages: [{name: x, request: [], response: [], BOUNDS}]", lambda device: list(device.messages)),
     "fields": (
         "records: [{name: a, fields: [{name: x, type: u8, BOUNDS}]}]",
         lambda device: [field.name for field in device.records["a"].fields],
     ),
     "request": (
-        "messages: [{name: a, request: [{name: x, type: u8, BOUNDS}]}]",
+        "messages: [{name: a, request: [{name: x, type: u8, BOUNDS}], response: []}]",
         lambda device: [field.name for field in device.messages["a"].request.fields],
     ),
     "members": (

@@ -2524,6 +2524,7 @@ class ExplainedFrame {
       this.error = true;
       code &= ~exception.flag;
       this.values.set(part.name, code);
+      if (exception.code !== undefined) return this.refusingCode(read);
     }
     const carried = this.error ? "request" : direction;
     const end = this.data.length - this.shape.trailerSize;
@@ -2547,6 +2548,14 @@ class ExplainedFrame {
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
     return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
+  }
+
+  /** The code of all exception responses, which does not say what it answers: only the request does. */
+  refusingCode(read) {
+    this.message = this.link.carriedMessages.request.get(this.named);
+    if (!this.message) return { ...read, meanings: [meaningOf("", "", "a request is refused")] };
+    const { name, label, title, notes = [], path } = this.message;
+    return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
   }
 
   /** The number of a part before the body, as far as the bytes reach. */
@@ -2768,6 +2777,7 @@ function readFrame(device, frame, options, mark = "", asked = null) {
   }
   const fitting = readingsOf(device, frame)
     .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
+    .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
   if (!fitting.length) return closestReading(device, frame, options, mark);
   const examples = exampleKeys(device, frame);
@@ -2801,6 +2811,14 @@ function namedByExample(reading, examples) {
   return example ?? reading;
 }
 
+/** A reading, with the message of the options where it is an exception response that does not say what it answers. */
+function namedByOption(device, frame, reading, options) {
+  const [link, direction, message, error] = reading;
+  if (message || !error || !options.message) return reading;
+  const named = readingOf(explained(device, link, direction, frame, options.message));
+  return named[2] === options.message && named[3] ? named : reading;
+}
+
 /**
  * What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
  * message is a guess, and that its length may be any.
@@ -2819,7 +2837,9 @@ function comparedLists(left, right) {
 
 /** The reading with the fewest faults. */
 function closestReading(device, frame, options, mark) {
-  let near = readingsOf(device, frame, true).filter((reading) => options.allows(reading));
+  let near = readingsOf(device, frame, true)
+    .map((reading) => namedByOption(device, frame, reading, options))
+    .filter((reading) => options.allows(reading));
   if (!near.length) {
     near = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction, options.message, false]))
       .filter(([link, direction]) => options.goes(link, direction));
@@ -2855,6 +2875,8 @@ function mismatchesOf(device, request, response) {
     const [ours, theirs] = [link.request[role], link.response[role]];
     const want = ours && request.values.get(ours.name);
     const have = theirs && response.values.get(theirs.name);
+    // A code of its own marks the exception responses to all requests.
+    if (role === "code" && response.error && link.exception?.code !== undefined) continue;
     if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
     }

@@ -19,7 +19,7 @@ from fieldspec.render.explanation import as_data
 from js_output.explanations import explained_by_node, explained_by_python, portable
 from js_output.javascript import module_path
 from js_output.test_javascript_frames import frames_of
-from layouts import SPECS, TEST_SPECS, all_layouts, layouts
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from test_cli_spelled import REQUESTS, RESPONSES, SPELLINGS
 
 LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if layout.links}
@@ -53,6 +53,25 @@ def test_frames_are_explained_as_by_the_command_line(name: str) -> None:
     jobs = [job for example in layout.device.examples.values() for job in jobs_of(layout, example)]
     results = explained_by_node(jobs)
     for job, (have,) in zip(jobs, results, strict=True):
+        assert have == explained_by_python(layout, job), job
+
+
+def test_exception_responses_that_do_not_say_what_they_answer_are_explained_as_by_the_command_line() -> None:
+    named = (
+        ("scanner", "3E4646303246460D", "read_state", "3A313046300D0A"),
+        ("servo2", "FFFFFD000104005504BA8C", "read", ""),
+    )
+    jobs = [
+        {"module": module_path(newest(TEST_SPECS, device)).replace(".js", "_explain.js"), **job}
+        for device, frame, message, request in named
+        for job in (
+            {"frame": frame, "options": {}, "request": ""},
+            {"frame": frame, "options": {"message": message}, "request": ""},
+            {"frame": frame, "options": {}, "request": request},
+        )
+    ]
+    for job, (have,) in zip(jobs, explained_by_node(jobs), strict=True):
+        layout = newest(TEST_SPECS, "scanner" if "scanner" in job["module"] else "servo2")
         assert have == explained_by_python(layout, job), job
 
 

@@ -94,7 +94,7 @@ def _add_connection(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--port", metavar="WHERE", help=where)
     verb.add_argument("--link", metavar="NAME", help="the link (default: the first)")
     verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
-    fixed = "what requests for parameters need besides the number, such as axis=0; may be repeated"
+    fixed = "what requests need that no spec states, such as axis=0; may be repeated"
     verb.add_argument("--with", metavar="NAME=VALUE", dest="fixed", action="append", default=[], help=fixed)
     verb.add_argument("--baud", type=int, metavar="NUMBER", help="the baud rate (default: as delivered)")
     verb.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")

@@ -14,6 +14,7 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.open_parts import open_parts
 from fieldspec.layout.values import MeaningError, Raw, raw_value
 from fieldspec.live.client import Client, Timing
 from fieldspec.live.messages import link_of, parameter_message, signals
@@ -172,14 +173,15 @@ def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str
 
 
 def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:
-    """What requests for parameters need besides the parameter and its value, by name."""
+    """What requests need that no spec states, by name: parts before the body, and fields of those for parameters."""
     messages = [
         parameter_message(link, parameter_set, operation)
         for parameter_set in (() if has_registers(layout) else layout.device.parameters.values())
         for operation in ("read", "write")
     ]
     requests = [message.request for message in messages if message is not None]
-    return {
+    parts = {part.part.name: part.part.value for part in open_parts(link) if part.choosable}
+    fields = {
         field.name: field.value
         for request in requests
         for field in request.fields
@@ -190,6 +192,7 @@ def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:
         and field is not request.selector
         and (part_of(request, "subindex") is None or field is not count_field(request))
     }
+    return {**{name: value for name, value in parts.items() if value is not None}, **fields}
 
 
 def unsent(error: CodecError) -> UsageError:

@@ -21,6 +21,7 @@ from fieldspec.render.blocks import Line, Table
 from fieldspec.simulator.clock import SystemClock
 from fieldspec.simulator.control import CommandError, carried_out
 from fieldspec.simulator.faults import KINDS, Fault, FaultError, fault_of
+from fieldspec.simulator.server import Server
 from fieldspec.simulator.simulation import Simulation, can_objection, settings_of, usual_place, usual_unit_address
 
 if TYPE_CHECKING:
@@ -48,6 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
         faults=list(_faults(arguments)),
         seed=arguments.seed,
     )
+    report_silence(simulation.server)
     if arguments.dump:
         _seed(simulation, arguments.dump)
     places = list(_places(layout, arguments.port)) if arguments.port or arguments.websocket is None else []
@@ -209,6 +211,21 @@ def _control(simulation: Simulation) -> None:
         except (CommandError, ValueError) as error:
             result = {"ok": False, "error": str(error)}
         print(json.dumps(result, ensure_ascii=False), flush=True)
+
+
+def report_silence(server: Server) -> None:
+    """Prints why a device is silent where it should answer: each reason once, and no more than a screen takes."""
+    printed: set[str] = set()
+
+    def complain(reason: str) -> None:
+        if reason not in printed and len(printed) < _MOST_REASONS:
+            printed.add(reason)
+            print(f"fieldspec: {reason}", file=sys.stderr, flush=True)
+
+    server.complain = complain
+
+
+_MOST_REASONS = 100
 
 
 class _Recorder:

@@ -261,6 +261,8 @@ class _Frame:
             self.error = True
             code &= ~refusal.flag
             self.values[part.name] = code
+            if refusal.code is not None:
+                return self._refusing_code(read)
         carried = "request" if self.error else self.direction
         link = self.layout.links[self.link.name]
         start = self.shape.header_size
@@ -287,6 +289,15 @@ class _Frame:
         if expected is None or expected is self.message or self.error:
             return read
         return read.judged(False, link.code_text(expected, self.direction), "unknown_code")
+
+    def _refusing_code(self, read: DecodedValue) -> DecodedValue:
+        """The code of all exception responses, which does not say what it answers: only the request does."""
+        self.message = self.layout.links[self.link.name].carried("request").get(self.named)
+        if self.message is None:
+            return replace(read, meanings=(Meaning("", "", "a request is refused", ""),))
+        message = self.message.message
+        text = f"{message.title or message.label or message.name} is refused"
+        return replace(read, meanings=(Meaning("", "", text, ""),), notes=message.notes, facts=(message.place.path,))
 
     def _unit_address(self, read: DecodedValue) -> DecodedValue:
         addresses = self.link.unit_addresses

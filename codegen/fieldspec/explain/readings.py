@@ -86,7 +86,8 @@ def read(
             return answer
     examples = _examples(layout, frame)
     readings = (_named_by_example(reading, examples) for reading in recognised(layout, frame))
-    fitting = [reading for reading in readings if options.allows(reading)]
+    named = (_named_by_option(layout, frame, reading, options) for reading in readings)
+    fitting = [reading for reading in named if options.allows(reading)]
     if not fitting:
         return _closest(layout, frame, options, mark)
     fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
@@ -112,6 +113,15 @@ def _named_by_example(reading: Reading, examples: Sequence[Reading]) -> Reading:
     return next((other for other in examples if (other[0], other[1], other[3]) == (link, direction, True)), reading)
 
 
+def _named_by_option(layout: DeviceLayout, frame: bytes, reading: Reading, options: FrameOptions) -> Reading:
+    """A reading, with the message of the options if it is an exception response that does not say what it answers."""
+    link, direction, message, error = reading
+    if message or not error or not options.message:
+        return reading
+    named = _reading(explained(layout, link, direction, frame, options.message))
+    return named if named[2] == options.message and named[3] else reading
+
+
 def _reading(explanation: Explanation) -> Reading:
     return explanation.link, explanation.direction, explanation.message, explanation.error
 
@@ -135,7 +145,8 @@ def _doubts(
 
 def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str) -> ChosenReading:
     """The reading with the fewest faults."""
-    near = [reading for reading in closest(layout, frame) if options.allows(reading)]
+    named = (_named_by_option(layout, frame, reading, options) for reading in closest(layout, frame))
+    near = [reading for reading in named if options.allows(reading)]
     if not near:
         places = ((link, direction) for link in layout.links for direction in DIRECTIONS)
         near = [(*place, options.message, False) for place in places if options.goes(*place)]
@@ -170,6 +181,8 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         theirs = layout.links[request.link].response.role(role)
         want = request.values.get(ours.name) if ours else None
         have = response.values.get(theirs.name) if theirs else None
+        if role == "code" and _has_code_of_its_own(layout, response):
+            continue  # it marks the exception responses to all requests
         if ours and isinstance(want, int) and isinstance(have, int) and have != want:
             yield f"{ours.name} is {have}, but {want} in the request"
     for row in response.rows:
@@ -190,6 +203,12 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if isinstance(want, int) and isinstance(have, list) and len(have) != packed_size(want):
             text = f"the request asks for {want} bits, which take {packed_size(want)} bytes"
             yield f"{text}, but the response has {len(have)}"
+
+
+def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:
+    """Whether a response is an exception response whose code is not that of its request."""
+    refusal = layout.links[response.link].link.exception_response
+    return response.error and refusal is not None and refusal.code is not None
 
 
 _NAMED = 3

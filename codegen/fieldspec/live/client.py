@@ -8,6 +8,7 @@ from fieldspec.carriers.carrier import Carrier
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exception_mark import reason_field
+from fieldspec.layout.open_parts import open_parts
 from fieldspec.reference.frames import Decoded, codec
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import codecs
@@ -65,8 +66,8 @@ class Client:
 
     An answer that comes after its request was given up is not taken for that to the next one: this waits until all late
     answers have come, or can no longer come within another time-out. Requests whose frames have a number that the
-    response repeats need not wait. `fixed` has raw values by the names of fields: a request with such a field carries
-    them, unless it has a value of its own.
+    response repeats need not wait. `fixed` has raw values by the names of fields and of parts before the body: a
+    request with such a field carries them, unless it has a value of its own.
     """
 
     def __init__(
@@ -88,9 +89,12 @@ class Client:
         self.framer = codecs.framer(codecs.device_module(layout), link, "response")
         addressed = self.frames.link.request.role("unit_address")
         self.head = {addressed.name: unit_address} if addressed is not None else {}
-        answered = {part.name for part in self.frames.link.response.header}
-        self.counters = [part for part in self.frames.link.request.header if part.role == "plain" and part.is_argument]
-        self.is_numbered = any(part.name in answered for part in self.counters)
+        parts = open_parts(self.frames.link)
+        self.head.update((part.part.name, self.fixed[part.part.name]) for part in parts if part.part.name in self.fixed)
+        self.counters = [part for part in parts if part.numbering is not None and part.part.name not in self.fixed]
+        self.echoes = {part.part.name: part.repeated.name for part in parts if part.repeated is not None}
+        if addressed is not None:
+            self.echoes[addressed.name] = addressed.name
         self._silent_until = self.clock.now() + self.timing.pause
         self._owed = 0
         self._owed_until = 0.0
@@ -101,8 +105,10 @@ class Client:
         fields = self.layout.messages[message].request
         fixed = {name: raw for name, raw in self.fixed.items() if fields.named(name) is not None}
         for part in self.counters:
-            most = part.value.high if part.value is not None else 0xFF
-            self.head[part.name] = self.head.get(part.name, 0) % most + 1
+            assert part.numbering is not None
+            low, high = part.numbering
+            last = self.head.get(part.part.name)
+            self.head[part.part.name] = max(low, min(1, high)) if last is None or last >= high else last + 1
         return self.frames.encode("request", message, {**self.head, **fixed, **values})
 
     def is_answered(self, message: str) -> bool:
@@ -138,7 +144,7 @@ class Client:
             self.framer.reset()
         self._write(frame)
         deadline = self.clock.now() + self.timing.timeout
-        if not self.is_numbered:
+        if not self.counters:
             self._owed, self._owed_request, self._owed_until = self._owed + 1, asked, deadline
         received = 0
         try:
@@ -202,8 +208,9 @@ class Client:
             decoded = self.frames.decode(frame, "response", asked.message)
         except CodecError:
             return None
-        if any(decoded.head.get(name) != number for name, number in self.head.items() if name in decoded.head):
-            return None
+        for name, echo in self.echoes.items():
+            if echo in decoded.head and decoded.head[echo] != self.head.get(name):
+                return None
         if decoded.message is not None and decoded.message.name != asked.message:
             return None
         return decoded if decoded.error or self._fits(asked, decoded) else None

@@ -141,7 +141,7 @@ def _parts(link: LinkLayout) -> Iterator[Signal]:
             query
             and part.role == "plain"
             and part.constant is None
-            and part.name not in asked
+            and (part.part.same_as or part.name) not in asked
             and part.value is not None
         ):
             yield Signal(part.name, part.part, part.value, part.order, False, query=query)

@@ -73,7 +73,7 @@ class FieldCell(Cell):
     def __init__(self, path: str, memory: Memory, value: Value | None) -> None:
         super().__init__(path, value)
         self.memory = memory
-        self.default: Raw = default_raw(value) if value is not None else 0
+        self.default: Raw = default_raw(memory.layout.device, value) if value is not None else 0
 
     def read(self) -> Raw:
         """The raw value."""

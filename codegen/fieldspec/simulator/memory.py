@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from decimal import Decimal
 
-from fieldspec.classes import TYPE_CHECKING
+from fieldspec.classes import TYPE_CHECKING, replace
 from fieldspec.explain.registers import Occupant, base_of_table, occupants
 from fieldspec.explain.spans import Span
 from fieldspec.explain.values import number_of
 from fieldspec.layout.bases import at_usual_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, ParameterSet, Register
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
@@ -31,8 +32,11 @@ Element: TypeAlias = "tuple[str, int, int]"
 _LAST = 0x10000
 
 
-def default_raw(value: Value) -> Raw:
-    """The raw value at delivery where nothing else states it: the default, the constant, 0, or what is nearest to 0."""
+def default_raw(device: Device, value: Value) -> Raw:
+    """The raw value at delivery where nothing else states it.
+
+    That is the default, the constant, 0, or what is nearest to 0; for an enum without it the first available member.
+    """
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         text = value.default if isinstance(value.default, str) else ""
         return text if value.text_form is not None else text_bytes(value, "big", text)
@@ -42,9 +46,19 @@ def default_raw(value: Value) -> Raw:
         return value.const
     if value.type.kind is Kind.FLOAT:
         return 0.0
-    if value.ranges is None or 0 in value.ranges or value.sentinel(0) is not None:
-        return 0
-    return min((bound for interval in value.ranges.intervals for bound in interval), key=abs)
+    nearest = 0
+    if value.ranges is not None and 0 not in value.ranges and value.sentinel(0) is None:
+        nearest = min((bound for interval in value.ranges.intervals for bound in interval), key=abs)
+    enum = device.enums.get(value.enum)
+    if enum is None or enum.open or value.sentinel(nearest) is not None:
+        return nearest
+    members = [member.value for member in enum.members if not member.unavailable and _fits(value, member.value)]
+    return nearest if nearest in members or not members else members[0]
+
+
+def _fits(value: Value, number: int) -> bool:
+    """Whether a value can be a number."""
+    return value.low <= number <= value.high and (value.ranges is None or number in value.ranges)
 
 
 class Memory:
@@ -79,16 +93,17 @@ class Memory:
 
     def deliver(self) -> None:
         """Sets everything to what it is when the device is delivered, as far as the values themselves say it."""
+        device = self.layout.device
         self.words = dict.fromkeys(self.occupants, 0)
         for (space, address), present in self.occupants.items():
             for occupant in present:
                 if occupant.address == address:
-                    self.write(space, occupant, default_raw(occupant.value))
+                    self.write(space, occupant, default_raw(device, _as_read(occupant)))
         for table, space, register in self._bases:
             self.write(space, register, table.table.base)
         self.elements = {
-            (parameter_set.name, parameter.number + offset, index): default_raw(element_value(parameter, index))
-            for parameter_set in self.layout.device.parameters.values()
+            (parameter_set.name, parameter.number + offset, index): default_raw(device, element_value(parameter, index))
+            for parameter_set in device.parameters.values()
             for parameter in parameter_set.parameters
             for offset in range(parameter.count)
             for index in range(parameter.elements or 1)
@@ -153,6 +168,11 @@ class Memory:
             codec = self._constructs[key] = value_construct(value, order, swapped)
         data: bytes = codec.build(raw)
         return data
+
+
+def _as_read(occupant: Occupant) -> Value:
+    """The value of an occupant as it is read: no enum binds a trigger, which does not return what was written."""
+    return replace(occupant.value, enum="") if occupant.trigger and occupant.value.enum else occupant.value
 
 
 def element_value(parameter: Parameter, index: int) -> Value:

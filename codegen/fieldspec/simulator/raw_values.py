@@ -6,6 +6,8 @@ from collections.abc import Mapping
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
+from fieldspec.simulator.memory import default_raw
 
 if TYPE_CHECKING:
     from typing import Any
@@ -30,6 +32,26 @@ def number_of_kind(record: RecordLayout, kind: str) -> int | None:
             if case.value.type.name == kind or (kind.startswith("bool") and case.value.type.name.startswith("bool")):
                 return min(case.numbers)
     return None
+
+
+def initial_value(device: Device, field: FieldLayout) -> Any:
+    """What a field of a response has where nothing else states it.
+
+    A list of any length has the least number of records that it can have, and of values the same, but one at least.
+    """
+    repeat = field.field.repeat
+    least = field.count or (repeat.low if repeat is not None else 0)
+    if field.record is not None:
+        if not field.is_list:
+            return initial_values(device, field.record)
+        return [initial_values(device, field.record) for _ in range(least)]
+    raw = in_type(default_raw(device, field.value), field) if field.value is not None else 0
+    return [raw] * max(least, 1) if field.is_list else raw
+
+
+def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
+    """The values of a record within a response where nothing else states them."""
+    return {field.name: initial_value(device, field) for field in record.fields if field.field.measures is None}
 
 
 def signed(raw: Any, size: int, is_signed: bool) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from fieldspec.behaviour.part import Part
 from fieldspec.classes import TYPE_CHECKING, dataclass
@@ -16,7 +16,7 @@ from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.judging import DAMAGED, DamagedError, field_out_of_range, refusal_reason
 from fieldspec.simulator.memory import element_value
-from fieldspec.simulator.raw_values import chosen_kind, in_type, number_of_kind, signed
+from fieldspec.simulator.raw_values import chosen_kind, in_type, initial_value, number_of_kind, signed
 from fieldspec.simulator.refusal import Refusal, reason_place
 from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 from fieldspec.simulator.segments import Transfer, Transfers, sent_bytes
@@ -34,9 +34,10 @@ class Answer:
 
 
 class Server:
-    """A device on its links, at a unit address."""
+    """A device on its links, at a unit address. `complain` takes the reason where no frame can be the response."""
 
     def __init__(self, engine: Engine, unit_address: int = 1) -> None:
+        self.complain: Callable[[str], None] = lambda reason: None
         self.engine, self.unit_address = engine, unit_address
         self.codecs = codec(engine.layout).links
         self.refusals: dict[str, Part] = {part.subject: part for part in engine.behaviour.of_kind("refuse")}
@@ -260,7 +261,7 @@ class Server:
         try:
             return Answer(frames.encode("response", announced.name, response), announced.name)
         except CodecError as error:
-            return Answer(b"", f"no response of {announced.name} can say this: {error}")
+            return self._unsaid(frames, f"no response of {announced.name} can say this: {error}")
 
     def _field(self, field: FieldLayout, values: Mapping[str, Any]) -> Any:
         """The value of a field of a response: that of the request, records of a collection, or what is in memory."""
@@ -269,20 +270,19 @@ class Server:
             return values[field.field.same_as]
         if field.record is not None:
             part = self.answers.get(path)
-            records = self._records(part) if part is not None else []
+            if part is None:
+                return initial_value(engine.layout.device, field)
+            records = self._records(part)
             if not records and not field.is_list:
                 raise Refusal("value_invalid", f"there is no {field.name}")
             return records if field.is_list else records[0]
         value = field.value
         if value is not None and value.parameter is not None and value.parameter.part == "values":
             return parameters.all_values(engine, value.parameter.set)
-        if value is not None and value.const is not None:
-            return [value.const] * (field.count or 1) if field.is_list else value.const
-        if field.is_list:
-            return [0] * (field.count or 1)
         cell = next(iter(engine.cells.of(path)), None)
-        raw = cell.read() if cell is not None else 0
-        return in_type(raw, field)
+        if cell is None or field.is_list or (value is not None and value.const is not None):
+            return initial_value(engine.layout.device, field)
+        return in_type(cell.read(), field)
 
     def _records(self, part: Part) -> list[dict[str, Any]]:
         """The records of a collection that answer. Raises Refusal where the one that is asked for is missing."""
@@ -310,8 +310,8 @@ class Server:
                 values[part.name] = self.unit_address
             elif part.constant is not None:
                 values[part.name] = part.constant
-            elif part.name in head:
-                values[part.name] = head[part.name]
+            elif (part.part.same_as or part.name) in head:
+                values[part.name] = head[part.part.same_as or part.name]
             else:
                 cell = next(iter(self.engine.cells.of(part.part.place.path)), None)
                 values[part.name] = cell.read() if cell is not None else 0
@@ -359,8 +359,13 @@ class Server:
                 "response", known.name if known and not flagged else "", values, error=True, code=code
             )
         except CodecError as error:
-            return Answer(b"", f"{text}; no response can say so: {error}")
+            return self._unsaid(frames, f"{text}; no response can say so: {error}")
         return Answer(frame, text)
+
+    def _unsaid(self, frames: FrameCodec, text: str) -> Answer:
+        """Silence where a response is due that no frame can carry."""
+        self.complain(f"{frames.link.name}: {text}")
+        return Answer(b"", text)
 
     def _exception(self, part: Part) -> int | None:
         """The number of the exception that a part names."""

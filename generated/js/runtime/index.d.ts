@@ -105,7 +105,7 @@ export type FrameOf<M, D extends "request" | "response", H> =
     ? { readonly kind: D; readonly name: N; readonly header: H; readonly message: M; readonly data: DataOf<M, D> }
     : never;
 
-/** What an exception response says: the code that it answers, its message where the device has it, and the reason. */
+/** What an exception response says: its `code`, which is that of the request or that of all exception responses; and why. */
 export interface ExceptionFrame<M, H, E> {
   readonly kind: "exception";
   readonly name: string | null;

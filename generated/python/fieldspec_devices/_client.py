@@ -14,7 +14,7 @@ from ._typing import TYPE_CHECKING, R, T
 from .errors import InvalidValueError, NoAnswerError, RefusedError, TransportError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
+    from collections.abc import Callable, Generator, Mapping
     from typing import Any, Final, TypeAlias
 
     from ._framers import Framer
@@ -32,11 +32,14 @@ SILENCE: Final = 0.05
 class Link:
     """What a client needs to know of a link: its codec, and how requests and responses belong together.
 
-    `counters` are the parts of a request that its response repeats, each with its lowest and highest number. `timeout`
-    is how long a response may take, `pause` how long the line is silent before a request, in seconds. `refusal_code` is
-    the code of all exception responses, None where it is that of the request, and `reason` their field that says why,
-    empty for the first one. `repeated` has the fields that a response repeats, by the class of the request, and
-    `value_counts` the field with the number of values and the field of the response with these values.
+    `counters` are the parts of a request that number it, each with its lowest and highest number, and `parts` all
+    whose values users choose; a part that is in both is counted where users choose nothing. `echoes` has the parts of
+    the response that repeat parts of the request; those that number it have the same names unless it says otherwise.
+    `timeout` is how long a response may take, `pause` how long the line is silent before a request, in seconds.
+    `refusal_code` is the code of all exception responses, None where it is that of the request, and `reason` their
+    field that says why, empty for the first one. `refusal_part` is the part before the body that says so instead, and
+    `refusal_names` its members by their numbers. `repeated` has the fields that a response repeats, by the class of the
+    request, and `value_counts` the field with the number of values and the field of the response with these values.
     """
 
     def __init__(
@@ -45,24 +48,42 @@ class Link:
         *,
         addressed: bool,
         counters: tuple[tuple[str, int, int], ...] = (),
+        parts: tuple[str, ...] = (),
+        echoes: dict[str, str] | None = None,
         timeout: float = 1.0,
         pause: float = 0.0,
         refusal_code: int | None = None,
         reason: str = "",
+        refusal_part: str = "",
+        refusal_names: Mapping[int, Any] | None = None,
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
     ) -> None:
-        self.codec, self.addressed, self.counters = codec, addressed, counters
+        self.codec, self.addressed, self.counters, self.parts = codec, addressed, counters, parts
+        self.echoes = {name: name for name, _, _ in counters}
+        self.echoes.update(echoes or {})
         self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
-        self.reason = reason
+        self.reason, self.refusal_part, self.refusal_names = reason, refusal_part, refusal_names
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
 
-    def is_answer(self, reply: Any, request: Any, unit_address: int, head: dict[str, int]) -> bool:
+    def chosen_parts(self, parts: Mapping[str, Any]) -> dict[str, Any]:
+        """The parts of requests that users choose; None stands for no choice. Raises ValueError."""
+        chosen = {name: value for name, value in parts.items() if value is not None}
+        for name in chosen:
+            if name not in self.parts:
+                raise ValueError(f"requests on this link have no part {name}")
+        counters = [name for name, _, _ in self.counters]
+        for name in self.parts:
+            if name not in chosen and name not in counters:
+                raise ValueError(f"requests on this link have a part {name}, which needs a value: add its keyword")
+        return chosen
+
+    def is_answer(self, reply: Any, request: Any, unit_address: int, head: dict[str, Any]) -> bool:
         """Whether a frame from the device answers a request."""
         if self.addressed and reply.unit_address != unit_address:
             return False
-        for name, number in head.items():
-            if getattr(reply, name) != number:
+        for name, echo in self.echoes.items():
+            if getattr(reply, echo) != head[name]:
                 return False
         if isinstance(reply, ErrorReply):
             return bool(reply.code == (request.CODE if self.refusal_code is None else self.refusal_code))
@@ -77,7 +98,8 @@ class Link:
 class Session:
     """The conversation with one unit on one link, as generators. It is not for several threads at once.
 
-    `settle` is how long a device may take to show what it was asked for, in seconds.
+    `settle` is how long a device may take to show what it was asked for, in seconds. `parts` has the parts of requests
+    that users choose, by their names. Raises ValueError for parts that the link does not have, and for those that lack.
     """
 
     def __init__(
@@ -90,6 +112,7 @@ class Session:
         pause: float | None,
         retries: int,
         settle: float,
+        parts: Mapping[str, Any] | None = None,
     ) -> None:
         self.link, self.unit_address, self.retries, self.settle = link, unit_address, retries, settle
         self.timeout = link.timeout if timeout is None else timeout
@@ -98,7 +121,9 @@ class Session:
         self.datagrams = datagrams
         make = None if datagrams else getattr(link.codec, "response_framer", None)
         self._framer: Framer | None = make() if make is not None else None
-        self._head = {name: high for name, _, high in link.counters}
+        self._head: dict[str, Any] = link.chosen_parts(parts or {})
+        self._counters = [counter for counter in link.counters if counter[0] not in self._head]
+        self._head.update((name, high) for name, _, high in self._counters)
         self._silent_until = 0.0
         self._owed = 0
         self._owed_until = 0.0
@@ -127,7 +152,7 @@ class Session:
 
     def _frame(self, request: Any, unit_address: int) -> bytes:
         link, head = self.link, self._head
-        for name, low, high in link.counters:
+        for name, low, high in self._counters:
             head[name] = head[name] + 1 if head[name] < high else low
         try:
             if link.addressed:
@@ -136,6 +161,12 @@ class Session:
                 frame = link.codec.encode_request(request, **head)
         except CodecError as error:
             raise InvalidValueError(str(error)) from error
+        except AttributeError as error:
+            links = [name[4:] for name in dir(request) if name.startswith("_to_") and name != "_to_image"]
+            if error.obj is not request or not links:
+                raise
+            text = f"{request.__class__.__name__} is not sent on this link, but on {', '.join(links)}"
+            raise InvalidValueError(text) from error
         return frame
 
     def _ready(self, request: Any = None) -> Work[None]:
@@ -167,7 +198,7 @@ class Session:
         received = b""
         heard = self.now()
         deadline = heard + self.timeout
-        if not self.link.counters:
+        if not self._counters:
             self._owed, self._owed_request, self._owed_until = self._owed + 1, request, deadline
         while (left := deadline - self.now()) > 0:
             data = yield READ, (65536 if framer is None else framer.missing, left)
@@ -187,7 +218,7 @@ class Session:
                 self._owed -= self._owed > 0
                 self._silent_until = self.now() + self.pause
                 if isinstance(reply, ErrorReply):
-                    raise refusal(reply.exception, self.link.reason)
+                    raise refusal(reply, self.link)
                 return reply
         self._owed_until = deadline + self.timeout
         self._silent_until = self.now() + self.pause
@@ -202,10 +233,14 @@ class Session:
         return reply if self.link.is_answer(reply, request, self.unit_address, self._head) else None
 
 
-def refusal(exception: Any, reason: str = "") -> RefusedError:
-    """The error for an exception response: its number is in the field `reason`, or else in the first one."""
-    names = (reason,) if reason else exception.__match_args__
+def refusal(reply: ErrorReply[Any], link: Link) -> RefusedError:
+    """The error for an exception response: a part or a field of it has its number, or else its first field."""
+    exception = reply.exception
+    names = (link.reason,) if link.reason else exception.__match_args__
     first = getattr(exception, names[0]) if names else 0
+    if link.refusal_part:
+        first = getattr(reply, link.refusal_part)
+        first = link.refusal_names.get(first, first) if link.refusal_names else getattr(first, "raw", first)
     name = getattr(first, "name", "")
     text = f"the device refuses the request: exception {int(first)}" + (f", {name.lower()}" if name else "")
     return RefusedError(text, int(first), exception)

@@ -31,6 +31,7 @@ _METHODS = frozenset(
         *("write_parameter_in_unit", "exchange", "request", "response", "registers", "parameters", "work"),
     }
 )
+_KEYWORDS = frozenset({"known", "link", "pause", "retries", "self", "session", "settle", "timeout", "transport"})
 _MODULE = frozenset({"AsyncClient", "Client", "annotations", "for_firmware"})
 
 
@@ -114,7 +115,13 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
         bases=", ".join(f"_{name}" for name in bases or ["BlockingClient"]),
         async_bases=", ".join(f"_Async{name}" for name in bases or ["BaseClient"]),
         class_doc=docstring(
-            [f"A client of {head}", *_CLIENT_DOC, *(["Tasks without a method:", *missing] if missing else [])], 4
+            [
+                f"A client of {head}",
+                *_CLIENT_DOC,
+                *_choices_doc(own),
+                *(["Tasks without a method:", *missing] if missing else []),
+            ],
+            4,
         ),
         parameters=_constructor(own, addressed),
         session=_session(own, bool(addressed)),
@@ -145,12 +152,33 @@ def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout
         lines.append(f"link: _Literal[{', '.join(link.title for link in links)}] = {links[0].title}")
     if addressed:
         lines.append(f"unit_address: int = {known[0] if known else 1}")
+    for keyword, _, kind, required in _choices(links):
+        lines.append(f"{keyword}: {kind}" if required else f"{keyword}: {kind} | None = None")
     return [
         *lines,
         "timeout: float | None = None",
         "pause: float | None = None",
         "retries: int = 2",
         "settle: float = 0.1",
+    ]
+
+
+def _choices(links: Sequence[ClientLinkView]) -> Iterator[tuple[str, str, str, bool]]:
+    """The parts of requests that users choose: keyword, name, type, and whether all links need it."""
+    scope = Scope(_KEYWORDS)
+    for name in dict.fromkeys(name for link in links for name, _, _ in link.choices):
+        own = [(kind, required) for link in links for other, kind, required in link.choices if other == name]
+        kinds = " | ".join(dict.fromkeys(kind for kind, _ in own))
+        yield scope.take(name), name, kinds, len(own) == len(links) and all(required for _, required in own)
+
+
+def _choices_doc(links: Sequence[ClientLinkView]) -> list[str]:
+    """What the keywords for parts of requests mean."""
+    needed = {name for link in links for name, _, required in link.choices if required}
+    return [
+        f"`{keyword}` is the value of this part in every request; "
+        + ("each link whose requests have it needs it." if name in needed else "None counts the requests in it.")
+        for keyword, name, _, _ in _choices(links)
     ]
 
 
@@ -167,6 +195,8 @@ def _session(links: Sequence[ClientLinkView], addressed: bool) -> list[str]:
         'getattr(transport, "datagrams", False)',
         *(f"{name}={name}" for name in ("timeout", "pause", "retries", "settle")),
     ]
+    choices = [f"{literal(name)}: {keyword}" for keyword, name, _, _ in _choices(links)]
+    arguments += [f"parts={{{', '.join(choices)}}}"] if choices else []
     return [*lines, *item_lines("session = _Session(", arguments, ")", 8)]
 
 

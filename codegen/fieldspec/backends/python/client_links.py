@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.python.client_names import CODEC, ClientNames
+from fieldspec.backends.python.frames import PartView, head_arguments
 from fieldspec.backends.python.links import LinkView
 from fieldspec.backends.python.naming import RECORD
 from fieldspec.backends.python.records import shape
@@ -12,6 +13,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exception_mark import reason_field
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.open_parts import OpenPart, open_parts
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.link import Link, Serial
 from fieldspec.model.operand import Operands
@@ -24,11 +26,15 @@ _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6}
 
 @dataclass(frozen=True, slots=True)
 class ClientLinkView:
-    """A link of a client: its constant, its name as a literal, and the call that creates it."""
+    """A link of a client: its constant, its name as a literal, and the call that creates it.
+
+    `choices` are the parts of requests that users choose: their names, their types, and whether they must be chosen.
+    """
 
     name: str
     title: str
     call: list[str]
+    choices: list[tuple[str, str, bool]]
 
 
 def is_framed(link: LinkLayout) -> bool:
@@ -49,15 +55,8 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     """The view of a link: how requests and responses belong together, and the times that the manual prints."""
     addressed = link.request.role("unit_address") is not None
     arguments = [f"{CODEC}.{view.name}", f"addressed={addressed}"]
-    answered = {part.name for part in link.response.parts}
-    counters = [
-        f"({literal(part.name)}, {part.value.ranges.low}, {part.value.ranges.high})"
-        if part.value is not None and part.value.ranges is not None
-        else f"({literal(part.name)}, 0, {part.value.high if part.value is not None else 255})"
-        for part in (*link.request.header, *link.request.trailer)
-        if part.role == "plain" and part.is_argument and part.name in answered
-    ]
-    arguments += [f"counters={tuple_of(counters)}"] if counters else []
+    parts = named_parts(link, view)
+    arguments += _parts(link, view, parts)
     timeout = _timeout(layout, link)
     arguments += [f"timeout={timeout!r}"] if timeout is not None else []
     pause = _pause(link.link)
@@ -66,6 +65,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"refusal_code={refusal.code}"] if refusal is not None and refusal.code is not None else []
     arguments += ["refusal_code=0"] if link.has_uncoded_exceptions and link.request.role("code") is None else []
     arguments += _reason(layout.records[refusal.record], names) if refusal is not None else []
+    arguments += _refusal_part(link, view, names)
     repeated, value_counts = [], []
     for message in link.carried("response").values():
         access = message.message.accesses
@@ -88,7 +88,58 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
     name = f"_{Name.of(link.name).upper()}"
-    return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0))
+    return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0), _choices(parts))
+
+
+def named_parts(link: LinkLayout, view: LinkView) -> list[tuple[PartView, OpenPart]]:
+    """The open parts of the requests on a link, each with what it is in Python."""
+    return list(zip(view.request.head_parts, open_parts(link), strict=True))
+
+
+def _choices(parts: list[tuple[PartView, OpenPart]]) -> list[tuple[str, str, bool]]:
+    """The parts that users choose: their names, their types, and whether they must be chosen."""
+    return [
+        (own.name, own.type if own.type == "int" else f"{CODEC}.{own.type}", part.numbering is None)
+        for own, part in parts
+        if part.choosable
+    ]
+
+
+def _response_names(link: LinkLayout, view: LinkView) -> dict[str, str]:
+    """The attributes of a response with the parts before its body, by the names of the parts."""
+    own = view.response.head_parts if view.response is not None else []
+    passed = [part for part in head_arguments(link.response) if part.role == "plain"]
+    return {part.name: part_view.name for part, part_view in zip(passed, own, strict=True)}
+
+
+def _parts(link: LinkLayout, view: LinkView, parts: list[tuple[PartView, OpenPart]]) -> list[str]:
+    """The arguments with the parts of requests that are counted, that users choose, and that responses repeat."""
+    answered = _response_names(link, view)
+    counters = [
+        f"({literal(own.name)}, {part.numbering[0]}, {part.numbering[1]})" for own, part in parts if part.numbering
+    ]
+    echoes = [
+        f"{literal(own.name)}: {literal(answered[part.repeated.name])}"
+        for own, part in parts
+        if part.repeated is not None and (part.numbering is None or answered[part.repeated.name] != own.name)
+    ]
+    chosen = [literal(name) for name, _, _ in _choices(parts)]
+    return [
+        *([f"counters={tuple_of(counters)}"] if counters else []),
+        *([f"parts={tuple_of(chosen)}"] if chosen else []),
+        *([f"echoes={{{', '.join(echoes)}}}"] if echoes else []),
+    ]
+
+
+def _refusal_part(link: LinkLayout, view: LinkView, names: ClientNames) -> list[str]:
+    """The arguments with the part of an exception response that says why, and with its enum; none without one."""
+    mark = link.link.exception_response
+    if mark is None or not mark.part:
+        return []
+    part = next(part for part in link.response.header if part.name == mark.part)
+    enum = part.value.enum if part.value is not None else ""
+    named = [f"refusal_names={{int(own): own for own in {CODEC}.{names.words.enums[enum].name}}}"] if enum else []
+    return [f"refusal_part={literal(_response_names(link, view)[part.name])}", *named]
 
 
 def _reason(record: RecordLayout, names: ClientNames) -> list[str]:

@@ -95,6 +95,7 @@ def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
     access, pieces = entry.entry("accesses"), entry.entry("segments")
+    _refuse_unstated(entry)
     return Message(
         **entry.fact(),
         title=entry.text("title"),
@@ -115,6 +116,18 @@ def message(entry: Entry, reused: Reused) -> Message:
         accesses=_access(access) if access else None,
         segments=_segments(pieces) if pieces else None,
     )
+
+
+def _refuse_unstated(entry: Entry) -> None:
+    """Refuses a message without a request, and one without the response that is due: nothing says what they are."""
+    if "request" not in entry.own:
+        text = "the message has no `request`"
+        entry.refuse("missing_key", "name", text, "list the fields of its data, or add `request: []` if it has none")
+    if "response" in entry.own or ("answered_on" in entry.own and not entry.texts("answered_on")):
+        return
+    text = "the message has no `response`"
+    help = "list the fields of its data, add `response: []` if it has none, or `answered_on: []` if it never comes"
+    entry.refuse("missing_key", "name", text, help)
 
 
 def _answered_on(entry: Entry) -> tuple[str, ...] | None:

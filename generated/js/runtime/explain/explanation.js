@@ -205,6 +205,7 @@ class ExplainedFrame {
       this.error = true;
       code &= ~exception.flag;
       this.values.set(part.name, code);
+      if (exception.code !== undefined) return this.refusingCode(read);
     }
     const carried = this.error ? "request" : direction;
     const end = this.data.length - this.shape.trailerSize;
@@ -228,6 +229,14 @@ class ExplainedFrame {
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
     return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
+  }
+
+  /** The code of all exception responses, which does not say what it answers: only the request does. */
+  refusingCode(read) {
+    this.message = this.link.carriedMessages.request.get(this.named);
+    if (!this.message) return { ...read, meanings: [meaningOf("", "", "a request is refused")] };
+    const { name, label, title, notes = [], path } = this.message;
+    return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
   }
 
   /** The number of a part before the body, as far as the bytes reach. */

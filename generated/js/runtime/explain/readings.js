@@ -98,6 +98,7 @@ export function readFrame(device, frame, options, mark = "", asked = null) {
   }
   const fitting = readingsOf(device, frame)
     .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
+    .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
   if (!fitting.length) return closestReading(device, frame, options, mark);
   const examples = exampleKeys(device, frame);
@@ -131,6 +132,14 @@ function namedByExample(reading, examples) {
   return example ?? reading;
 }
 
+/** A reading, with the message of the options where it is an exception response that does not say what it answers. */
+function namedByOption(device, frame, reading, options) {
+  const [link, direction, message, error] = reading;
+  if (message || !error || !options.message) return reading;
+  const named = readingOf(explained(device, link, direction, frame, options.message));
+  return named[2] === options.message && named[3] ? named : reading;
+}
+
 /**
  * What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
  * message is a guess, and that its length may be any.
@@ -149,7 +158,9 @@ function comparedLists(left, right) {
 
 /** The reading with the fewest faults. */
 function closestReading(device, frame, options, mark) {
-  let near = readingsOf(device, frame, true).filter((reading) => options.allows(reading));
+  let near = readingsOf(device, frame, true)
+    .map((reading) => namedByOption(device, frame, reading, options))
+    .filter((reading) => options.allows(reading));
   if (!near.length) {
     near = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction, options.message, false]))
       .filter(([link, direction]) => options.goes(link, direction));
@@ -185,6 +196,8 @@ function mismatchesOf(device, request, response) {
     const [ours, theirs] = [link.request[role], link.response[role]];
     const want = ours && request.values.get(ours.name);
     const have = theirs && response.values.get(theirs.name);
+    // A code of its own marks the exception responses to all requests.
+    if (role === "code" && response.error && link.exception?.code !== undefined) continue;
     if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
     }

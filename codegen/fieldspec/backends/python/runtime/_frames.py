@@ -55,7 +55,7 @@ class Response(Record, Generic[M]):
 
 
 class ErrorReply(Record, Generic[M]):
-    """An exception response: the code of the request, and the record with the reason."""
+    """An exception response: the code of the request, or the one that all exception responses have, and the reason."""
 
     __slots__ = ("code", "exception", "unit_address")
     __match_args__ = ("unit_address", "code", "exception")
