@@ -7,7 +7,7 @@ import pytest
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 
-WIDGET = module_of(newest(TEST_SPECS, "widget"))
+WIDGET, SERVO = module_of(newest(TEST_SPECS, "widget")), module_of(newest(TEST_SPECS, "servo2"))
 CodecError = codec_error()
 
 
@@ -46,6 +46,17 @@ def test_flags_are_equal_where_their_words_are() -> None:
     assert WIDGET.Status(1) != WIDGET.Status(2)
     assert WIDGET.Status(1) != WIDGET.PacketStatus(1)
     assert len({WIDGET.Status(1), WIDGET.Status(1), WIDGET.PacketStatus(1)}) == 2
+
+
+def test_a_part_of_a_header_may_be_given_as_a_number() -> None:
+    bus, done = SERVO.bus, SERVO.RebootResponse()
+    assert bus.encode_response(1, done, error=0x80) == bus.encode_response(1, done, error=SERVO.Error(alert=True))
+    refusal = bus.encode_error(1, SERVO.NoData(), error=SERVO.Error(number=7))
+    assert bus.encode_error(1, SERVO.NoData(), error=7) == refusal
+    for error, reason in ((256, "out_of_range"), (SERVO.Error(256), "out_of_range"), ("alert", "wrong_type")):
+        with pytest.raises(CodecError, match="error is") as caught:
+            bus.encode_response(1, done, error=error)
+        assert caught.value.reason == reason
 
 
 def test_a_word_may_be_given_as_a_number() -> None:

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.checks.facts import facts
-from fieldspec.checks.finding import finding, is_imported, plural
+from fieldspec.checks.finding import enumeration, finding, is_imported, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Member, State
@@ -32,6 +32,7 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
     imported: dict[str, list[str]] = {}
+    sectionless: list[tuple[str, Place]] = []
     for what, place, sources, needed in cited_places(device):
         if not sources and needed and is_imported(place, device):
             imported.setdefault(place.path.partition("/")[0], []).append(what)
@@ -40,6 +41,10 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
             yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
         for citation in sources:
             yield from _wrong(device, what, place, citation)
+        if any(not citation.section for citation in sources):
+            sectionless.append((what, place))
+    if sectionless:
+        yield from _without_section(device, sectionless)
     if imported:
         yield _of_protocols(device, imported)
 
@@ -56,6 +61,27 @@ def _of_protocols(device: Device, imported: Mapping[str, list[str]]) -> Diagnost
     entry = f"{section}: [{{name: {name}, source: <section> L<line>{keys}}}]"
     help = f"add an entry with the source of each, such as `{entry}`, or state under `uses` what the device has"
     return finding("sources_present", device.place, "id", text, help)
+
+
+def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Iterator[Diagnostic]:
+    """The findings of sources that name no section: one for each group, or other fact, with all that it encloses."""
+    groups = {fact.place.path: group for group in device.groups for fact in (*group.registers, group)}
+    enclosed: dict[str, list[tuple[str, Place]]] = {}
+    for what, place in cited:
+        path = "/".join(place.path.split("/")[:2])
+        holder = groups[path].place.path if path in groups else path
+        enclosed.setdefault(holder, []).append((what, place))
+    for path, items in enclosed.items():
+        names = [*dict.fromkeys(what for what, _ in items)]
+        (what, place), key = items[0], "source"
+        text, help = f"the source of {what} names no section", "add it like `8.2 L1622`, or add it to the group"
+        if len(names) > 1:
+            if path in groups:
+                what, place = f"the group {groups[path].name}", groups[path].place
+                key = "source" if "source" in place else "group"
+            text = f"the sources of {enumeration(names)} name no section"
+            help = f"add `section` to {what}, or the section to each source like `8.2 L1622`"
+        yield finding("sources_present", place, key, text, help)
 
 
 def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
@@ -114,9 +140,6 @@ def _added(device: Device) -> set[str]:
 
 
 def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
-    if not citation.section:
-        text = f"the source of {what} names no section"
-        yield finding("sources_present", place, "source", text, "add it like `8.2 L1622`, or add it to the group")
     lines = device.manual.lines
     for first, last in citation.lines:
         if not 1 <= first <= last <= lines:

@@ -47,7 +47,7 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
             code="kind.CODE or 0",
             record=words.records[error.record],
             head=f"[{', '.join(head_value(part, '0') for part in frame.header)}]",
-            bind=[f"{part.variable} = {part.name}" for part in arguments],
+            bind=[f"{part.variable} = {part.number}" for part in arguments],
             refusals=chained("_wrong = ", refusals, "or", "None", 8) if refusals else [],
             coded=False,
         )
@@ -66,6 +66,6 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
         code=f"code & {~error.flag & code.value.type.high:#x}" if error.flag else "code",
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
-        bind=[f"{part.variable} = {part.name}" for part in arguments],
+        bind=[f"{part.variable} = {part.number}" for part in arguments],
         refusals=chained("_wrong = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
     )

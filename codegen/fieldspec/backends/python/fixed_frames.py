@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.python.frames import greatest_part, is_simple, letter, number, variable
+from fieldspec.backends.python.frames import greatest_part, is_simple, letter, variable
 from fieldspec.backends.python.reading import local, targets
 from fieldspec.backends.python.records import RecordShape, condition, constant_tests, construction_lines, writing_lines
 from fieldspec.backends.python.slots import Slots
@@ -172,7 +172,7 @@ def _packing(call: str, packed: list[str], marked: str, appended: str, indent: i
 def _slot(part: PartLayout, constants: dict[str, int]) -> str:
     """The expression of the slot of a header part."""
     if part.name not in constants:
-        return number(part)
+        return variable(part)
     return f"{constants[part.name]:#04x}" if part.role == "code" else str(constants[part.name])
 
 
@@ -214,9 +214,8 @@ def _crc_terms(
             known = number.to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
         else:
-            flags = raw if part.value is not None and part.value.flags else ""
             signed = part.value is not None and part.value.type.signed
-            varying.append((part.offset, part.size, signed, greatest_part(link, part), variable(part) + flags))
+            varying.append((part.offset, part.size, signed, greatest_part(link, part), variable(part)))
     for field in shaped.fields:
         at = frame.header_size + field.field.offset
         if field.stored:

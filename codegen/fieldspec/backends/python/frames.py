@@ -14,11 +14,16 @@ from fieldspec.model.ranges import Ranges
 
 @dataclass(frozen=True, slots=True)
 class PartView:
-    """A header part that the caller passes: its attribute, variable and type, and the expressions that read it."""
+    """A header part that the caller passes: its attribute, variable and type, and the expressions that read it.
+
+    `accepted` is the type that encoders take, a word of bits also as a number; `number` is the number of an argument.
+    """
 
     name: str
     variable: str
     type: str
+    accepted: str
+    number: str
     expression: str
     quickly: str
 
@@ -26,11 +31,6 @@ class PartView:
 def variable(part: PartLayout) -> str:
     """The variable of a header part."""
     return "unit_address" if part.role == "unit_address" else f"part_{part.name}"
-
-
-def number(part: PartLayout) -> str:
-    """The expression of the number in the slot of a header part."""
-    return f"{variable(part)}.raw" if part.value is not None and part.value.flags else variable(part)
 
 
 def letter(part: PartLayout) -> str:
@@ -47,6 +47,8 @@ def _argument_view(part: PartLayout, place: int, words: Words) -> PartView:
         name=name,
         variable=variable(part),
         type=words.flags[flags] if flags else "int",
+        accepted=f"{words.flags[flags]} | int" if flags else "int",
+        number=f"{name}.raw if isinstance({name}, _Flags) else {name}" if flags else name,
         expression=construction.format(f"head[{place}]"),
         quickly=construction.format(variable(part)),
     )
@@ -62,7 +64,7 @@ def head_value(part: PartLayout, code: str) -> str:
     if part.role in ("length", "checksum"):
         return "0"
     fixed_number = part.constant
-    return code if part.role == "code" else number(part) if fixed_number is None else str(fixed_number)
+    return code if part.role == "code" else variable(part) if fixed_number is None else str(fixed_number)
 
 
 def marks_exceptions(link: LinkLayout, frame: FrameLayout, part: PartLayout) -> bool:
@@ -230,9 +232,9 @@ def head_tests(link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None
         intervals, beside = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
-            tests.append(within(number(part), Ranges(intervals), beside, packed(part.value.type)))
+            tests.append(within(variable(part), Ranges(intervals), beside, packed(part.value.type)))
         if part.role == "unit_address" and barred is not None:
-            tests.append(f"{number(part)} != {barred}")
+            tests.append(f"{variable(part)} != {barred}")
     return [test for test in tests if test]
 
 
@@ -261,9 +263,6 @@ def head_refusals(
         limits = [str(part.value.low), str(part.value.high)]
         if intervals:
             limits.append(pairs(Ranges(intervals)))
-        if part.value.flags:
-            refusals.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
-            continue
         if beside:
             limits.append(tuple_of(beside))
         refusals.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")

@@ -279,9 +279,9 @@ def _direction(
         wrapper=wrapper,
         head_parts=parts,
         before="unit_address: int, " if unit_address else "",
-        after="".join(f", {part.name}: {part.type}" for part in parts).replace(", ", ", *, ", 1),
+        after="".join(f", {part.name}: {part.accepted}" for part in parts).replace(", ", ", *, ", 1),
         writer=f"_to_{link.name}",
-        call=", ".join(["unit_address"] * bool(unit_address) + [part.name for part in parts]),
+        call=", ".join(["unit_address"] * bool(unit_address) + [part.number for part in parts]),
         construction=", ".join([unit_address_expression, "{}", *(part.expression for part in parts)]),
         code=f"head[{frame.header.index(code)}]" if code else "",
         framer=framing,
@@ -353,7 +353,7 @@ def _exchange(
         fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
             [", unit_address: int"] * (unit_address is not None)
-            + [f", {argument.variable}: {argument.type}" for argument in arguments]
+            + [f", {argument.variable}: int" for argument in arguments]
         ),
         frames=frames,
         head=f"[{', '.join(head_value(part, code_literal(code)) for part in frame.header)}]",

@@ -1834,15 +1834,15 @@ class ReadPointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         body = self.encode()
         error = (
             _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
         )
         if error is not None:
             raise error
-        return _SERIAL_RESPONSES.joined([0, unit_address, part_status.raw], body)
+        return _SERIAL_RESPONSES.joined([0, unit_address, part_status], body)
 
 
 _PACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB").pack
@@ -1992,20 +1992,18 @@ class ReadParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_parameters = self.parameters
             if unit_address <= 15 and len(raw_parameters) == 32:
-                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(
-                    68, unit_address, part_status.raw, *raw_parameters,
-                )
+                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(68, unit_address, part_status, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_parameters_response")
         )
 
@@ -2207,11 +2205,11 @@ class ReadIoStatusResponse(_Record):
             or _refused_flags("state_outputs", self.state_outputs, 255)
         )
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
                 data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
-                    7, unit_address, part_status.raw, self._word_inputs, self._word_outputs,
+                    7, unit_address, part_status, self._word_inputs, self._word_outputs,
                     self._word_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -2220,7 +2218,7 @@ class ReadIoStatusResponse(_Record):
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_io_status_response")
         )
 
@@ -2361,15 +2359,15 @@ class ReadAlarmHistoryResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_list("entries", self.entries, 0, 16, _refused_record, AlarmHistoryEntry)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         body = self.encode()
         error = (
             _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
         )
         if error is not None:
             raise error
-        return _SERIAL_RESPONSES.joined([0, unit_address, part_status.raw], body)
+        return _SERIAL_RESPONSES.joined([0, unit_address, part_status], body)
 
 
 _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
@@ -2478,17 +2476,17 @@ class WritePointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("write_points_response")
         )
 
@@ -2600,17 +2598,17 @@ class WriteParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("write_parameters_response")
         )
 
@@ -2760,17 +2758,17 @@ class WriteParameterResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("write_parameter_response")
         )
 
@@ -2930,17 +2928,17 @@ class WriteTemporaryPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("write_temporary_point_response")
         )
 
@@ -3094,17 +3092,17 @@ class ClearPointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("clear_points_response")
         )
 
@@ -3263,17 +3261,17 @@ class InitializePointsResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("initialize_points_response")
         )
 
@@ -3399,17 +3397,17 @@ class InitializeParametersResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("initialize_parameters_response")
         )
 
@@ -3572,17 +3570,17 @@ class ClearAlarmHistoryResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("clear_alarm_history_response")
         )
 
@@ -3707,17 +3705,17 @@ class ClearAccumulatedTimeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("clear_accumulated_time_response")
         )
 
@@ -3847,17 +3845,17 @@ class StopResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_STOP_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_STOP_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("stop_response")
         )
 
@@ -3982,17 +3980,17 @@ class StartHomingResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("start_homing_response")
         )
 
@@ -4118,17 +4116,17 @@ class MovePositiveDistanceResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_positive_distance_response")
         )
 
@@ -4328,17 +4326,17 @@ class MoveNegativeDistanceResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_negative_distance_response")
         )
 
@@ -4538,17 +4536,17 @@ class MoveOpenResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_open_response")
         )
 
@@ -4691,17 +4689,17 @@ class MoveCloseResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_close_response")
         )
 
@@ -4843,17 +4841,17 @@ class MoveRelativeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_relative_response")
         )
 
@@ -5036,17 +5034,17 @@ class MoveAbsoluteResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_absolute_response")
         )
 
@@ -5229,17 +5227,17 @@ class MoveToPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("move_to_point_response")
         )
 
@@ -5398,17 +5396,17 @@ class GripOpenResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("grip_open_response")
         )
 
@@ -5567,17 +5565,17 @@ class GripCloseResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("grip_close_response")
         )
 
@@ -5736,17 +5734,17 @@ class GripRelativeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("grip_relative_response")
         )
 
@@ -5946,17 +5944,17 @@ class GripAbsoluteResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("grip_absolute_response")
         )
 
@@ -6157,17 +6155,17 @@ class GripOpenWithZoneResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("grip_open_with_zone_response")
         )
 
@@ -6426,17 +6424,17 @@ class GripCloseWithZoneResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("grip_close_with_zone_response")
         )
 
@@ -6693,17 +6691,17 @@ class NoOperationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("no_operation_response")
         )
 
@@ -6828,17 +6826,17 @@ class SetMotorExcitationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("set_motor_excitation_response")
         )
 
@@ -7011,12 +7009,12 @@ class ReadVersionResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_text("version", self.version, 6)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_version = self.version
             if unit_address <= 15 and len(raw_version) <= 6 and "\0" not in raw_version:
                 data = _PACK_READ_VERSION_SERIAL_RESPONSE(
-                    10, unit_address, part_status.raw, raw_version.encode("ascii"),
+                    10, unit_address, part_status, raw_version.encode("ascii"),
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -7024,7 +7022,7 @@ class ReadVersionResponse(_Record):
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_version_response")
         )
 
@@ -7193,20 +7191,18 @@ class ReadCurrentPositionResponse(_Record):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_position = self.position
             if unit_address <= 15 and -134217727 <= raw_position <= 134217727:
-                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(
-                    8, unit_address, part_status.raw, raw_position,
-                )
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(8, unit_address, part_status, raw_position)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_current_position_response")
         )
 
@@ -7354,12 +7350,12 @@ class ReadCurrentPointNumberResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_point_number = self.point_number
             if unit_address <= 15 and 1 <= raw_point_number <= 31:
                 data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(
-                    5, unit_address, part_status.raw, raw_point_number,
+                    5, unit_address, part_status, raw_point_number,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -7367,7 +7363,7 @@ class ReadCurrentPointNumberResponse(_Record):
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_current_point_number_response")
         )
 
@@ -7512,17 +7508,17 @@ class ReadParameterResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("value", self.value, 0, 65535)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, unit_address, part_status.raw, self.value)
+                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, unit_address, part_status, self.value)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_parameter_response")
         )
 
@@ -7691,19 +7687,17 @@ class ReadPointResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, Point)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_READ_POINT_SERIAL_RESPONSE(
-                    20, unit_address, part_status.raw, self.point.encode(),
-                )
+                data = _PACK_READ_POINT_SERIAL_RESPONSE(20, unit_address, part_status, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_point_response")
         )
 
@@ -7877,12 +7871,12 @@ class ReadHomingStateResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("homing_complete", self.homing_complete, 0, 1)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_homing_complete = self.homing_complete
             if unit_address <= 15 and raw_homing_complete <= 1:
                 data = _PACK_READ_HOMING_STATE_SERIAL_RESPONSE(
-                    5, unit_address, part_status.raw, raw_homing_complete,
+                    5, unit_address, part_status, raw_homing_complete,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -7890,7 +7884,7 @@ class ReadHomingStateResponse(_Record):
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_homing_state_response")
         )
 
@@ -8045,20 +8039,18 @@ class ReadMotorExcitationResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_excited = self.excited
             if unit_address <= 15 and raw_excited <= 1:
-                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(
-                    5, unit_address, part_status.raw, raw_excited,
-                )
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(5, unit_address, part_status, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_motor_excitation_response")
         )
 
@@ -8217,11 +8209,11 @@ class ReadAlarmCodeResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("alarm_code", self.alarm_code, 0, 255)
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
                 data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
-                    5, unit_address, part_status.raw, self._word_alarm_code,
+                    5, unit_address, part_status, self._word_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -8229,7 +8221,7 @@ class ReadAlarmCodeResponse(_Record):
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_alarm_code_response")
         )
 
@@ -8383,12 +8375,12 @@ class ReadAccumulatedTimeResponse(_Record):
             or _refused_number("minutes", self.minutes, 0, 255, ((0, 60),))
         )
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_minutes = self.minutes
             if unit_address <= 15 and raw_minutes <= 60:
                 data = _PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(
-                    7, unit_address, part_status.raw, self.hours, raw_minutes,
+                    7, unit_address, part_status, self.hours, raw_minutes,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -8396,7 +8388,7 @@ class ReadAccumulatedTimeResponse(_Record):
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("read_accumulated_time_response")
         )
 
@@ -8530,17 +8522,17 @@ class ResetAlarmResponse(_Record):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def _to_serial(self, unit_address: int, part_status: CommunicationStatus) -> bytes:
+    def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             if unit_address <= 15:
-                data = _PACK_RESET_ALARM_SERIAL_RESPONSE(4, unit_address, part_status.raw)
+                data = _PACK_RESET_ALARM_SERIAL_RESPONSE(4, unit_address, part_status)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
         raise (
             self._refused()
             or _refused_number("address", unit_address, 0, 255, ((0, 15),))
-            or _refused_flags("status", part_status, 255)
+            or _refused_number("status", part_status, 0, 255)
             or _unfit("reset_alarm_response")
         )
 
@@ -8979,9 +8971,9 @@ class SerialLink:
         """The frame of a request. Raises CodecError for values that are out of range."""
         return message._to_serial(unit_address)
 
-    def encode_response(self, unit_address: int, message: AnySerialResponse, *, status: CommunicationStatus) -> bytes:
+    def encode_response(self, unit_address: int, message: AnySerialResponse, *, status: CommunicationStatus | int) -> bytes:
         """The frame of a response. Raises CodecError for values that are out of range."""
-        return message._to_serial(unit_address, status)
+        return message._to_serial(unit_address, status.raw if isinstance(status, _Flags) else status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
         """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
