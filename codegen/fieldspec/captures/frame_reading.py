@@ -189,10 +189,10 @@ class FrameReader:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}
         is_open = np.zeros(len(code), np.bool_)
-        for number in {own.message.code_of("response") for own in self.link.messages.values()} - {None}:
-            refused = self.link.refused_message(number)
-            if refused is not None:
-                frames.message[(code == number) & frames.is_refused] = places[refused.name]
+        for message in self.link.messages.values():
+            number = message.message.code_of("response")
+            if number is not None and self.link.refused_message(number) is message:
+                frames.message[(code == number) & frames.is_refused] = places[message.name]
         for number in self.link.codes(self.direction):
             rows = np.flatnonzero((code == number) & ~frames.is_refused)
             messages = self.link.messages_with_code(number, self.direction)
@@ -212,10 +212,10 @@ class FrameReader:
         """The codes of the requests that responses with some codes answer; NONE where they may answer several."""
         if not self.link.has_response_codes:
             return code
-        answered = code.copy()
+        answered: Numbers = code.copy()
         for number in self.link.codes("response"):
             own = [message.message for message in self.link.messages.values()]
-            asked = {message.code for message in own if message.code_of("response") == number}
+            asked = {m.code for m in own if m.code is not None and m.code_of("response") == number}
             answered[code == number] = asked.pop() if len(asked) == 1 else NONE
         return answered
 
