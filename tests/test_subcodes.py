@@ -72,8 +72,9 @@ def test_framers_find_the_frames_of_their_direction() -> None:
     assert line == b":10F0\r\n"
     assert MODULE.terminal.request_framer().feed(b"\x00" + line) == [line]
     framer = MODULE.host.response_framer()
-    assert framer.feed(CLEARED) == []
-    assert framer.idle() == [CLEARED], "messages of different lengths share the code, so only silence ends one"
+    echoed = MODULE.host.encode_response(5, MODULE.EchoDataResponse(7))
+    assert len(echoed) != len(CLEARED), "the subcode determines the length"
+    assert framer.feed(echoed + CLEARED) == [echoed, CLEARED]
 
 
 def test_a_simulated_device_answers_each_message_and_stays_silent_where_none_is_due() -> None:

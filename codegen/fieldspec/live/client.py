@@ -47,7 +47,7 @@ class Timing:
 
 
 _SILENCE = 0.1
-"""The seconds without a byte after which a frame has ended that nothing else ends; adapters pause for up to 0.02."""
+"""The seconds without a byte that end a frame whose length nothing determines; adapters pause for up to 0.02."""
 
 Trace = Callable[[str, bytes], None]
 """Called with `request` or `response` and the bytes."""
@@ -147,19 +147,35 @@ class Client:
         if not self.counters:
             self._owed, self._owed_request, self._owed_until = self._owed + 1, asked, deadline
         received = 0
+        is_new = False
         try:
             while (left := deadline - self.clock.now()) > 0:
-                data = self.carrier.read(min(left, _SILENCE) if received else left)
+                data = self.carrier.read(min(left, _SILENCE) if is_new else left)
                 received += len(data)
-                for decoded in self._answers(asked, data) if data else self._answers_before_silence(asked):
-                    self._owed -= self._owed > 0
-                    if decoded.error:
-                        raise self._refusal(decoded)
-                    return decoded
+                if data:
+                    is_new = True
+                    decoded = next(self._answers(asked, data), None)
+                elif is_new and self.framer is not None and self.framer.ends_with_silence:
+                    is_new = False
+                    decoded = next(self._answers_before_silence(asked), None)
+                else:
+                    continue
+                if decoded is not None:
+                    return self._accepted(decoded)
+            decoded = next(self._answers_before_silence(asked), None) if is_new else None
+            if decoded is not None:
+                return self._accepted(decoded)
         finally:
             self._silent_until = self.clock.now() + self.timing.pause
         self._owed_until = deadline + self.timing.timeout
         raise NoAnswerError(f"{received} bytes came, and no answer" if received else "no answer")
+
+    def _accepted(self, decoded: Decoded) -> Decoded:
+        """An answer that is no exception response. Raises RefusedError."""
+        self._owed -= self._owed > 0
+        if decoded.error:
+            raise self._refusal(decoded)
+        return decoded
 
     def _answers(self, asked: _Request, data: bytes) -> Iterator[Decoded]:
         """The answers to a request that some bytes complete, refusals among them."""
@@ -168,8 +184,8 @@ class Client:
             yield from self._decoded_answers(asked, frame)
 
     def _answers_before_silence(self, asked: _Request) -> Iterator[Decoded]:
-        """The answers in the bytes so far, where frames end with silence alone."""
-        for frame in self.framer.idle() if self.framer is not None and not self.carrier.datagrams else ():
+        """The answers in the bytes so far, of which nothing drops: the rest of a frame may still come."""
+        for frame in self.framer.pause() if self.framer is not None and not self.carrier.datagrams else ():
             yield from self._decoded_answers(asked, frame)
 
     def _decoded_answers(self, asked: _Request, frame: bytes) -> Iterator[Decoded]:

@@ -31,6 +31,13 @@ class Framer(Protocol):
     def idle(self) -> list[bytes]:
         """The frames in the bytes so far, after a silence."""
 
+    def pause(self) -> list[bytes]:
+        """The frames that `idle` would return. It drops nothing."""
+
+    @property
+    def ends_with_silence(self) -> bool:
+        """Whether a silence may show a frame in the bytes so far."""
+
     def reset(self) -> None:
         """Drops all bytes so far."""
 

@@ -148,6 +148,11 @@ class Frames:
         inner = hexlify(data).upper() if self.hexadecimal else data
         return self.start + inner + self.end
 
+    @property
+    def has_checksum(self) -> bool:
+        """Whether frames have a checksum."""
+        return self.algorithm is not None
+
     def agrees(self, data: Data) -> bool:
         """Whether the constants of the header and the checksum at the end of the parts are right."""
         if self.constants:

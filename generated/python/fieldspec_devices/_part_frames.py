@@ -127,6 +127,11 @@ class PartFrames(Frames):
                 return wrong_const(name, number, constant, at)
         return None
 
+    @property
+    def has_checksum(self) -> bool:
+        """Whether frames have a checksum."""
+        return bool(self.checks)
+
     def agrees(self, data: Data) -> bool:
         """Whether the checksum and the constants are right."""
         if len(data) < self.head_size + self.tail_size:
@@ -230,6 +235,6 @@ class CountFramer(LengthFramer):
         at += len(frames.start)
         if self._foreign(buffer, at):
             return 0
-        units = self._read(buffer, at + self.length_offset, self.length_size, self._length_form)
+        units = self._read(buffer, at + self.length_offset, self.length_size, self._length_form, self._length_is_little)
         extent = units * frames.unit + frames.base + marks
         return extent if self.shortest <= extent <= self.longest else 0

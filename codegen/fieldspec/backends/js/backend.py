@@ -16,6 +16,7 @@ from fieldspec.names import Name, version_word
 
 RUNTIME = (
     "delimiters",
+    "end_framer",
     "framer",
     "index",
     "link",

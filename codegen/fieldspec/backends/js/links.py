@@ -8,10 +8,10 @@ from typing import Any
 
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.framing import framer
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
-from fieldspec.layout.record import RecordLayout
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.link import ExceptionResponse
 from fieldspec.model.ranges import Ranges
@@ -22,9 +22,6 @@ SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
 
 WIDE = 6
 """The bytes of a number up to which it is not a bigint."""
-
-LONGEST = 0xFFFF
-"""The bytes of a body that nothing bounds."""
 
 
 def carries(link: LinkLayout, message: MessageLayout) -> bool:
@@ -108,13 +105,13 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     ]
     for direction in ("request", "response"):
         sent = [message for message in carried if message.name in link.carried(direction)]
-        row = _framer(link, direction, sent, names, frames)
+        row = framer(link, direction, sent, names, frames, name)
         if row is not None:
-            framer = names.scope.take(f"{Name.of(link.name).camel()}{direction.capitalize()}Framer")
-            code += [f"export const {framer} = () => {row};", ""]
+            own = names.scope.take(f"{Name.of(link.name).camel()}{direction.capitalize()}Framer")
+            code += [f"export const {own} = () => {row};", ""]
             types += [
                 *comment([f"A framer that finds the {direction}s of this link in a stream."]),
-                f"export declare function {framer}(): Framer;",
+                f"export declare function {own}(): Framer;",
                 "",
             ]
     return Declaration(code, types)
@@ -256,119 +253,3 @@ def checksum_function(algorithm: str, order: str) -> str:
 
 def _intervals(ranges: Ranges | None) -> str:
     return "null" if ranges is None else json.dumps([list(interval) for interval in ranges.intervals])
-
-
-def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], names: Names, frames: str) -> str | None:
-    """The call that makes a framer; None where nothing in a frame tells where it ends."""
-    frame = link.frame(direction)
-    refusal = link.link.exception_response if direction == "response" else None
-    bodies = [message.data(direction) for message in carried]
-    refused = names.layout.records[refusal.record] if refusal is not None else None
-    bodies += [refused] if refused is not None else []
-    if not bodies:
-        return None
-    rows = [
-        f"...{frames}",
-        f"parts: {frames}.{direction}",
-        *_bounds(link, frame, bodies),
-        _addresses(link, frame, direction),
-    ]
-    length, code = frame.role("length"), frame.role("code")
-    if frame.start and frame.end and link.link.encoding == "hex_ascii":
-        return f"delimiterFramer({{ {', '.join(rows)} }})"
-    if link.link.encoding != "binary":
-        return None
-    if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
-        if not frame.end:
-            return None
-        marks = len(frame.start) + len(frame.end)
-        longest = max(record.most if record.most is not None else LONGEST for record in bodies)
-        rows.append(f"most: {marks + frame.escape.most(frame.header_size + longest + frame.trailer_size)}")
-        return f"escapeFramer({{ {', '.join(rows)} }})"
-    if frame.escape is not None and (length is None or length.escaped):
-        return None
-    if length is not None:
-        return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"
-    if code is None:
-        return None
-    extents: dict[int, str] = {}
-    for message in carried:
-        number = message.message.code_of(direction)
-        if number is not None:
-            extent = _extent(link, frame, message.data(direction))
-            # Of messages that share a code, only those of one form are told by it.
-            extents[number] = extent if extents.get(number, extent) == extent else "{ length: 0, size: -1 }"
-    if refused is not None and refusal is not None and not refusal.flag:
-        own = _extent(link, frame, refused)
-        extents |= {refusal.code: own} if refusal.code is not None else {}
-        # Where a part marks exception responses, the code tells the length only of those that are as long as others.
-        extents |= {n: "{ length: 0, size: -1 }" for n, extent in extents.items() if refusal.part and extent != own}
-    members = ", ".join(f"{number}: {extent}" for number, extent in extents.items())
-    rows += [f"code: {_number(code)}", f"extents: {{ __proto__: null, {members} }}"]
-    if refused is not None and refusal is not None and refusal.flag:
-        rows += [f"flag: {refusal.flag}", f"refusal: {_extent(link, frame, refused)}"]
-    else:
-        rows += ["flag: 0", "refusal: undefined"]
-    return f"codeFramer({{ {', '.join(rows)} }})"
-
-
-def _number(part: PartLayout) -> str:
-    row = {
-        "offset": str(part.offset),
-        "size": str(part.size),
-        "order": literal(part.order or "big"),
-        "signed": flag(bool(part.value and part.value.type.signed)),
-        "unitSize": str(part.unit_size),
-        "base": str(part.base),
-    }
-    return object_of(row | ({"digits": literal(part.form)} if part.form else {}))
-
-
-def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
-    least = min(record.least for record in bodies)
-    most = max(record.most if record.most is not None else LONGEST for record in bodies)
-    width = 2 if link.link.encoding == "hex_ascii" else 1
-    around = frame.header_size + frame.trailer_size
-    marks = len(frame.start) + len(frame.end)
-    shortest, longest = (marks + width * (around + size) for size in (least, most))
-    if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
-        longest = frame.escape.most(longest)
-    return [f"shortest: {shortest}", f"longest: {longest}"]
-
-
-def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
-    part, addresses = frame.role("unit_address"), link.link.unit_addresses
-    if part is None or addresses is None or addresses.ranges is None:
-        return "addresses: null"
-    numbers = [n for low, high in addresses.ranges.intervals for n in range(low, high + 1)]
-    if direction == "request" and addresses.broadcast is not None:
-        numbers.append(addresses.broadcast)
-    return f"address: {_number(part)}, addresses: new Set({numbers})"
-
-
-def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
-    """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
-    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
-    if record.size is not None:
-        return f"{{ length: {around + record.size}, size: 0 }}"
-    tail = record.fields[-1]
-    if record.spans:
-        return f"{{ length: {around + record.first_bytes}, size: -2 }}" if frame.end else "{ length: 0, size: -1 }"
-    measures = [
-        field
-        for field in record.fields
-        if field.field.measures is not None
-        and field.field.measures.field == tail.name
-        and field.size <= 4
-        and record.has_place(field)
-    ]
-    if not measures or tail.cases or measures[0].field.measures is None or not record.has_single_list:
-        return "{ length: 0, size: -1 }"
-    measure = measures[0]
-    assert measure.field.measures is not None
-    unit = measure.field.measures.unit(tail.size)
-    length = around + tail.offset - measure.field.measures.plus * unit
-    return (
-        f"{{ length: {length}, offset: {frame.header_size + measure.offset}, size: {measure.size},"
-        f' order: "{measure.order}", signed: false, unit: {unit} }}'
-    )

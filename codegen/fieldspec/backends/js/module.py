@@ -22,6 +22,7 @@ from fieldspec.names import Name
 IMPORTS = {
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "digits": ("bcdOf", "digitsOf", "putBcd", "putDigits"),
+    "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedMember", "refusedNumber", "wrongNumber"),
     "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),

@@ -30,7 +30,7 @@ MODULE = _words(
 HELPERS = _words(
     "allowed bitsOf booleanOf doubleBitsOf doubleOf"
     " brokenList canIdentifier cobs escapeFramer inserting replacing bytesOf checkSize codeFramer conversion"
-    " delimiterFramer device"
+    " delimiterFramer device endFramer"
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
     " parameterSet putBytes putText record refusedMember refusedNumber register registerArray spans table textOf unit"
     " encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber crc16 crcOf totalOf lrc sum8"

@@ -35,6 +35,7 @@ RUNTIME = (
     "_codes",
     "_conversions",
     "_digits",
+    "_end_framer",
     "_error",
     "_can",
     "_escapes",

@@ -6,18 +6,29 @@ from collections.abc import Sequence
 
 from fieldspec.backends.python.frames import is_simple
 from fieldspec.backends.python.text import docstring
-from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.first_bytes import first_bytes
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 
 Carried = Sequence[tuple[str, int | None, RecordLayout]]
+Extent = tuple[int, int, int, int]
+
+OPEN: Extent = (0, 0, -1, 0)
+"""The extent of frames whose code does not determine their length."""
 
 
 def framer(
-    link: LinkLayout, direction: str, carried: Carried, refusal: RecordLayout | None, frames: str
+    link: LinkLayout,
+    direction: str,
+    carried: Carried,
+    refusal: RecordLayout | None,
+    frames: str,
+    classes: Sequence[str],
 ) -> tuple[str, list[str], list[str]]:
     """The class of a framer, its arguments and its docstring; an empty class where no frame marks its end.
 
-    `carried` are the messages: name, code and data. `refusal` is the data of an exception response.
+    `carried` are the messages: name, code and data. `refusal` is the data of an exception response. `classes` are the
+    names of the classes of requests, which decoders take where a frame does not identify its message.
     """
     frame = link.frame(direction)
     bodies = [record for _, _, record in carried] + ([refusal] if refusal else [])
@@ -29,8 +40,6 @@ def framer(
         about.append("A start delimiter within a frame begins another frame.")
         return "_MarkFramer", arguments, docstring(about, 8)
     length, code = frame.role("length"), frame.role("code")
-    if not _ordered(frame):
-        return "", [], []
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
         if not frame.end:
             return "", [], []
@@ -44,44 +53,90 @@ def framer(
     if length is not None:
         about.append("The length determines where a frame ends; a length that fits no message is garbage.")
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
-        return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
-    if code is None or link.link.encoding != "binary":
+        size = [f"length_size={length.size}", *_own_order("length", length, frame)]
+        return kind, [*arguments, *size], docstring(about, 8)
+    if link.link.encoding != "binary":
         return "", [], []
-    extents: dict[int, tuple[int, int, int, int]] = {}
-    for _, code_number, record in carried:
-        if code_number is not None:
-            extent = _extent(link, frame, record)
-            # Of messages that share a code, only those of one form are told by it.
-            extents[code_number] = extent if extents.get(code_number, extent) == extent else (0, 0, -1, 0)
-    error = link.link.exception_response if refusal is not None else None
-    if error is not None and refusal is not None and not error.flag:
-        own = _extent(link, frame, refusal)
-        extents |= {error.code: own} if error.code is not None else {}
-        # Where a part marks exception responses, the code tells the length only of those that are as long as others.
-        extents |= {number: (0, 0, -1, 0) for number, extent in extents.items() if error.part and extent != own}
-    arguments.append(f"code_size={code.size}")
-    rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
-    arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
+    extents, subcodes = _extents(link, frame, carried, refusal) if code is not None else ({}, {})
+    if frame.end and (code is None or OPEN in extents.values()):
+        about.append("A frame ends with the first end delimiter with which it is one of the messages.")
+        arguments.append(f"decode=self.decode_{direction}")
+        if code is None or link.ambiguous_codes(direction):
+            arguments.append(f"messages=({', '.join(dict.fromkeys(classes))},)")
+        known = "".join(
+            f'\n{" " * 16}{place}: bytes.fromhex("{values.hex()}"),'
+            for place, values in first_bytes(link, direction).items()
+        )
+        arguments += [f"begins={{{known}\n{' ' * 12}}}"] if known else []
+        return "_EndFramer", arguments, docstring(about, 8)
+    if code is None:
+        return "", [], []
+    arguments += [f"code_size={code.size}", *_own_order("code", code, frame)]
+    arguments.append(f"extents={_table(extents, 16)}")
+    if subcodes:
+        rows = "".join(
+            f"\n{' ' * 16}{number:#04x}: ({place}, {_table(own, 20)})," for number, (place, own) in subcodes.items()
+        )
+        arguments.append(f"subcodes={{{rows}\n{' ' * 12}}}")
     if refusal is not None and link.link.exception_response is not None and link.link.exception_response.flag:
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
-    ends = {name: extents[code][2] for name, code, _ in carried if code is not None}
+    ends = {name: extents[code][2] for name, code, _ in carried if code is not None and code in extents}
     open_ended = [name for name, end in ends.items() if end == -1]
     about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
+    about += ["Of messages that share a code, the subcode determines it."] * bool(subcodes)
     about += ["The end delimiter ends frames whose values vary in width."] * (-2 in ends.values())
     if open_ended:
         about.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
     return "_CodeFramer", arguments, docstring(about, 8)
 
 
-def _ordered(frame: FrameLayout) -> bool:
-    """Whether all binary numbers by which a framer finds frames have the byte order of the header."""
-    numbers = (frame.role(role) for role in ("unit_address", "code", "length"))
-    return all(p is None or p.form or p.size == 1 or p.order == _order(frame) for p in numbers)
+def _extents(
+    link: LinkLayout, frame: FrameLayout, carried: Carried, refusal: RecordLayout | None
+) -> tuple[dict[int, Extent], dict[int, tuple[str, dict[int, Extent]]]]:
+    """The extents by code.
+
+    Of the codes that messages of several extents share, also the place of the subcode, and the extents by its number.
+    """
+    each: dict[int, set[Extent]] = {}
+    names = {}
+    for name, code, record in carried:
+        if code is not None:
+            names[name] = _extent(link, frame, record)
+            each.setdefault(code, set()).add(names[name])
+    extents = {code: next(iter(own)) if len(own) == 1 else OPEN for code, own in each.items()}
+    error = link.link.exception_response if refusal is not None else None
+    if error is not None and refusal is not None and not error.flag:
+        own = _extent(link, frame, refusal)
+        extents |= {error.code: own} if error.code is not None else {}
+        if error.part:
+            # The code determines the length only where exception responses are as long as others.
+            return {number: extent if extent == own else OPEN for number, extent in extents.items()}, {}
+    subcodes = {}
+    for code, shared in link.subcodes(frame.direction).items():
+        if len(each.get(code, ())) > 1:
+            place = f'{frame.header_size + shared.offset}, {shared.size}, "{shared.order}"'
+            subcodes[code] = place, {number: names[message.name] for number, message in shared.messages.items()}
+            del extents[code]
+    return extents, subcodes
+
+
+def _table(extents: dict[int, Extent], indent: int) -> str:
+    """A dictionary of extents."""
+    rows = "".join(f"\n{' ' * indent}{number:#04x}: {extent}," for number, extent in extents.items())
+    return f"{{{rows}\n{' ' * (indent - 4)}}}"
+
+
+def _own_order(name: str, part: PartLayout, frame: FrameLayout) -> list[str]:
+    """The argument with the byte order of a part, where it is not that of the unit address."""
+    is_other = part.size > 1 and not part.form and part.order != _order(frame)
+    return [f'{name}_order="{part.order}"'] if is_other else []
 
 
 def _order(frame: FrameLayout) -> str:
-    """The byte order of the header."""
-    return next((part.order for part in frame.header if part.size > 1 and not part.form), "big")
+    """The byte order of the unit address, and of the header where it has none."""
+    parts = [part for part in frame.header if part.size > 1 and not part.form]
+    unit_address = next((part for part in parts if part.role == "unit_address"), None)
+    return unit_address.order if unit_address is not None else next((part.order for part in parts), "big")
 
 
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
@@ -116,7 +171,7 @@ def _span(interval: tuple[int, int]) -> str:
     return str(low) if low == high else f"*range({low}, {high + 1})"
 
 
-def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple[int, int, int, int]:
+def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> Extent:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit."""
     around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
     if record.size is not None:

@@ -64,6 +64,7 @@ _SHARED = {
         " packing text texts turned"
     ),
     "_digits": "digits",
+    "_end_framer": "EndFramer",
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
     "_escapes": "Cobs EscapeFramer EscapedFrames Insert Replace",
     "_flags": "BITS_OF Flags",

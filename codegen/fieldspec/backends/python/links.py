@@ -258,7 +258,9 @@ def _direction(
         if link.link.exception_response and direction == "response"
         else None
     )
-    framing, arguments, doc = framer(link, direction, messages, refusal, frames)
+    framing, arguments, doc = framer(
+        link, direction, messages, refusal, frames, [exchange.request_name for exchange in carried]
+    )
     unit_address_expression = f"head[{frame.header.index(unit_address)}]" if unit_address else "0"
     return DirectionView(
         direction=direction,

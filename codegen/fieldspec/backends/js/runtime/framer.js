@@ -7,7 +7,8 @@ import { readPart } from "./parts.js";
  * Finds the frames of one direction in a stream of bytes that arrives in pieces of any size. It keeps at most the bytes
  * of one frame. Where bytes look like a frame and are none, it drops one byte and tries again.
  *
- * `extent(bytes, at)` is the length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown.
+ * `extent(bytes, at)` is the length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown. Where
+ * too few bytes are there, it is the number of those that are needed to determine it.
  */
 export class Framer {
   constructor(shape, extent) {
@@ -28,7 +29,7 @@ export class Framer {
       const extent = this.extent(bytes, at);
       if (at + extent > bytes.length) break;
       if (extent < 0) {
-        if (bytes.length - at < longest) break;
+        if (bytes.length - at <= longest) break;
       } else if (extent > 0) {
         const frame = bytes.slice(at, at + extent);
         if (this.holds(frame)) {
@@ -77,7 +78,7 @@ export class Framer {
   }
 }
 
-function joined(first, second) {
+export function joined(first, second) {
   if (first.length === 0) return second;
   const bytes = new Uint8Array(first.length + second.length);
   bytes.set(first, 0);
@@ -85,7 +86,7 @@ function joined(first, second) {
   return bytes;
 }
 
-function foreign({ address, addresses }, bytes, at) {
+export function foreign({ address, addresses }, bytes, at) {
   return addresses !== null && !addresses.has(readPart(bytes, at + address.offset, address));
 }
 
@@ -106,23 +107,31 @@ export function lengthFramer(shape) {
  * The framer of frames whose code decides their length. `extents` has for each code the length of the frame without its
  * repeated part, then offset, size and order of the part that measures it, and the bytes of each unit of the measure; a
  * size of 0 where the length is fixed, and of -1 where nothing measures the repeated part. With a size of -2, the frame
- * ends with the next end delimiter, and has at least that length.
+ * ends with the next end delimiter, and has at least that length. `subcodes` has the codes that messages of several
+ * lengths share: the place of the number that tells these messages apart, and the extents by this number.
  */
 export function codeFramer(shape) {
-  const { code, extents, flag, refusal, longest } = shape;
+  const { code, extents, subcodes, flag, refusal, longest } = shape;
   const { start, end } = shape.parts;
   return new Framer(shape, (bytes, from) => {
     if (!begins(bytes, from, start)) return 0;
     const at = from + start.length;
     const number = readPart(bytes, at + code.offset, code);
-    const extent = number & flag ? refusal : extents[number];
+    let extent = number & flag ? refusal : extents[number];
+    const shared = extent === undefined ? subcodes?.[number] : undefined;
+    if (shared !== undefined) {
+      const needed = at + shared.offset + shared.size;
+      if (needed > bytes.length) return foreign(shape, bytes, at) ? 0 : needed - from;
+      extent = shared.extents[readPart(bytes, at + shared.offset, shared)];
+    }
     if (extent === undefined || foreign(shape, bytes, at)) return 0;
     if (extent.size === -2) {
       const stop = find(bytes, from + extent.length - end.length, end);
       return stop < 0 ? -1 : stop + end.length - from;
     }
     if (extent.size <= 0) return extent.size === 0 ? extent.length : -1;
-    if (at + extent.offset + extent.size > bytes.length) return -1;
+    const behind = at + extent.offset + extent.size;
+    if (behind > bytes.length) return behind - from;
     const length = extent.length + readPart(bytes, at + extent.offset, extent) * extent.unit;
     return length <= longest ? length : 0;
   });

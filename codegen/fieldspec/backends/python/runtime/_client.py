@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 WRITE, READ, SLEEP, DROP = range(4)
 """What a generator yields: bytes to write, a size to read and the seconds that are left, seconds, nothing."""
 SILENCE: Final = 0.05
-"""The seconds of silence that end a frame whose length nothing tells."""
+"""The seconds of silence that end a frame whose length nothing determines."""
 
 
 class Link:
@@ -202,33 +202,46 @@ class Session:
             framer.reset()
         yield WRITE, frame
         received = b""
+        is_new = False
         heard = self.now()
         deadline = heard + self.timeout
         if not self._counters:
             self._owed, self._owed_request, self._owed_until = self._owed + 1, request, deadline
         while (left := deadline - self.now()) > 0:
-            data = yield READ, (65536 if framer is None else framer.missing, left)
+            wait = left if framer is None or not is_new else min(left, SILENCE)
+            data = yield READ, (65536 if framer is None else framer.missing, wait)
             if data:
                 received = data if self.datagrams else received + data
-                heard = self.now()
+                heard, is_new = self.now(), True
                 answers = [received] if framer is None else framer.feed(data)
-            elif framer is not None and received and self.now() - heard >= SILENCE:
-                answers = framer.idle()
-                received = b""
+            elif framer is not None and is_new and self.now() - heard >= SILENCE and framer.ends_with_silence:
+                # Nothing drops: the rest of a frame that has begun may still come.
+                answers, is_new = framer.pause(), False
             else:
                 continue
-            for answer in answers:
-                reply = self._answer(answer, request)
-                if reply is None:
-                    continue
-                self._owed -= self._owed > 0
-                self._silent_until = self.now() + self.pause
-                if isinstance(reply, ErrorReply):
-                    raise refusal(reply, self.link)
+            reply = self._answer_among(answers, request)
+            if reply is not None:
                 return reply
+        # Garbage may have looked like the beginning of a longer frame, and the answer like the rest of it.
+        reply = self._answer_among(framer.pause() if framer is not None and is_new else [], request)
+        if reply is not None:
+            return reply
         self._owed_until = deadline + self.timeout
         self._silent_until = self.now() + self.pause
         raise NoAnswerError("bytes came, but no answer" if received else "no answer")
+
+    def _answer_among(self, frames: list[bytes], request: RequestOf[R]) -> Response[R] | None:
+        """The response among some frames; None for none. Raises RefusedError for an exception response."""
+        for frame in frames:
+            reply = self._answer(frame, request)
+            if reply is None:
+                continue
+            self._owed -= self._owed > 0
+            self._silent_until = self.now() + self.pause
+            if isinstance(reply, ErrorReply):
+                raise refusal(reply, self.link)
+            return reply
+        return None
 
     def _answer(self, frame: bytes, request: RequestOf[R]) -> Response[R] | ErrorReply[Any] | None:
         """The response in a frame; None for a frame that answers something else."""

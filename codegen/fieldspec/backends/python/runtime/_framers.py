@@ -7,7 +7,8 @@ a frame.
 
 Garbage may look like the beginning of a frame. Then the frames behind it wait until that frame would be complete, or
 until the line has been silent and `idle` is called. Garbage with the right checksum by chance counts as a frame;
-with an 8-bit checksum that happens once in 256 times.
+with an 8-bit checksum that happens once in 256 times. `pause` shows what `idle` would return, and drops nothing: a
+sender may be slow.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ class Framer:
             if at + extent > size:
                 break
             if extent < 0:
-                if size - at < self.longest:
+                if size - at <= self.longest:
                     break
             elif extent and self._holds(frame := bytes(buffer[at : at + extent])):
                 frames.append(frame)
@@ -107,6 +108,13 @@ class Framer:
             frames += self.feed(b"")
         return frames
 
+    def pause(self) -> list[bytes]:
+        """The frames that `idle` would return. It drops nothing, so that a frame that has begun can still go on."""
+        buffer, dropped = bytes(self._buffer), self.dropped
+        frames = self.idle()
+        self._buffer[:], self.dropped = buffer, dropped
+        return frames
+
     def reset(self) -> None:
         """Drops all bytes so far."""
         self._buffer.clear()
@@ -118,19 +126,36 @@ class Framer:
         needed = self.shortest if size < self.shortest else self._extent(self._buffer, 0)
         return max(1, needed - size)
 
+    @property
+    def ends_with_silence(self) -> bool:
+        """Whether a silence may show a frame in the bytes so far.
+
+        A checksum or an end delimiter confirms one behind garbage that looks like the beginning of another one. Without
+        them, silence shows only the end of a frame whose length nothing determines.
+        """
+        frames = self.frames
+        if frames.end or frames.has_checksum:
+            return True
+        size = len(self._buffer)
+        return size >= self.shortest and self._extent(self._buffer, 0) < 0
+
     def _extent(self, buffer: bytearray, at: int) -> int:
-        """The length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown."""
+        """The length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown.
+
+        Where too few bytes are there, it is the number of those that are needed to determine it.
+        """
         raise NotImplementedError
 
-    def _number(self, buffer: bytearray, at: int, size: int) -> int:
+    @staticmethod
+    def _number(buffer: bytearray, at: int, size: int, little: bool) -> int:
         if size == 1:
             return buffer[at]
-        return int.from_bytes(buffer[at : at + size], "little" if self.little else "big")
+        return int.from_bytes(buffer[at : at + size], "little" if little else "big")
 
-    def _read(self, buffer: bytearray, at: int, size: int, form: Digits | None) -> int:
+    def _read(self, buffer: bytearray, at: int, size: int, form: Digits | None, little: bool) -> int:
         """The number of some bytes, which may be digits; for others than these, one that no part of a frame has."""
         if form is None:
-            return self._number(buffer, at, size)
+            return self._number(buffer, at, size, little)
         (number,) = form.unpack(buffer[at : at + size])
         return _NO_DIGITS if number is None else number
 
@@ -142,7 +167,8 @@ class Framer:
         # Nearly all addresses are one byte; a call for each would take as long as all the rest.
         if self._address_is_byte:
             return buffer[at] not in self.unit_addresses
-        return self._read(buffer, at, self.unit_address_size, self._address_form) not in self.unit_addresses
+        number = self._read(buffer, at, self.unit_address_size, self._address_form, self.little)
+        return number not in self.unit_addresses
 
     def _holds(self, frame: bytes) -> bool:
         """Whether the end delimiter and the checksum are right."""
@@ -155,7 +181,7 @@ class Framer:
 
 
 class LengthFramer(Framer):
-    """For frames with a length."""
+    """For frames with a length, whose byte order is `length_order` where it is not that of the unit address."""
 
     def __init__(
         self,
@@ -164,12 +190,14 @@ class LengthFramer(Framer):
         shortest: int,
         longest: int,
         length_size: int,
+        length_order: str = "",
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
         unit_addresses: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
         self.length_offset, self.length_size = frames.length_offset, length_size
+        self._length_is_little = (length_order or order) == "little"
         self._length_form = frames.forms.get(frames.length_offset)
         super().__init__(
             frames,
@@ -200,7 +228,7 @@ class LengthFramer(Framer):
         if self._foreign(buffer, at):
             return 0
         place, size = at + self.length_offset, self.length_size
-        extent += buffer[place] if size == 1 else self._number(buffer, place, size)
+        extent += buffer[place] if size == 1 else self._number(buffer, place, size, self._length_is_little)
         return extent if self.shortest <= extent <= self.longest else 0
 
 
@@ -210,8 +238,11 @@ class CodeFramer(Framer):
     `extents` has for each code: the length of the whole frame without its repeated part; then the offset and the
     size of the part or field that measures the repeated part, and the bytes for each unit of the measure; a size
     of 0 where the length is fixed, and of -1 where nothing measures the repeated part. Such a frame ends with the
-    silence behind it, or with another frame. With a size of -2, the frame ends with the next end delimiter, and has at
-    least that length.
+    silence behind it. With a size of -2, the frame ends with the next end delimiter, and has at least that length.
+
+    `subcodes` has the codes that messages of several lengths share: the offset, the size and the order of the number
+    that tells these messages apart, and the extents by this number. `code_order` is the byte order of the code where it
+    is not that of the unit address.
     """
 
     def __init__(
@@ -222,6 +253,8 @@ class CodeFramer(Framer):
         longest: int,
         code_size: int,
         extents: dict[int, tuple[int, int, int, int]],
+        code_order: str = "",
+        subcodes: dict[int, tuple[int, int, str, dict[int, tuple[int, int, int, int]]]] | None = None,
         flag: int = 0,
         refusal: tuple[int, int, int, int] = (0, 0, 0, 0),
         unit_address_offset: int = 0,
@@ -231,6 +264,8 @@ class CodeFramer(Framer):
     ) -> None:
         self.code_offset, self.code_size = frames.code_offset, code_size
         self.extents, self.flag, self.refusal = extents, flag, refusal
+        self.subcodes = subcodes or {}
+        self._code_is_little = (code_order or order) == "little"
         self._code_form = frames.forms.get(frames.code_offset)
         self._code_is_byte = code_size == 1 and self._code_form is None
         super().__init__(
@@ -246,7 +281,7 @@ class CodeFramer(Framer):
     def _known(self) -> dict[int, frozenset[int]]:
         known = super()._known()
         if self._code_is_byte:
-            codes = frozenset(code for code in range(256) if code in self.extents or code & self.flag)
+            codes = frozenset((*(code for code in range(256) if code & self.flag), *self.extents, *self.subcodes))
             known[len(self.frames.start) + self.code_offset] = codes
         return known
 
@@ -257,8 +292,17 @@ class CodeFramer(Framer):
                 return 0
             at += len(self.frames.start)
         place = at + self.code_offset
-        code = buffer[place] if self._code_is_byte else self._read(buffer, place, self.code_size, self._code_form)
+        if self._code_is_byte:
+            code = buffer[place]
+        else:
+            code = self._read(buffer, place, self.code_size, self._code_form, self._code_is_little)
         extent = self.refusal if code & self.flag else self.extents.get(code)
+        if extent is None and code in self.subcodes:
+            offset, size, order, extents = self.subcodes[code]
+            place = at + offset
+            if place + size > len(buffer):
+                return 0 if self._foreign(buffer, at) else place + size - begins
+            extent = extents.get(self._number(buffer, place, size, order == "little"))
         if extent is None or self._foreign(buffer, at):
             return 0
         length, offset, size, unit = extent
@@ -269,8 +313,8 @@ class CodeFramer(Framer):
             return length if size == 0 else -1
         place = at + offset
         if place + size > len(buffer):
-            return -1
-        length += (buffer[place] if size == 1 else self._number(buffer, place, size)) * unit
+            return place + size - begins
+        length += (buffer[place] if size == 1 else self._number(buffer, place, size, self.little)) * unit
         return length if length <= self.longest else 0
 
 
