@@ -314,7 +314,7 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     link = layout.links[own.link]
     if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
         return
-    names = [options.message] if options.message in link.messages else list(link.messages)
+    names = [options.message] if options.message in link.carried("request") else list(link.carried("request"))
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
     sizes = (
         f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"

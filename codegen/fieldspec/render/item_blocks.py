@@ -77,7 +77,7 @@ def _parts(link: Link, direction: str) -> str:
 
 
 def _message(layout: DeviceLayout, message: MessageLayout) -> Iterator[Block]:
-    for direction, _ in zip(("request", "response"), message.bodies, strict=False):
+    for direction, _ in zip(message.message.directions, message.bodies, strict=True):
         links = [link.link for link in layout.links.values() if message.name in link.carried(direction)]
         names = dict.fromkeys(link.direction_name(direction) for link in links)
         yield Line(f"{' or '.join(names) or direction} data", "bold")

@@ -136,6 +136,8 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Number", ((code(str(message.number)),),)
     if message.links:
         yield "Sent on", (joined((code(name, f"#links/{name}"),) for name in message.links),)
+    if not message.is_requested:
+        yield "Sent", ((text_piece("only by the device, of its own accord"),),)
     if message.answered_on is not None:
         answered = ((code(name, f"#links/{name}"),) for name in message.answered_on)
         yield "Answered", ((text_piece("on "), *joined(answered)) if message.answered_on else (text_piece("never"),),)

@@ -77,7 +77,9 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
     spoken: Mapping[str, LinkView] = view["links_by_name"]
     # Where users supply a part of an identifier, nothing tells a client with which one it speaks to its device.
     closed = [link for link in layout.links.values() if not link.open_identifier]
-    answering = [link for link in closed if link.name in spoken and link.carried("response")]
+    answering = [
+        link for link in closed if link.name in spoken and link.carried("response") and link.carried("request")
+    ]
     if not answering:
         return None
     single = [link for link in answering if is_framed(link)]
