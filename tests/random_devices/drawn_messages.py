@@ -80,9 +80,9 @@ def leave_unrequested(draft: Draft) -> None:
     """Only the device sends some messages."""
     if not draft.chance(25):
         return
-    plain = {"accesses", "segments", "broadcast", "response_code", "supplements"}
+    of_requests = {"accesses", "segments", "broadcast", "response_code", "supplements"}
     for message in draft.spec["messages"]:
-        if draft.chance(40) and "response" in message and not plain & set(message):
+        if draft.chance(40) and "response" in message and not of_requests & set(message):
             if any({"same_as", "parameter"} & set(field) for field in message["response"]):
                 continue
             del message["request"]

@@ -10,7 +10,8 @@ Cure: Add the code, or correct one of them and write an erratum if the manual pr
 share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place, or a
 byte whose `range` has numbers that no other of them has. The responses need none: without it, the request tells
 which response is expected. A message that is sent only on links without codes names them under `links`. What reads
-is answered wherever it is sent.
+is answered wherever it is sent. What only the device sends has a code in its frames that no response has, or a constant
+at the same place.
 """
 
 from __future__ import annotations

@@ -292,6 +292,8 @@ def _named(
         )
     kind = "refusal" if error else direction
     joint = "of" if kind != "response" else "to"
+    if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
+        kind, joint = "frame", "of"  # it answers nothing
     if len(messages) == 1:
         return f"the {kind} {joint} {messages[0]}{place}"
     return f"a {kind} {joint} one of {len(messages)} messages{place} ({names})"

@@ -299,12 +299,13 @@ class LinkLayout:
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
         """The messages in one direction: those that users send, and those that the device sends on the link."""
         if direction == "request":
-            if all(message.message.is_requested for message in self.messages.values()):
-                return self.messages
             return {name: message for name, message in self.messages.items() if message.message.is_requested}
-        if all(message.message.answered_on is None for message in self.messages.values()):
-            return self.messages
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
+
+    @property
+    def exchanged(self) -> Mapping[str, MessageLayout]:
+        """The messages whose requests are answered on the link."""
+        return {name: message for name, message in self.carried("response").items() if message.message.is_requested}
 
     @property
     def open_identifier(self) -> str:

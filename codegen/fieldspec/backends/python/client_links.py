@@ -67,7 +67,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += _reason(layout.records[refusal.record], names) if refusal is not None else []
     arguments += _refusal_part(link, view, names)
     repeated, value_counts = [], []
-    for message in link.carried("response").values():
+    for message in link.exchanged.values():
         access = message.message.accesses
         exchange = names.exchanges[message.name]
         request = f"{CODEC}.{exchange.request_name}"

@@ -246,6 +246,11 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
         links = tuple(comparison.renamed_to("links", name) for name in _links(comparison.old, pair.old))
         answered = tuple(comparison.renamed_to("links", name) for name in _answered_on(comparison.old, pair.old))
         beside = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
+        if pair.old.is_requested != pair.new.is_requested:
+            words = "users send it" if pair.new.is_requested else "only the device sends it"
+            text = f"{named(pair.new)}: {words} now"
+            values = pair.old.is_requested, pair.new.is_requested
+            yield change("sending_changed", Effect.WIRE, pair, "requested", text, *values)
         for key, what, old, new, fallback in (
             ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
             ("answered_on", "where it is answered", answered, _answered_on(comparison.new, pair.new), None),

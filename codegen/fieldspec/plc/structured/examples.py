@@ -67,7 +67,7 @@ class _Uses:
 
     def _exchange(self, link: LinkLayout, message: MessageLayout) -> list[str]:
         built = call_lines(self._function("build", link, message), self.spelling)
-        if message.name not in link.carried("response"):
+        if message.name not in link.exchanged:
             return [*built, "// send the first iLength bytes of aFrame; the device does not answer"]
         return [
             *built,

@@ -301,8 +301,10 @@ function namedReading(device, own, link, direction, error, messages) {
   if (!DIRECTIONS.includes(name) && !error) {
     return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
   }
-  const kind = error ? "refusal" : direction;
-  const joint = kind === "response" ? "to" : "of";
+  // What the device sends of its own accord answers nothing.
+  const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
+  const kind = error ? "refusal" : isAnswer || direction === "request" ? direction : "frame";
+  const joint = isAnswer ? "to" : "of";
   if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
   return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
 }
