@@ -2540,7 +2540,7 @@ class ExplainedFrame {
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
-      code &= ~exception.flag;
+      code = (code & ~exception.flag) >>> 0;
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
@@ -3647,7 +3647,7 @@ function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   const code = codeIn(direction, message);
-  if (part.role === "code") return error ? link.exception.code ?? code | link.exception.flag : code;
+  if (part.role === "code") return error ? link.exception.code ?? ((code | link.exception.flag) >>> 0) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;

@@ -56,7 +56,7 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
       if ((code === null) !== (response.code === null)) {
         throw new CodecError("unknown_code", code === null ? "an exception response has a code" : "frames here carry no code");
       }
-      const own = exception.code ?? code | exception.flag;
+      const own = exception.code ?? ((code | exception.flag) >>> 0);
       const bytes = encoded(context, response, header, own, exception.record, data, exception.marks);
       if (exception.code !== undefined && code !== own) {
         throw new CodecError("unknown_code", `an exception response has the code ${own}`);
@@ -259,7 +259,7 @@ function decoded(context, shape, bytes, entry, direction) {
   const code = readPart(data, offset, shape.code);
   const { exception } = context;
   if (exception !== null && direction === "response" && isMarked(exception, shape, code, data)) {
-    const asked = code & ~exception.flag;
+    const asked = (code & ~exception.flag) >>> 0;
     const record = exception.record.read(data, shape.headerSize, end);
     const answered = answeredBy(context, asked, entry);
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };

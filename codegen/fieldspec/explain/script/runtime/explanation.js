@@ -203,7 +203,7 @@ class ExplainedFrame {
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
-      code &= ~exception.flag;
+      code = (code & ~exception.flag) >>> 0;
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
