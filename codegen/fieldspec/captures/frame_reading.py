@@ -30,6 +30,8 @@ from fieldspec.layout.subcodes import Subcode, subcode
 from fieldspec.model.link import ExceptionResponse
 
 NONE = -1
+UNASKED = -2
+"""No request has this code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,8 +191,8 @@ class FrameReader:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}
         is_open = np.zeros(len(code), np.bool_)
-        for number in {own.message.code_of("response") for own in self.link.messages.values()} - {None}:
-            refused = self.link.refused_message(number)
+        for number in {own.message.code_of("response") for own in self.link.messages.values()}:
+            refused = self.link.refused_message(number) if number is not None else None
             if refused is not None:
                 frames.message[(code == number) & frames.is_refused] = places[refused.name]
         for number in self.link.codes(self.direction):
@@ -209,14 +211,20 @@ class FrameReader:
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
 
     def _answered_code(self, code: Numbers) -> Numbers:
-        """The codes of the requests that responses with some codes answer; NONE where they may answer several."""
+        """The codes of the requests that responses with some codes answer.
+
+        It is NONE where they may answer several, and UNASKED where they answer none: with the code of a request whose
+        response has another one.
+        """
         if not self.link.has_response_codes:
             return code
-        answered = code.copy()
+        answered: Numbers = code.copy()
+        answered[np.isin(code, numbers(self.link.codes("request")))] = UNASKED
         for number in self.link.codes("response"):
             own = [message.message for message in self.link.messages.values()]
             asked = {message.code for message in own if message.code_of("response") == number}
-            answered[code == number] = asked.pop() if len(asked) == 1 else NONE
+            only = asked.pop() if len(asked) == 1 else None
+            answered[code == number] = NONE if only is None else only
         return answered
 
     def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:

@@ -187,7 +187,8 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if role == "code" and announced is not None and announced.message.response_code is not None:
             want = announced.message.response_code
             if theirs and isinstance(have, int) and have != want:
-                yield f"{theirs.name} is {have}, but {want} answers {request.message}"
+                texts = theirs.number_text(have), theirs.number_text(want)
+                yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"
             continue
         if ours and isinstance(want, int) and isinstance(have, int) and have != want:
             yield f"{ours.name} is {have}, but {want} in the request"

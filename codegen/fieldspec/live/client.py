@@ -213,7 +213,17 @@ class Client:
                 return None
         if decoded.message is not None and decoded.message.name != asked.message:
             return None
-        return decoded if decoded.error or self._fits(asked, decoded) else None
+        fits = self._refuses(asked, decoded) if decoded.error else self._fits(asked, decoded)
+        return decoded if fits else None
+
+    def _refuses(self, asked: _Request, decoded: Decoded) -> bool:
+        """Whether an exception response is about what was asked for: it repeats the code, if its record has that."""
+        coded = self.frames.link.request.role("code")
+        if coded is None or decoded.body is None:
+            return True
+        code = self.layout.messages[asked.message].message.code
+        repeated = (field.name for field in decoded.body.fields if field.field.same_as == coded.name)
+        return all(decoded.values.get(name) == code for name in repeated)
 
     def _fits(self, asked: _Request, decoded: Decoded) -> bool:
         """Whether a response is about what was asked for: it repeats what it should, and has as many words."""

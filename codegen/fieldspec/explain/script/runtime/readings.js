@@ -1,4 +1,4 @@
-import { codeIn, isAmbiguous } from "./device.js";
+import { codeIn, isAmbiguous, partNumberText } from "./device.js";
 import { isWhole } from "./numbers.js";
 import { enumeration } from "./texts.js";
 import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
@@ -201,7 +201,8 @@ function mismatchesOf(device, request, response) {
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
       if (isWhole(have ?? "") && have !== responseCode) {
-        texts.push(`${theirs.name} is ${have}, but ${responseCode} answers ${request.message}`);
+        const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
+        texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
     } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
