@@ -92,15 +92,19 @@ export class FrameOptions {
  * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
  */
 export function readFrame(device, frame, options, mark = "", asked = null) {
-  if (asked && options.allowsDirection("response")) {
-    const answer = answerOf(device, frame, asked.request);
+  const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
+  if (answer) {
     if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
   }
   const fitting = readingsOf(device, frame)
     .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
     .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
-  if (!fitting.length) return closestReading(device, frame, options, mark);
+  if (!fitting.length) {
+    const near = closestReading(device, frame, options, mark);
+    // What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
+    return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
+  }
   const examples = exampleKeys(device, frame);
   const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
   fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
