@@ -30,7 +30,7 @@ from fieldspec.testing import SimulatedDevice, simulation
 from js_output.javascript import module_path
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
-from simulators import Unit
+from simulators import Unit, parts_of
 from wireshark_output.dissection import Packet, pcap, prefix_of, tshark
 
 SPECS = str(TEST_SPECS)
@@ -112,8 +112,8 @@ def test_lines_of_a_log_are_read_with_the_requests_before_them(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     log = tmp_path / "log.txt"
-    log.write_text("> BA\n< FA 3C FB\n> BB\n< FA 12 34\n> 10 03\n< 7F 10 22\n> 22 01 10\n< 22 01 10 05 DC\n")
-    monkeypatch.setattr("sys.stdin", log.open())
+    log.write_text("> BA\n< FA 3C FB\n> BB\n< FA 12 34\n> 10 03\n< 7F 10 22\n> 22 01 10\n< 22 01 10 05 DC\n", "utf-8")
+    monkeypatch.setattr("sys.stdin", log.open(encoding="utf-8"))
     main(["decode", "ecu", "-", "--specs", SPECS, "--format", "json"])
     explanations = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert [(own["direction"], own["message"], own["error"], own["wrong"]) for own in explanations] == [
@@ -178,6 +178,51 @@ def test_live_reads_and_writes_by_name(device: SimulatedDevice, capsys: pytest.C
     assert live("read", "speed_limit", "target_position", "read_hours.hours", "--format", "json") == 0
     values = {row["name"]: row["value"] for row in json.loads(capsys.readouterr().out)}
     assert values == {"speed_limit": 4000, "target_position": -70000, "read_hours.hours": 0}
+
+
+FLAGGED = f"""device:
+  id: gadget
+  name: Gadget
+  vendor: Maker
+  manual: {{title: The manual, file: gadget.txt, sha256: "{"0" * 64}", lines: 99}}
+links:
+  - name: line
+    source: 1 L1
+    byte_order: big
+    request: &frame [{{name: command, role: code, type: u8}}, {{name: body, role: body}}]
+    response: *frame
+    exception_response: {{flag: 0x80, record: refusal}}
+enums:
+  - {{name: reason, source: 1 L2, members: [{{value: 1, name: unknown}}, {{value: 2, name: wrong_value}}]}}
+records:
+  - name: refusal
+    source: 1 L2
+    fields: [{{name: refused, type: u8, same_as: command}}, {{name: reason, type: u8, enum: reason}}]
+messages:
+  - name: select
+    code: 0x22
+    response_code: 0x62
+    source: 1 L3
+    request: [{{name: item, type: u8, range: 1..3}}]
+    response: []
+behaviour:
+  - {{name: refuse_code, refuse: unknown_code, with: unknown, source: 1 L4}}
+  - {{name: refuse_value, refuse: value_invalid, with: wrong_value, source: 1 L4}}
+"""
+
+
+def test_the_flag_of_an_exception_response_is_put_on_the_code_of_the_response(tmp_path: Path) -> None:
+    (tmp_path / "gadget").mkdir()
+    (tmp_path / "gadget" / "device.yaml").write_text(FLAGGED, "utf-8")
+    unit = Unit("gadget", "line", folder=str(tmp_path))
+    answers = [unit.answer_to(bytes.fromhex(text)).frame.hex(" ") for text in ("22 03", "22 09", "30")]
+    assert answers == ["62", "e2 22 02", "b0 30 01"]
+    layout, _ = parts_of("gadget", str(tmp_path))
+    for refusal, error in ((bytes.fromhex("E2 22 02"), RefusedError), (bytes.fromhex("A2 22 02"), NoAnswerError)):
+        with pytest.raises(error):
+            Client(layout, "line", Once(refusal), 0, Timing(timeout=0.02, retries=0)).ask("select", {"item": 1})
+    explanation = explained(layout, "line", "response", bytes.fromhex("E2 22 02"))
+    assert (explanation.message, explanation.error, explanation.reasons) == ("select", True, ())
 
 
 # Captures
