@@ -5273,8 +5273,7 @@ local function answers(link, request, response)
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
         local code = request.message and request.message.response_code or request.code
-        local answers_any = link.exception and link.exception.code == response.code
-        if is_other or code ~= response.code and not answers_any then
+        if is_other or response.code ~= nil and code ~= response.code then
             return false
         end
     end

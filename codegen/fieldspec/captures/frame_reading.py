@@ -191,10 +191,10 @@ class FrameReader:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}
         is_open = np.zeros(len(code), np.bool_)
-        for number in {own.message.code_of("response") for own in self.link.messages.values()}:
-            refused = self.link.refused_message(number) if number is not None else None
-            if refused is not None:
-                frames.message[(code == number) & frames.is_refused] = places[refused.name]
+        for message in self.link.messages.values():
+            number = message.message.code_of("response")
+            if number is not None and self.link.refused_message(number) is message:
+                frames.message[(code == number) & frames.is_refused] = places[message.name]
         for number in self.link.codes(self.direction):
             rows = np.flatnonzero((code == number) & ~frames.is_refused)
             messages = self.link.messages_with_code(number, self.direction)
@@ -222,9 +222,8 @@ class FrameReader:
         answered[np.isin(code, numbers(self.link.codes("request")))] = UNASKED
         for number in self.link.codes("response"):
             own = [message.message for message in self.link.messages.values()]
-            asked = {message.code for message in own if message.code_of("response") == number}
-            only = asked.pop() if len(asked) == 1 else None
-            answered[code == number] = NONE if only is None else only
+            asked = {m.code for m in own if m.code is not None and m.code_of("response") == number}
+            answered[code == number] = asked.pop() if len(asked) == 1 else NONE
         return answered
 
     def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
