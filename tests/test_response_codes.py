@@ -252,13 +252,7 @@ def test_bulk_decoding_pairs_responses_with_their_requests() -> None:
     ((device, batch),) = decoded(ECU, sent, Choices())
     assert verdicts([(device, batch)]) == ["ok"] * 9 + ["unknown_code"]
     texts = [device.texts.texts[place] if place >= 0 else "" for place in batch.frames.message.tolist()]
-    # An exception response whose code is its own does not say what it refuses.
-    assert texts == ["read_temperatures"] * 2 + ["read_hours"] * 2 + ["read_word"] * 2 + [
-        "change_session",
-        "",
-        "read_word",
-        "",
-    ]
+    assert texts == [*(name for name in PAIRED for _ in range(2)), "read_word", ""]
     exceptions = [device.texts.texts[place] for place in batch.frames.exception.tolist() if place >= 0]
     assert exceptions == ["conditions_not_correct"]
     assert batch.frames.request.tolist() == [number for at in (1, 3, 5, 7) for number in (-1, at)] + [-1, -1]

@@ -30,8 +30,6 @@ from fieldspec.layout.subcodes import Subcode, subcode
 from fieldspec.model.link import ExceptionResponse
 
 NONE = -1
-UNASKED = -2
-"""No request has this code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,15 +209,10 @@ class FrameReader:
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
 
     def _answered_code(self, code: Numbers) -> Numbers:
-        """The codes of the requests that responses with some codes answer.
-
-        It is NONE where they may answer several, and UNASKED where they answer none: with the code of a request whose
-        response has another one.
-        """
+        """The codes of the requests that responses with some codes answer; NONE where they may answer several."""
         if not self.link.has_response_codes:
             return code
         answered: Numbers = code.copy()
-        answered[np.isin(code, numbers(self.link.codes("request")))] = UNASKED
         for number in self.link.codes("response"):
             own = [message.message for message in self.link.messages.values()]
             asked = {m.code for m in own if m.code is not None and m.code_of("response") == number}
