@@ -1056,6 +1056,12 @@ function refusedMessage(link, code, asked) {
   return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
 }
 
+/** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
+function partNumberText({ size, value }, number) {
+  if (value.digits === "decimal") return String(number).padStart(size, "0");
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+}
+
 /** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
 function codeText(link, direction, message) {
   const code = codeIn(direction, message);
@@ -2556,8 +2562,10 @@ class ExplainedFrame {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
+      const asked = this.sent.get(this.named);
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
-      return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
+      const should = asked ? codeText(link, direction, asked) : `one of ${known.join(", ")}`;
+      return judged(read, false, should, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
@@ -2788,15 +2796,19 @@ class FrameOptions {
  * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
  */
 function readFrame(device, frame, options, mark = "", asked = null) {
-  if (asked && options.allowsDirection("response")) {
-    const answer = answerOf(device, frame, asked.request);
+  const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
+  if (answer) {
     if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
   }
   const fitting = readingsOf(device, frame)
     .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
     .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
-  if (!fitting.length) return closestReading(device, frame, options, mark);
+  if (!fitting.length) {
+    const near = closestReading(device, frame, options, mark);
+    // What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
+    return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
+  }
   const examples = exampleKeys(device, frame);
   const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
   fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
@@ -2897,7 +2909,8 @@ function mismatchesOf(device, request, response) {
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
       if (isWhole(have ?? "") && have !== responseCode) {
-        texts.push(`${theirs.name} is ${have}, but ${responseCode} answers ${request.message}`);
+        const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
+        texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
     } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);

@@ -147,6 +147,12 @@ export function refusedMessage(link, code, asked) {
   return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
 }
 
+/** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
+export function partNumberText({ size, value }, number) {
+  if (value.digits === "decimal") return String(number).padStart(size, "0");
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+}
+
 /** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
 export function codeText(link, direction, message) {
   const code = codeIn(direction, message);
