@@ -94,7 +94,7 @@ def test_only_the_request_tells_which_of_several_responses_with_one_code_this_is
     ("frame", "request_frame", "expected"),
     [
         ("22 01 10 05 DC", "22 01 10", "service is 0x22, but 0x62 answers read_word"),
-        ("22 01 10 05 DC", "22 01 10", "wrong: should be 62 with 01 at byte 1"),
+        ("22 01 10 05 DC", "22 01 10", "wrong: should be 0x62 with 0x01 at byte 1"),
         ("50 03 00 32 01 F4", "22 01 10", "service is 0x50, but 0x62 answers read_word"),
         ("7F 10 22", "22 01 10", "refused_service does not repeat the request: should be 34"),
         ("62 01 11 00 00", "22 01 10", "identifier does not repeat the request: should be 16"),

@@ -1062,14 +1062,15 @@ function partNumberText({ size, value }, number) {
   return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
 }
 
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
+/** `0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code, or `0x0C with 0x60 or 0x70 at byte 8`. */
 function codeText(link, direction, message) {
   const code = codeIn(direction, message);
   if (code === undefined) return "no code";
-  const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
+  const digits = (number, size) => "0x" + number.toString(16).toUpperCase().padStart(2 * size, "0");
   const shared = link.subcodes[direction].get(code);
   const part = link[direction].code;
-  const own = part?.value.digits ? latinOf(digitsBytes(part.value, code)).toUpperCase() : digits(code, 1);
+  const sent = part?.value.digits && latinOf(digitsBytes(part.value, code)).toUpperCase();
+  const own = sent ? (part.value.digits === "decimal" ? "" : "0x") + sent : digits(code, 1);
   if (!shared) return own;
   const intervals = [];
   const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);

@@ -284,12 +284,12 @@ class LinkLayout:
         return {code: shared_code for code, shared_code in each if shared_code is not None}
 
     def code_text(self, message: MessageLayout, direction: str) -> str:
-        """`08`, or `08 with 0001 at byte 2` for a message that shares its code."""
+        """`0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code."""
         code = message.message.code_of(direction)
         if code is None:
             return "no code"
         part = self.frame(direction).role("code")
-        text = f"{code:02X}" if part is None or not part.form else part.number_text(code).removeprefix("0x")
+        text = f"0x{code:02X}" if part is None or not part.form else part.number_text(code)
         shared = self.subcodes(direction).get(code)
         if shared is None:
             return text

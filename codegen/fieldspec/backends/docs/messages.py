@@ -94,7 +94,7 @@ def _frame(
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """What tells the message from others with its code, once for all links and directions where it is the same."""
     texts = dict.fromkeys(
-        "..".join(f"0x{bound}" for bound in text.split(".."))
+        text
         for link in context.layout.links.values()
         for direction in DIRECTIONS
         for number, subcode in link.subcodes(direction).items()
