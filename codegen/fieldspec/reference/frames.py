@@ -224,8 +224,8 @@ class FrameCodec:
         announced = self.link.messages.get(message)
         if announced is None and not (error and (code is not None or self.link.has_uncoded_exceptions)):
             raise CodecError("unknown_code", f"there is no message {message!r}")
-        if announced is not None and message not in self.link.carried("request" if error else direction):
-            raise CodecError("unknown_code", self._absence(message, "request" if error else direction))
+        if not error and announced is not None and message not in self.link.carried(direction):
+            raise CodecError("unknown_code", self._absence(message, direction))
         refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
