@@ -16,7 +16,7 @@ from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
-from fieldspec.reading.findings import MOST_FINDINGS, near, quoted, synonym
+from fieldspec.reading.findings import MOST_FINDINGS, MOST_NAMES, near, quoted, synonym
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
@@ -185,7 +185,9 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         help = described(part.get("properties", {}).get(missing, {}))
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
-        hint = near(text, [str(option) for option in part.get("enum", [])])
+        hint = near(text, words := [str(option) for option in part.get("enum", [])])
+        if len(words) > MOST_NAMES and not hint.startswith("did you mean"):
+            hint = described(part)
         return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
@@ -202,7 +204,17 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         return Diagnostic("wrong_value", f"{what} is {text}; the {keyword} is {limit}", node.span, help=description)
     if keyword in ("minItems", "minProperties", "maxProperties"):
         return Diagnostic("wrong_size", f"{what} has too few or too many entries", _head(node), help=description)
+    if keyword in ("oneOf", "anyOf"):
+        return Diagnostic("wrong_form", f"{what} has other keys than it can have", _head(node), help=_choices(part))
     return Diagnostic("wrong_form", error.message, _head(node), help=description)
+
+
+def _choices(part: Schema) -> str:
+    """The help for a mapping that has one of some keys: what it is, and the keys."""
+    options = part.get("oneOf") or part.get("anyOf") or []
+    keys = [key for option in options for key in option.get("required", [])]
+    stated = f" State one of {', '.join(f'`{key}`' for key in dict.fromkeys(keys))}." if keys else ""
+    return f"{part.get('description', '')}{stated}".strip()
 
 
 _KINDS = {

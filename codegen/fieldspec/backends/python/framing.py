@@ -23,12 +23,12 @@ def framer(
     carried: Carried,
     refusal: RecordLayout | None,
     frames: str,
-    classes: Sequence[str],
+    names: Sequence[str],
 ) -> tuple[str, list[str], list[str]]:
     """The class of a framer, its arguments and its docstring; an empty class where no frame marks its end.
 
-    `carried` are the messages: name, code and data. `refusal` is the data of an exception response. `classes` are the
-    names of the classes of requests, which decoders take where a frame does not identify its message.
+    `carried` are the messages: name, code and data. `refusal` is the data of an exception response. `names` are
+    those by which decoders take the messages where a frame does not identify its own.
     """
     frame = link.frame(direction)
     bodies = [record for _, _, record in carried] + ([refusal] if refusal else [])
@@ -62,7 +62,7 @@ def framer(
         about.append("A frame ends with the first end delimiter with which it is one of the messages.")
         arguments.append(f"decode=self.decode_{direction}")
         if code is None or link.ambiguous_codes(direction):
-            arguments.append(f"messages=({', '.join(dict.fromkeys(classes))},)")
+            arguments.append(f"messages=({', '.join(names)},)")
         known = "".join(
             f'\n{" " * 16}{place}: bytes.fromhex("{values.hex()}"),'
             for place, values in first_bytes(link, direction).items()
