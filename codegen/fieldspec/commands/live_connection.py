@@ -180,7 +180,7 @@ def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:
         for operation in ("read", "write")
     ]
     requests = [message.request for message in messages if message is not None]
-    parts = {part.part.name: part.part.value for part in open_parts(link) if part.choosable}
+    parts = {part.part.name: part.part.value for part in open_parts(link) if part.numbering is None}
     fields = {
         field.name: field.value
         for request in requests

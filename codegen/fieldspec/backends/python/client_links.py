@@ -28,13 +28,13 @@ _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6}
 class ClientLinkView:
     """A link of a client: its constant, its name as a literal, and the call that creates it.
 
-    `choices` are the parts of requests that users choose: their names, their types, and whether they must be chosen.
+    `choices` are the parts of requests that users choose: their names and their types.
     """
 
     name: str
     title: str
     call: list[str]
-    choices: list[tuple[str, str, bool]]
+    choices: list[tuple[str, str]]
 
 
 def is_framed(link: LinkLayout) -> bool:
@@ -96,12 +96,12 @@ def named_parts(link: LinkLayout, view: LinkView) -> list[tuple[PartView, OpenPa
     return list(zip(view.request.head_parts, open_parts(link), strict=True))
 
 
-def _choices(parts: list[tuple[PartView, OpenPart]]) -> list[tuple[str, str, bool]]:
-    """The parts that users choose: their names, their types, and whether they must be chosen."""
+def _choices(parts: list[tuple[PartView, OpenPart]]) -> list[tuple[str, str]]:
+    """The parts that users choose: their names and their types."""
     return [
-        (own.name, own.type if own.type == "int" else f"{CODEC}.{own.type}", part.numbering is None)
+        (own.name, own.type if own.type == "int" else f"{CODEC}.{own.type}")
         for own, part in parts
-        if part.choosable
+        if part.numbering is None
     ]
 
 
@@ -123,7 +123,7 @@ def _parts(link: LinkLayout, view: LinkView, parts: list[tuple[PartView, OpenPar
         for own, part in parts
         if part.repeated is not None and (part.numbering is None or answered[part.repeated.name] != own.name)
     ]
-    chosen = [literal(name) for name, _, _ in _choices(parts)]
+    chosen = [literal(name) for name, _ in _choices(parts)]
     return [
         *([f"counters={tuple_of(counters)}"] if counters else []),
         *([f"parts={tuple_of(chosen)}"] if chosen else []),
