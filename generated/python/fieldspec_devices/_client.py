@@ -40,6 +40,7 @@ class Link:
     field that says why, empty for the first one. `refusal_part` is the part before the body that says so instead, and
     `refusal_names` its members by their numbers. `repeated` has the fields that a response repeats, by the class of the
     request, and `value_counts` the field with the number of values and the field of the response with these values.
+    `unanswered` are the classes of the requests that nobody answers here.
     """
 
     def __init__(
@@ -58,6 +59,7 @@ class Link:
         refusal_names: Mapping[int, Any] | None = None,
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
+        unanswered: tuple[type[Any], ...] = (),
     ) -> None:
         self.codec, self.addressed, self.counters, self.parts = codec, addressed, counters, parts
         self.echoes = {name: name for name, _, _ in counters}
@@ -65,6 +67,7 @@ class Link:
         self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
         self.reason, self.refusal_part, self.refusal_names = reason, refusal_part, refusal_names
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
+        self.unanswered = unanswered
 
     def chosen_parts(self, parts: Mapping[str, Any]) -> dict[str, Any]:
         """The parts of requests that users choose; None stands for no choice. Raises ValueError."""
@@ -138,6 +141,8 @@ class Session:
 
         Raises InvalidValueError, NoAnswerError, RefusedError and TransportError.
         """
+        if request.__class__ in self.link.unanswered:
+            raise InvalidValueError(f"nobody answers {request.__class__.__name__} on this link: use `send` for it")
         again = self.retries if retries is None else retries
         while True:
             try:

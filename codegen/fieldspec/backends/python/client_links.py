@@ -87,6 +87,9 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
             )
     arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
+    answered = link.carried("response")
+    silent = [f"{CODEC}.{names.exchanges[name].request_name}" for name in link.messages if name not in answered]
+    arguments += [f"unanswered={tuple_of(silent)}"] if silent else []
     name = f"_{Name.of(link.name).upper()}"
     return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0), _choices(parts))
 
