@@ -157,7 +157,10 @@ def put(node: Node, way: Way, new: Node | None) -> Node:
         return node.with_value(step, put(node.values[step], rest, new))
     assert isinstance(node, Sequence)
     inner = list(node.items)
-    inner[int(step)] = put(inner[int(step)], rest, new)
+    if rest:
+        inner[int(step)] = put(inner[int(step)], rest, new)
+    else:
+        inner[int(step) : int(step) + 1] = [] if new is None else [new]
     return Sequence(node.file, node.start, node.end, tuple(inner))
 
 

@@ -1056,14 +1056,21 @@ function refusedMessage(link, code, asked) {
   return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
 }
 
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
+/** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
+function partNumberText({ size, value }, number) {
+  if (value.digits === "decimal") return String(number).padStart(size, "0");
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+}
+
+/** `0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code, or `0x0C with 0x60 or 0x70 at byte 8`. */
 function codeText(link, direction, message) {
   const code = codeIn(direction, message);
   if (code === undefined) return "no code";
-  const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
+  const digits = (number, size) => "0x" + number.toString(16).toUpperCase().padStart(2 * size, "0");
   const shared = link.subcodes[direction].get(code);
   const part = link[direction].code;
-  const own = part?.value.digits ? latinOf(digitsBytes(part.value, code)).toUpperCase() : digits(code, 1);
+  const sent = part?.value.digits && latinOf(digitsBytes(part.value, code)).toUpperCase();
+  const own = sent ? (part.value.digits === "decimal" ? "" : "0x") + sent : digits(code, 1);
   if (!shared) return own;
   const intervals = [];
   const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);
@@ -2540,7 +2547,7 @@ class ExplainedFrame {
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
-      code &= ~exception.flag;
+      code = (code & ~exception.flag) >>> 0;
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
@@ -2556,8 +2563,10 @@ class ExplainedFrame {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
+      const asked = this.sent.get(this.named);
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
-      return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
+      const should = asked ? codeText(link, direction, asked) : `one of ${known.join(", ")}`;
+      return judged(read, false, should, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
@@ -2788,15 +2797,19 @@ class FrameOptions {
  * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
  */
 function readFrame(device, frame, options, mark = "", asked = null) {
-  if (asked && options.allowsDirection("response")) {
-    const answer = answerOf(device, frame, asked.request);
+  const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
+  if (answer) {
     if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
   }
   const fitting = readingsOf(device, frame)
     .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
     .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
-  if (!fitting.length) return closestReading(device, frame, options, mark);
+  if (!fitting.length) {
+    const near = closestReading(device, frame, options, mark);
+    // What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
+    return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
+  }
   const examples = exampleKeys(device, frame);
   const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
   fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
@@ -2897,7 +2910,8 @@ function mismatchesOf(device, request, response) {
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
       if (isWhole(have ?? "") && have !== responseCode) {
-        texts.push(`${theirs.name} is ${have}, but ${responseCode} answers ${request.message}`);
+        const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
+        texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
     } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
@@ -2997,8 +3011,10 @@ function namedReading(device, own, link, direction, error, messages) {
   if (!DIRECTIONS.includes(name) && !error) {
     return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
   }
-  const kind = error ? "refusal" : direction;
-  const joint = kind === "response" ? "to" : "of";
+  // What the device sends of its own accord answers nothing.
+  const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
+  const kind = error ? "refusal" : isAnswer || direction === "request" ? direction : "frame";
+  const joint = isAnswer ? "to" : "of";
   if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
   return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
 }
@@ -3645,7 +3661,7 @@ function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   const code = codeIn(direction, message);
-  if (part.role === "code") return error ? link.exception.code ?? code | link.exception.flag : code;
+  if (part.role === "code") return error ? link.exception.code ?? ((code | link.exception.flag) >>> 0) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;
@@ -3665,7 +3681,7 @@ function frameOptions(device, { link, direction, message } = {}) {
   if (!links.length) throw new RangeError(`${link} is no link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
   if (message) {
     const others = links;
-    links = links.filter(({ carriedMessages }) => carriedMessages.request.has(message));
+    links = links.filter(({ carriedMessages }) => DIRECTIONS.some((way) => carriedMessages[way].has(message)));
     if (!links.length) throw new RangeError(`${message} is not sent on ${others.map(({ name }) => name).join(" or ")}`);
   }
   const places = links.flatMap(({ name, directionNames }) => DIRECTIONS

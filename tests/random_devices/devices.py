@@ -56,6 +56,7 @@ def devices(draw: Any) -> Spec:
     spec["messages"] = drawn_messages.messages(draft, coded, others)
     drawn_messages.mark_exceptions(draft)
     drawn_messages.draw_response_codes(draft)
+    drawn_messages.leave_unrequested(draft)
     return {section: spec[section] for section in SECTIONS if spec.get(section)}
 
 

@@ -29,6 +29,7 @@ def add_bus(draft: Draft) -> None:
     else:
         drawn_messages.mark_exceptions(draft)
     drawn_messages.draw_response_codes(draft)
+    drawn_messages.leave_unrequested(draft)
 
 
 def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:

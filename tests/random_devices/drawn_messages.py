@@ -76,6 +76,19 @@ def draw_response_codes(draft: Draft) -> None:
             message["response_code"] = code
 
 
+def leave_unrequested(draft: Draft) -> None:
+    """Only the device sends some messages."""
+    if not draft.chance(25):
+        return
+    of_requests = {"accesses", "segments", "broadcast", "response_code", "supplements"}
+    for message in draft.spec["messages"]:
+        if draft.chance(40) and "response" in message and not of_requests & set(message):
+            if any({"same_as", "parameter"} & set(field) for field in message["response"]):
+                continue
+            del message["request"]
+            message["requested"] = False
+
+
 def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     """Several messages with the code of the first one; the beginning of their data tells them apart.
 

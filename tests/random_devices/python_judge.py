@@ -78,7 +78,7 @@ class Python:
         link, direction, message = query.path
         if direction == "request" or message:
             return
-        for layout_message in self.layout.links[link].messages.values():
+        for layout_message in self.layout.links[link].carried("request").values():
             if self.layout.links[link].is_guessed("response", layout_message.name):
                 continue  # it was not asked for, and nothing else refuses it
             request = record_class(self.module, layout_message.request)
@@ -95,6 +95,8 @@ class Python:
             return
         messages = self.layout.links[link].carried("response").values()
         own = next(m for m in messages if record_class(self.module, m.response) is type(content))
+        if not own.message.is_requested:
+            return
         answer = link_of(self.module, link).decode_response(query.data, record_class(self.module, own.request))
         same = answer.message == content or repr(answer.message) == repr(content)
         assert same, f"{query.data.hex(' ')} is {answer.message} as the answer to {own.name}, not {content}"
@@ -141,7 +143,8 @@ class Python:
         shape, line = self.layout.links[link].frame(direction), link_of(self.module, link)
         asked: list[Any] = []
         if message:
-            asked = [record_class(self.module, self.layout.messages[message].request)]
+            own = self.layout.messages[message]
+            asked = [record_class(self.module, own.request) if own.message.is_requested else message]
         decoded = getattr(line, f"decode_{direction}")(query.data, *asked)
         head: dict[str, Any] = {}
         for part in shape.header:

@@ -166,20 +166,20 @@ def frame_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iter
 
 
 def _queried(link: LinkLayout, direction: str) -> list[str]:
-    """The messages in one direction. Responses to what is not answered are tried where their codes show them."""
+    """The messages in one direction. Frames that no message has there are tried where their codes show them."""
     carried = link.carried(direction)
     return list(link.messages if carried and link.frame(direction).role("code") is not None else carried)
 
 
-def _unanswered(layout: DeviceLayout, link: str, message: str, dice: random.Random) -> Query:
-    """A response to what is not answered, which every codec refuses."""
-    shape, code = layout.links[link].response, layout.messages[message].message.code_of("response")
+def _absent(layout: DeviceLayout, link: str, direction: str, message: str, dice: random.Random) -> Query:
+    """A response to what is not answered, or a request that only the device sends, which every codec refuses."""
+    shape, code = layout.links[link].frame(direction), layout.messages[message].message.code_of(direction)
     part = shape.role("code")
     assert part is not None
     assert code is not None
     parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
     parts[part.offset : part.offset + part.size] = part.data(code)
-    return Query("frame", (link, "response", ""), sealed(layout, link, shape, bytes(parts), dice))
+    return Query("frame", (link, direction, ""), sealed(layout, link, shape, bytes(parts), dice))
 
 
 def _frame_queries(
@@ -190,10 +190,11 @@ def _frame_queries(
     ambiguous = coded and layout.links[link].is_guessed(direction, message)
     asked = message if not coded or (ambiguous and dice.random() < 0.9) else ""
     if message not in layout.links[link].carried(direction):
-        yield _unanswered(layout, link, message, dice)
+        yield _absent(layout, link, direction, message, dice)
         return
     record = layout.messages[message].data(direction)
-    error = line.exception_response if direction == "response" and dice.random() < 0.15 else None
+    is_answer = direction == "response" and message in layout.links[link].carried("request")
+    error = line.exception_response if is_answer and dice.random() < 0.15 else None
     if error is not None:
         record = layout.records[error.record]
     head = header_values(layout, link, shape, dice)

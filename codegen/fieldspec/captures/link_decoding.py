@@ -201,12 +201,12 @@ class LinkDecoder:
         timed = (exchanges.time[before:][answers] >= 0) & (exchanges.time[asked_rows] >= 0)
         rows.delay[targets[timed]] = delays[timed]
         rows.is_paired[targets] = True
-        nameless = rows.is_refused[targets] & (rows.message[targets] == NONE)
-        rows.message[targets[nameless]] = exchanges.message[asked_rows[nameless]]
         if self.asks:
             asked_message = np.full(len(payloads), NONE)
             asked_message[targets] = exchanges.message[asked_rows]
             self._reread(rows, direction, readings, asked_message)
+        nameless = rows.is_refused[targets] & (rows.message[targets] == NONE)
+        rows.message[targets[nameless]] = exchanges.message[asked_rows[nameless]]
         self._place(rows, direction, targets, exchanges.address[asked_rows], exchanges.count[asked_rows])
 
     def _reread(self, rows: _Rows, direction: Numbers, readings: dict[int, Reading], asked_message: Numbers) -> None:

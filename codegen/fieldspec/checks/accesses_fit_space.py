@@ -19,6 +19,7 @@ from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.address_space import BIT, BYTE, AddressSpace
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
 from fieldspec.model.record import Field, Message, RegisterAccess
 from fieldspec.model.value import Kind
 
@@ -57,8 +58,11 @@ def _words(message: Message, access: RegisterAccess, field: Field, space: Addres
         text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)
     if field.value is not None and (field.value.type.kind is not Kind.INTEGER or field.value.size != space.unit_size):
-        text = f"{field.name} is {field.value.type.name}, but {message.name} accesses {space.unit}s"
+        what = digits_text(field.value) if field.value.digits else field.value.type.name
+        text = f"{field.name} is {what}, but {message.name} accesses {space.unit}s"
         help = f"use `u{8 * space.unit_size}`, and give the registers their types"
+        if field.value.digits:
+            help = "registers are not sent as digits: state them as `parameters`, which messages may carry as digits"
         yield finding(_CODE, field.place, "type", text, help)
     elif field.value is not None and field.value.type.signed and space.unit == BYTE:
         text = f"{field.name} is {field.value.type.name}, but the bytes of a register have no sign"

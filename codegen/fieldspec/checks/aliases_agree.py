@@ -37,11 +37,13 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
         asked = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
             yield from _echo(field, asked.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
-
     for link in device.links.values():
         parts = {part.name: part for part in link.request}
         for part in link.response:
             yield from _echo(part, parts.get(part.same_as), f"{part.name} repeats {part.same_as} of the request")
+        refusal = device.records.get(link.exception_response.record) if link.exception_response is not None else None
+        for field in refusal.fields if refusal is not None else ():
+            yield from _echo(field, parts.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
 
 
 def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator[Diagnostic]:

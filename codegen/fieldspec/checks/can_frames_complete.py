@@ -105,7 +105,7 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
     for direction in ("request", "response"):
         around = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
         for message in messages_on(device, link):
-            if direction == "response" and not message.is_answered_on(link.name):
+            if not (message.is_requested if direction == "request" else message.is_answered_on(link.name)):
                 continue
             record = message.request if direction == "request" else message.response
             bounds = sizes.bounds(record)

@@ -49,14 +49,26 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
             there = label(part.place, "digits", part.name)
             yield finding(_CODE, link.place, "exception_response", text, help, there)
         for message in messages_on(device, link):
-            for key, code in message.codes:
-                if code > high:
-                    printed = str(code) if part.value.digits == "decimal" else f"{code:#x}"
-                    text = f"the code {printed} does not fit {part.name}, which is {_kind(part.value)}"
-                    help = "correct the code or the part's type"
-                    yield finding(_CODE, message.place, key, text, help, label(part.place, "type", part.name))
-            if all(code <= high for _, code in message.codes):
+            wide = list(_wide(link, message))
+            yield from wide
+            if not wide:
                 yield from _check_flag(link, message)
+
+
+def _wide(link: Link, message: Message) -> Iterator[Diagnostic]:
+    """The codes of a message that do not fit the parts in which they are sent."""
+    for key, code in message.codes:
+        only_asks = key == "code" and message.response_code is not None
+        in_request = link.request if key == "code" else ()
+        for part in (*in_request, *(() if only_asks else link.response)):
+            value = part.value
+            if part.role != "code" or value is None or value.type.kind is not Kind.INTEGER or code <= value.high:
+                continue
+            printed = str(code) if value.digits == "decimal" else f"{code:#x}"
+            text = f"the code {printed} does not fit {part.name}, which is {_kind(value)}"
+            help = "correct the code or the part's type"
+            yield finding(_CODE, message.place, key, text, help, label(part.place, "type", part.name))
+            break
 
 
 def _kind(value: Value) -> str:
@@ -81,4 +93,7 @@ def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
         yield finding(_CODE, message.place, key, text, "correct one of the codes", there)
     if code & error.flag:
         text = f"the code {code:#x} has the bit {error.flag:#x}, which marks an exception response"
-        yield finding(_CODE, message.place, key, text, "correct the code or the bit", there)
+        help = "correct the code or the bit"
+        if key == "response_code":
+            help += ", which exception responses have besides the code of the response"
+        yield finding(_CODE, message.place, key, text, help, there)

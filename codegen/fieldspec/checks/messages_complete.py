@@ -10,7 +10,8 @@ Cure: Add the code, or correct one of them and write an erratum if the manual pr
 share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place, or a
 byte whose `range` has numbers that no other of them has. The responses need none: without it, the request tells
 which response is expected. A message that is sent only on links without codes names them under `links`. What reads
-is answered wherever it is sent.
+is answered wherever it is sent. What only the device sends has a code in its frames that no response has, or a constant
+at the same place.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link
-from fieldspec.model.record import Message
+from fieldspec.model.record import Message, Record
 from fieldspec.model.sizes import RecordSizes, coded, messages_on, sent_on
 from fieldspec.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
@@ -48,12 +49,13 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
         by_code.setdefault(message.code, []).append(message)
     sizes = RecordSizes(device)
     for messages in by_code.values():
-        yield from _shared(device, sizes, messages)
+        yield from _shared(device, sizes, [message for message in messages if message.is_requested])
+    yield from _unrequested(device, sizes, link)
 
 
 def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
     """Several messages have a code: the numbers of a field in their requests tell them apart."""
-    places = [_places(device, sizes, message) for message in messages]
+    places = [_places(device, sizes, message.request) for message in messages]
     if len(messages) < 2 or distinct_place(places) is not None:
         return
     message, other = messages[-1], messages[0]
@@ -65,8 +67,28 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
     yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
 
 
-def _places(device: Device, sizes: RecordSizes, message: Message) -> dict[Place, Numbers]:
-    places = (numbers_at(field, offset, device.byte_order) for field, offset in sizes.offsets(message.request))
+def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
+    """What the device sends of its own accord is known without a request."""
+    sent = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
+    is_coded = any(part.role == "code" for part in link.response)
+    for message in (message for message in sent if not message.is_requested):
+        if not is_coded:
+            text = f"nothing tells that a frame on {link.name} is {message.name}, which only the device sends"
+            help = "give a part of `response` the role `code`, or name under `links` only links without codes"
+            yield finding(_CODE, message.place, "requested", text, help)
+            continue
+        code = message.code_of("response")
+        same = [other for other in sent if other is not message and other.code_of("response") == code]
+        places = [_places(device, sizes, other.response) for other in (message, *same)]
+        if same and distinct_place(places) is None:
+            text = f"nothing tells {message.name} from the response to {same[0].name}, and only the device sends it"
+            help = "correct one of the codes, or give each of them a field with a `const` at the same place"
+            there = label(same[0].place, "code", same[0].name)
+            yield finding(_CODE, message.place, "requested", text, help, there)
+
+
+def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, Numbers]:
+    places = (numbers_at(field, offset, device.byte_order) for field, offset in sizes.offsets(record))
     return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)
 
 

@@ -49,7 +49,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             yield from _of_part(device, fact.place, value.parameter)
     for record in device.records.values():
         yield from _named(record.place, "same_as", "record", record.same_as, device.records)
-        yield from _within(device, record, record, None)
+        yield from _within(device, record, None, _codes(device, record))
     for message in device.messages.values():
         yield from _of_message(device, message)
     for group in device.groups:
@@ -160,8 +160,8 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
     yield from _check_names(message.place, "links", "link", message.links, device.links)
     yield from _check_names(message.place, "answered_on", "link", message.answered_on or (), device.links)
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
-    yield from _within(device, message.request, message.request, None)
-    yield from _within(device, message.response, message.request, message.request)
+    yield from _within(device, message.request, None)
+    yield from _within(device, message.response, message.request)
     if message.accesses is not None:
         asked = {field.name for field in message.request.fields}
         answered = {field.name for field in message.response.fields}
@@ -179,14 +179,33 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
         yield from _named(place, "accesses", "field", message.accesses.values, holder)
 
 
-def _within(device: Device, layer: Record, echoed: Record, asked: Record | None) -> Iterator[Diagnostic]:
-    """References of a layer's fields: to the layer itself, to the record that it echoes, to what was asked."""
+def _codes(device: Device, record: Record) -> frozenset[str]:
+    """The parts with the code in the requests of each link whose exception responses have a record."""
+    parts = [
+        {part.name for part in link.request if part.role == "code"}
+        for link in device.links.values()
+        if link.exception_response is not None and link.exception_response.record == record.name
+    ]
+    return frozenset(set.intersection(*parts)) if parts else frozenset()
+
+
+def _within(
+    device: Device, layer: Record, asked: Record | None, codes: frozenset[str] = frozenset()
+) -> Iterator[Diagnostic]:
+    """References of a layer's fields: to the layer itself, and to what was asked.
+
+    `codes` are the parts of a request with its code, which exception responses may repeat.
+    """
     own = {field.name for field in layer.fields}
-    origin = {field.name for field in echoed.fields}
+    origin = {field.name for field in asked.fields} if asked is not None else codes
     numbers = own | {field.name for field in asked.fields} if asked is not None else own
     for field in layer.fields:
         yield from _named(field.place, "record", "record", field.record, device.records)
-        yield from _named(field.place, "same_as", "field", field.same_as, origin)
+        if field.same_as and asked is None and not codes:
+            text = f"{field.name} is in no response, and only responses repeat what was asked"
+            yield finding("references_resolve", field.place, "same_as", text, "remove `same_as`")
+        else:
+            yield from _named(field.place, "same_as", "field", field.same_as, origin)
         yield from _named(field.place, "signal", "signal", field.signal, device.signals)
         if field.measures is not None:
             yield from _named(field.place, "measures", "field here", field.measures.field, own)

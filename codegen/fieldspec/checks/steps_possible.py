@@ -83,6 +83,9 @@ def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
     if (step.action == "send") != isinstance(operand.fact, Message):
         text = f"{operand.path} is {'a' if step.action != 'send' else 'no'} message"
         yield finding(_RULE, place, step.action, text, "messages are sent; other facts are written or read")
+    elif isinstance(operand.fact, Message) and not operand.fact.is_requested:
+        text = f"only the device sends {operand.path}, of its own accord"
+        yield finding(_RULE, place, step.action, text, "name a message that is sent to the device")
     elif isinstance(operand.fact, Message):
         yield from _check_request(device, step, operand.fact)
     elif step.action in ("read", "wait") and not operand.readable:

@@ -34,6 +34,8 @@ def run(arguments: argparse.Namespace) -> int:
 
     layout = layout_cache.requested_layout(arguments)
     way, pairs = _way(layout, arguments)
+    if way.direction == "request" and not layout.messages[way.message].message.is_requested:
+        raise UsageError(f"only the device sends {way.message}; use: --direction response")
     texts = _nested(pairs)
     fields = _fields(layout, way)
     _by_print(layout, way, texts)

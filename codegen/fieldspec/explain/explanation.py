@@ -277,8 +277,10 @@ class _Frame:
             if several is not None:
                 names = ", ".join(message.name for message in several)
                 return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
+            expected = self.sent.get(self.named)
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
-            return read.judged(False, f"one of {known}", "unknown_code")
+            text = f"one of {known}" if expected is None else link.code_text(expected, self.direction)
+            return read.judged(False, text, "unknown_code")
         message = self.message.message
         text = f"{message.title or message.label or message.name}, refused" if self.error else message.title
         meaning = Meaning(message.name, message.label, text, "")

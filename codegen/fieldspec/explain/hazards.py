@@ -53,7 +53,7 @@ def _parameter_part(field: FieldLayout) -> str:
 def is_query(message: MessageLayout) -> bool:
     """Whether a message only asks: without arguments, and with an answer that has values."""
     asked = any(is_argument(field) for field in message.request.fields)
-    return not asked and any(is_single(field) for field in message.response.fields)
+    return message.message.is_requested and not asked and any(is_single(field) for field in message.response.fields)
 
 
 def is_argument(field: FieldLayout) -> bool:

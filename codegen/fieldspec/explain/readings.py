@@ -80,16 +80,17 @@ def read(
     layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str = "", asked: OpenRequest | None = None
 ) -> ChosenReading:
     """The explanation of a frame. `mark` is the direction that a log tells, which may be wrong."""
-    if asked is not None and "response" in options.directions:
-        answer = _answer(layout, frame, asked)
-        if asked.sure or (mark != "request" and not answer.wrong):
-            return answer
+    answer = _answer(layout, frame, asked) if asked is not None and "response" in options.directions else None
+    if asked is not None and answer is not None and (asked.sure or (mark != "request" and not answer.wrong)):
+        return answer
     examples = _examples(layout, frame)
     readings = (_named_by_example(reading, examples) for reading in recognised(layout, frame))
     named = (_named_by_option(layout, frame, reading, options) for reading in readings)
     fitting = [reading for reading in named if options.allows(reading)]
     if not fitting:
-        return _closest(layout, frame, options, mark)
+        near = _closest(layout, frame, options, mark)
+        # What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
+        return answer if answer is not None and mark == "response" != near.explanation.direction else near
     fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
     chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
@@ -187,7 +188,8 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if role == "code" and announced is not None and announced.message.response_code is not None:
             want = announced.message.response_code
             if theirs and isinstance(have, int) and have != want:
-                yield f"{theirs.name} is {have}, but {want} answers {request.message}"
+                texts = theirs.number_text(have), theirs.number_text(want)
+                yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"
             continue
         if ours and isinstance(want, int) and isinstance(have, int) and have != want:
             yield f"{ours.name} is {have}, but {want} in the request"
@@ -292,6 +294,8 @@ def _named(
         )
     kind = "refusal" if error else direction
     joint = "of" if kind != "response" else "to"
+    if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
+        kind, joint = "frame", "of"  # it answers nothing
     if len(messages) == 1:
         return f"the {kind} {joint} {messages[0]}{place}"
     return f"a {kind} {joint} one of {len(messages)} messages{place} ({names})"
@@ -314,7 +318,7 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     link = layout.links[own.link]
     if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
         return
-    names = [options.message] if options.message in link.messages else list(link.messages)
+    names = [options.message] if options.message in link.carried("request") else list(link.carried("request"))
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
     sizes = (
         f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"

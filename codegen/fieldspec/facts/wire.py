@@ -162,7 +162,9 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[Fa
         yield row("answered_on", f"{message.place.path}/answered_on/{number}", message.sources, code=code, name=name)
     if not message.is_answered:
         yield row("never_answered", f"{message.place.path}/answered_on", message.sources, code=code, name=message.name)
-    for direction, record in zip(("request", "response"), message_layout.bodies, strict=False):
+    if not message.is_requested:
+        yield row("never_requested", f"{message.place.path}/requested", message.sources, code=code, name=message.name)
+    for direction, record in zip(message_layout.message.directions, message_layout.bodies, strict=True):
         yield from fields(f"{kind}_field", record, code, direction=direction)
 
 

@@ -35,7 +35,7 @@ class MessageLayout:
     @property
     def bodies(self) -> tuple[RecordLayout, ...]:
         """The data that frames carry: of the request, and of the response if the device answers on any link."""
-        return (self.request, self.response) if self.message.is_answered else (self.request,)
+        return tuple(map(self.data, self.message.directions))
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,7 +216,8 @@ class LinkLayout:
         Several messages may have the code, and exception responses have no data that tell them apart: `asked` names
         the message of the request. None if there is no such message, and where this leaves open which one it is.
         """
-        messages = [message for message in self.messages.values() if message.message.code_of("response") == code]
+        asked_messages = self.carried("request").values()
+        messages = [message for message in asked_messages if message.message.code_of("response") == code]
         named = (message for message in messages if message.name == asked)
         return messages[0] if len(messages) == 1 else next(named, None)
 
@@ -274,7 +275,7 @@ class LinkLayout:
 
     def announced(self, code: int | None, data: bytes, message: str) -> MessageLayout | None:
         """The message of a request with a code and some data, or the named one where frames carry no code."""
-        return self.messages.get(message) if code is None else self.message_with_code(code, "request", data)
+        return self.carried("request").get(message) if code is None else self.message_with_code(code, "request", data)
 
     def subcodes(self, direction: str) -> dict[int, Subcode]:
         """What tells messages apart, by the code that they share."""
@@ -283,12 +284,12 @@ class LinkLayout:
         return {code: shared_code for code, shared_code in each if shared_code is not None}
 
     def code_text(self, message: MessageLayout, direction: str) -> str:
-        """`08`, or `08 with 0001 at byte 2` for a message that shares its code."""
+        """`0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code."""
         code = message.message.code_of(direction)
         if code is None:
             return "no code"
         part = self.frame(direction).role("code")
-        text = f"{code:02X}" if part is None or not part.form else part.number_text(code).removeprefix("0x")
+        text = f"0x{code:02X}" if part is None or not part.form else part.number_text(code)
         shared = self.subcodes(direction).get(code)
         if shared is None:
             return text
@@ -296,10 +297,15 @@ class LinkLayout:
         return f"{text} with {' or '.join(shared.texts_of(message))} at byte {place}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
-        """The messages in one direction: all requests, and the responses to those that are answered on the link."""
-        if direction == "request" or all(message.message.answered_on is None for message in self.messages.values()):
-            return self.messages
+        """The messages in one direction: those that users send, and those that the device sends on the link."""
+        if direction == "request":
+            return {name: message for name, message in self.messages.items() if message.message.is_requested}
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
+
+    @property
+    def exchanged(self) -> Mapping[str, MessageLayout]:
+        """The messages whose requests are answered on the link."""
+        return {name: message for name, message in self.carried("response").items() if message.message.is_requested}
 
     @property
     def open_identifier(self) -> str:

@@ -102,6 +102,9 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)
+        own_accord = link_layout.messages.keys() - link_layout.carried("request").keys()
+        if own_accord:
+            yield "not requested", sorted(own_accord)
         if link_layout.barred_messages:
             yield "not broadcast", sorted(link_layout.barred_messages)
         if link.escape is not None:

@@ -43,9 +43,9 @@ class Subcode:
         return merged((number, number) for number, other in self.messages.items() if other is message)
 
     def texts_of(self, message: MessageLayout) -> list[str]:
-        """The numbers of one of the messages in hexadecimal digits: `000A`, or `00..1F`."""
+        """The numbers of one of the messages as hexadecimal: `0x000A`, or `0x00..0x1F`."""
         digits = 2 * self.size
-        pairs = ((f"{low:0{digits}X}", f"{high:0{digits}X}") for low, high in self.intervals_of(message))
+        pairs = ((f"0x{low:0{digits}X}", f"0x{high:0{digits}X}") for low, high in self.intervals_of(message))
         return [low if low == high else f"{low}..{high}" for low, high in pairs]
 
     def message(self, data: bytes) -> MessageLayout | None:

@@ -213,7 +213,19 @@ class Client:
                 return None
         if decoded.message is not None and decoded.message.name != asked.message:
             return None
-        return decoded if decoded.error or self._fits(asked, decoded) else None
+        fits = self._refuses(asked, decoded) if decoded.error else self._fits(asked, decoded)
+        return decoded if fits else None
+
+    def _refuses(self, asked: _Request, decoded: Decoded) -> bool:
+        """Whether an exception response is about what was asked for: by its code, and by what it repeats of it."""
+        link, message = self.frames.link, self.layout.messages[asked.message].message
+        mark, coded, answered = link.link.exception_response, link.request.role("code"), link.response.role("code")
+        is_own = mark is not None and mark.code is not None  # then it is the code of all exception responses
+        if answered is not None and not is_own and decoded.head[answered.name] != message.code_of("response"):
+            return False
+        fields = decoded.body.fields if decoded.body is not None and coded is not None else ()
+        repeated = [field.name for field in fields if coded is not None and field.field.same_as == coded.name]
+        return all(decoded.values.get(name) == message.code for name in repeated)
 
     def _fits(self, asked: _Request, decoded: Decoded) -> bool:
         """Whether a response is about what was asked for: it repeats what it should, and has as many words."""

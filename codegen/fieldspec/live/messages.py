@@ -94,7 +94,7 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     """Everything that the messages of a link read: fields of responses to requests without arguments, parameters."""
     if not (link.request.header or link.request.trailer):
         return  # a cyclic exchange does not only read
-    for message in link.carried("response").values():
+    for message in link.exchanged.values():
         for field in message.response.fields if is_query(message) else ():
             if is_single(field) and field.value is not None:
                 path = f"{message.name}.{field.name}"
@@ -134,7 +134,7 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
 
 def _parts(link: LinkLayout) -> Iterator[Signal]:
     """The parts of a response that say something about the device, such as a status."""
-    query = next((message.name for message in link.carried("response").values() if is_query(message)), "")
+    query = next((message.name for message in link.exchanged.values() if is_query(message)), "")
     asked = {part.name for part in link.request.parts}
     for part in link.response.header:
         if (
@@ -156,7 +156,7 @@ def parameter_message(
     pieces.
     """
     suitable, beginning = [], []
-    for message in link.carried("response").values():
+    for message in link.exchanged.values():
         number = part_of(message.request, "number")
         part = number.value.parameter if number is not None and number.value is not None else None
         if part is None or part.set not in (parameter_set.name, parameter_set.space):

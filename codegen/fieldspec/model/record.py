@@ -190,6 +190,7 @@ class Message(Fact):
     accesses: RegisterAccess | None
     segments: Segments | None = None
     response_code: int | None = None
+    is_requested: bool = True
 
     def code_of(self, direction: str) -> int | None:
         """The code in one direction, `request` or `response`; None where the message has none."""
@@ -200,6 +201,11 @@ class Message(Fact):
         """The codes of the request and of the response with the keys of the spec that state them, each once."""
         stated = (("code", self.code), ("response_code", self.response_code))
         return tuple((key, code) for key, code in stated if code is not None)
+
+    @property
+    def directions(self) -> tuple[str, ...]:
+        """The directions in which it is sent on any link: `request`, `response`, or both."""
+        return ("request",) * self.is_requested + ("response",) * self.is_answered
 
     @property
     def is_answered(self) -> bool:

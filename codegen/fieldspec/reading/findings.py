@@ -83,7 +83,7 @@ SYNONYMS = {
 """Words of other tools for keys of the language, the likeliest key first."""
 
 _LONGEST = 60
-_MOST_NAMES = 100
+MOST_NAMES = 100
 _SEARCHED = 2000
 _SHORTEST = 2
 
@@ -121,5 +121,5 @@ def near(word: str, known: Collection[str]) -> str:
     if close:
         return f"did you mean `{close[0]}`?"
     names = [f"`{name}`" for name in sorted(known)]
-    more = "" if len(names) <= _MOST_NAMES else ", ..."
-    return "it can be " + ", ".join(names[:_MOST_NAMES]) + more if names else "there is none"
+    more = "" if len(names) <= MOST_NAMES else ", ..."
+    return "it can be " + ", ".join(names[:MOST_NAMES]) + more if names else "there is none"

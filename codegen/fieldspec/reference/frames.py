@@ -173,7 +173,7 @@ class FrameCodec:
             announced = self.link.carried(shape.direction).get(message)
             if announced is None:
                 if message in self.link.messages:
-                    raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")
+                    raise CodecError("unknown_code", self._absence(message, shape.direction))
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
             if error is not None and shape.direction == "response" and self._is_marked(head, inner):
                 return announced, self.layout.records[error.record], True
@@ -198,6 +198,14 @@ class FrameCodec:
             )
         return announced, announced.data(shape.direction), False
 
+    def _absence(self, message: str, direction: str) -> str:
+        """Why a message has no frame in one direction."""
+        return (
+            f"{message} is not answered on {self.link.name}"
+            if direction == "response"
+            else f"only the device sends {message}"
+        )
+
     def _is_marked(self, head: Values, inner: bytes) -> bool:
         """Whether a response without a code is an exception response, by a part or by its data."""
         if self.link.mark is not None:
@@ -217,7 +225,7 @@ class FrameCodec:
         if announced is None and not (error and (code is not None or self.link.has_uncoded_exceptions)):
             raise CodecError("unknown_code", f"there is no message {message!r}")
         if not error and announced is not None and message not in self.link.carried(direction):
-            raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")
+            raise CodecError("unknown_code", self._absence(message, direction))
         refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")

@@ -18,6 +18,9 @@ from fieldspec.render.item import Item, ParameterNumber, fact_details, fact_of, 
 from fieldspec.render.item_details import details
 from fieldspec.render.overview import field_table, member_table, parameter_table, range_text, register_table, unit_text
 
+_NARROWEST = 9
+"""The characters of the column with the names of details; longer names widen it."""
+
 
 def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Iterator[Block]:
     """An item as lines and tables; `number` is the address or number that a user asked for."""
@@ -27,9 +30,10 @@ def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Itera
     pairs = [*details(layout, item, number)]
     if isinstance(fact, Fact):
         pairs += fact_details(layout.device, fact)
+    width = max(_NARROWEST, *(len(key) for key, text in pairs if text), 0)
     for key, text in pairs:
         if text:
-            yield Line(f"  {key:<9} {text}", drawn=True)
+            yield Line(f"  {key:<{width}} {text}", drawn=True)
     yield from _inner_blocks(layout, item)
 
 
@@ -77,7 +81,7 @@ def _parts(link: Link, direction: str) -> str:
 
 
 def _message(layout: DeviceLayout, message: MessageLayout) -> Iterator[Block]:
-    for direction, _ in zip(("request", "response"), message.bodies, strict=False):
+    for direction, _ in zip(message.message.directions, message.bodies, strict=True):
         links = [link.link for link in layout.links.values() if message.name in link.carried(direction)]
         names = dict.fromkeys(link.direction_name(direction) for link in links)
         yield Line(f"{' or '.join(names) or direction} data", "bold")

@@ -145,6 +145,7 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
     yield "response code", "" if message.response_code is None else f"0x{message.response_code:02X}"
     yield "number", "" if message.number is None else str(message.number)
     yield "beside", " or ".join(message.supplements)
+    yield "sent", "" if message.is_requested else "only by the device"
     if message.answered_on is not None:
         yield "answered", f"on {', '.join(message.answered_on)}" if message.answered_on else "never"
     for link in layout.links.values():

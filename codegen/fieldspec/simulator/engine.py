@@ -69,12 +69,13 @@ class Engine:
                 cell.write(self.raw(cell, part["value"]))
         self.saved = dict(self.memory.words)
         self.saved_elements = dict(self.memory.elements)
+        self.delivered_fields = dict(self.memory.fields)
 
     def power_on(self) -> None:
         """Begins with what outlasts the power."""
         self.memory.words = dict(self.saved)
         self.memory.elements = dict(self.saved_elements)
-        self.memory.fields.clear()
+        self.memory.fields = dict(self.delivered_fields)
         self.memory.transfers.clear()
         self.axis.halt(self.now)
         self.axis.homed = False

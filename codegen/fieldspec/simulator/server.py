@@ -330,7 +330,8 @@ class Server:
     ) -> Answer:
         """The response that refuses a request, or silence.
 
-        A field of the response with the name of a field of the request repeats it; others that give no reason are 0.
+        A field of the response with the name of a field of the request repeats it, and one that is the same as the code
+        repeats that; others that give no reason are 0.
         """
         engine, part = self.engine, self.refusals.get(refusal.reason)
         text = f"refused, {refusal}"
@@ -344,11 +345,12 @@ class Server:
         number = self._exception(part)
         if record is None or number is None:
             return Answer(b"", f"{text}; the device is silent")
-        values = self._head(frames, head)
+        values, coded = self._head(frames, head), frames.link.request.role("code")
         for field in engine.layout.records[record.record].fields:
             value = field.value
             if value is not None and value.const is None and value.type.kind is Kind.INTEGER and not field.is_list:
-                values[field.name] = asked.get(field.name, 0)
+                is_code = coded is not None and field.field.same_as == coded.name
+                values[field.name] = code if is_code else asked.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number
         code = part.get("code", code) if record.code is None else record.code
         is_uncoded = frames.link.has_uncoded_exceptions

@@ -140,7 +140,7 @@ class _Usages:
     def _telegram(self, message: MessageLayout) -> Iterator[Usage]:
         """The code for process data, and for each field of them."""
         ok = self.naming.own_macro("ok")
-        for direction, data in zip(("request", "response"), message.bodies, strict=False):
+        for direction, data in zip(message.message.directions, message.bodies, strict=True):
             if not members(data):
                 continue
             kind = self.naming.type("record", data.name)

@@ -94,7 +94,7 @@ def _frame(
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """What tells the message from others with its code, once for all links and directions where it is the same."""
     texts = dict.fromkeys(
-        "..".join(f"0x{bound}" for bound in text.split(".."))
+        text
         for link in context.layout.links.values()
         for direction in DIRECTIONS
         for number, subcode in link.subcodes(direction).items()
@@ -136,6 +136,8 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Number", ((code(str(message.number)),),)
     if message.links:
         yield "Sent on", (joined((code(name, f"#links/{name}"),) for name in message.links),)
+    if not message.is_requested:
+        yield "Sent", ((text_piece("only by the device, of its own accord"),),)
     if message.answered_on is not None:
         answered = ((code(name, f"#links/{name}"),) for name in message.answered_on)
         yield "Answered", ((text_piece("on "), *joined(answered)) if message.answered_on else (text_piece("never"),),)

@@ -38,19 +38,19 @@ def carries(link: LinkLayout, message: MessageLayout) -> bool:
 def declare_message(message: MessageLayout, names: Names) -> Declaration:
     """The object of a message, whose request and response have been declared."""
     name, own = names.messages[message.name], message.message
-    request = names.records[message.request.name]
+    request = names.records[message.request.name] if own.is_requested else "null"
     response = names.records[message.response.name] if own.is_answered else "null"
     number = f", {own.number}" if own.number is not None else ""
     if own.response_code is not None:
         number = f"{number or ', undefined'}, 0x{own.response_code:02X}"
     code = "null" if own.code is None else f"0x{own.code:02X}"
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
-    answered = response if own.is_answered else "never"
+    asked, answered = (data if data != "null" else "never" for data in (request, response))
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ message({arguments});", ""],
         [
             *comment(described(own.title or Name.of(message.name).title(), own)),
-            f"export declare const {name}: Message<{literal(message.name)}, {request}, {answered}>;",
+            f"export declare const {name}: Message<{literal(message.name)}, {asked}, {answered}>;",
             "",
         ],
     )

@@ -101,7 +101,7 @@ def _bodies(message: MessageLayout, names: Names) -> list[Declaration]:
     title = message.message.title or Name.of(message.name).title()
     return [
         declare_record(body, names.records[body.name], names, sentence(f"{title}: the {direction}"))
-        for direction, body in zip(("request", "response"), message.bodies, strict=False)
+        for direction, body in zip(message.message.directions, message.bodies, strict=True)
     ]
 
 

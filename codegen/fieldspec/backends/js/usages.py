@@ -129,7 +129,7 @@ class _Usages:
 
     def _message(self, message: MessageLayout) -> Iterator[Usage]:
         link = self._carrier(message)
-        if link is None:
+        if link is None or message.name not in link.carried("request"):
             return
         name, own = self.names.messages[message.name], message.message
         if not link.request.header and not link.request.trailer and own.number is not None:
@@ -146,7 +146,7 @@ class _Usages:
 
     def _telegram(self, message: MessageLayout) -> Iterator[Usage]:
         """The code for process data, and for each field of them."""
-        for direction, body in zip(("request", "response"), message.bodies, strict=False):
+        for direction, body in zip(message.message.directions, message.bodies, strict=True):
             for member in members_of(body):
                 sample = self._member(member)
                 if not member.key or not sample:

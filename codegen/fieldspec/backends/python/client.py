@@ -77,7 +77,7 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
     spoken: Mapping[str, LinkView] = view["links_by_name"]
     # Where users supply a part of an identifier, nothing tells a client with which one it speaks to its device.
     closed = [link for link in layout.links.values() if not link.open_identifier]
-    answering = [link for link in closed if link.name in spoken and link.carried("response")]
+    answering = [link for link in closed if link.name in spoken and link.exchanged]
     if not answering:
         return None
     single = [link for link in answering if is_framed(link)]
@@ -233,7 +233,7 @@ def _tasks(names: ClientNames, operands: Operands) -> tuple[list[TaskView], list
 
 def _cyclic(names: ClientNames, operands: Operands, links: Sequence[LinkLayout], scope: Scope) -> Iterator[CyclicView]:
     for link in links:
-        for message in link.carried("response").values():
+        for message in link.exchanged.values():
             if message.request.size and message.response.size:
                 try:
                     cyclic = cyclic_view(names, operands, link, names.request(message.name))

@@ -65,9 +65,10 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"refusal_code={refusal.code}"] if refusal is not None and refusal.code is not None else []
     arguments += ["refusal_code=0"] if link.has_uncoded_exceptions and link.request.role("code") is None else []
     arguments += _reason(layout.records[refusal.record], names) if refusal is not None else []
+    arguments += _refused_code(layout, link, names)
     arguments += _refusal_part(link, view, names)
     repeated, value_counts = [], []
-    for message in link.carried("response").values():
+    for message in link.exchanged.values():
         access = message.message.accesses
         exchange = names.exchanges[message.name]
         request = f"{CODEC}.{exchange.request_name}"
@@ -96,6 +97,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
 
 def named_parts(link: LinkLayout, view: LinkView) -> list[tuple[PartView, OpenPart]]:
     """The open parts of the requests on a link, each with what it is in Python."""
+    assert view.request is not None, "only the device sends anything"
     return list(zip(view.request.head_parts, open_parts(link), strict=True))
 
 
@@ -151,6 +153,16 @@ def _reason(record: RecordLayout, names: ClientNames) -> list[str]:
     stored = shape(record, names.words, RECORD).stored
     own = next((slot for slot in stored if field is not None and slot.title == field.name), None)
     return [f"reason={literal(own.name)}"] if own is not None and own is not stored[0] else []
+
+
+def _refused_code(layout: DeviceLayout, link: LinkLayout, names: ClientNames) -> list[str]:
+    """The argument with the field of an exception response that repeats the code of the request; none without one."""
+    refusal, coded = link.link.exception_response, link.request.role("code")
+    if refusal is None or coded is None:
+        return []
+    stored = shape(layout.records[refusal.record], names.words, RECORD).stored
+    own = next((slot for slot in stored if slot.field.field.same_as == coded.name), None)
+    return [f"refused_code={literal(own.name)}"] if own is not None else []
 
 
 def _timeout(layout: DeviceLayout, link: LinkLayout) -> float | None:

@@ -135,7 +135,7 @@ def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
         message,
         shape(message.request, words, MESSAGE),
         shape(message.response, words, MESSAGE),
-        _class(message.request.name, "Message", scope),
+        _class(message.request.name, "Message", scope) if message.message.is_requested else "",
         _class(message.response.name, "Message", scope) if message.message.is_answered else "",
     )
 
@@ -154,7 +154,8 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
     silent = [link.name for link in carrying if not message.is_answered_on(link.name)]
     quiet = f"It is not answered on {', '.join(silent)}." if silent else ""
     quiet = quiet if message.is_answered else "It is never answered."
-    for direction in ("response", "request") if message.is_answered else ("request",):
+    quiet = quiet if message.is_requested else "Only the device sends it, of its own accord."
+    for direction in reversed(message.directions):
         number_of_code = message.code_of(direction)
         code = "" if number_of_code is None else f"Code {number_of_code:#04x}."
         shaped, name = exchange.side(direction)

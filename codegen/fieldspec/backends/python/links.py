@@ -103,7 +103,7 @@ class WrapperView:
 
 @dataclass(frozen=True, slots=True)
 class LinkView:
-    """A link. `response` is None if nothing is answered on it."""
+    """A link. `request` is None if only the device sends anything on it, `response` if it sends nothing."""
 
     name: str
     type: str
@@ -114,14 +114,14 @@ class LinkView:
     is_can: bool
     is_extended: bool
     wrappers: list[WrapperView]
-    request: DirectionView
+    request: DirectionView | None
     response: DirectionView | None
     error: ErrorView | None
 
     @property
     def directions(self) -> list[DirectionView]:
         """The directions in which there are frames."""
-        return [self.request, self.response] if self.response is not None else [self.request]
+        return [side for side in (self.request, self.response) if side is not None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +159,7 @@ def link_view(
             scope,
         )
         for direction in ("request", "response")
-        if direction == "request" or link.carried(direction) or not link.messages
+        if link.carried(direction) or not link.messages
     }
     marked = coded or link.has_uncoded_exceptions
     error = error_view(link, words, pascal, scope) if marked and "response" in views else None
@@ -185,7 +185,7 @@ def link_view(
         is_extended=link.link.escape is not None and link.link.escape.bits == CAN_BITS[1],
         unanswered=len(link.carried("response")) < len(link.messages),
         wrappers=wrappers,
-        request=views["request"],
+        request=views.get("request"),
         response=views.get("response"),
         error=error,
     )

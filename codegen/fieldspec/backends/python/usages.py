@@ -112,7 +112,7 @@ class _Usages:
         message = exchange.message.message
         samples = [(slot.name, self._slot(slot)) for slot in exchange.request.stored]
         link = self._link(exchange.request_name)
-        if link is None:
+        if link is None or link.request is None:
             return
         if not link.request.before and not link.request.head_parts and message.number is not None:
             yield from self._telegram(exchange)
@@ -194,9 +194,11 @@ class _Usages:
     def _link(self, request: str) -> LinkView | None:
         """The first link that carries a request."""
         links: Sequence[LinkView] = self.view["links"]
-        return next((link for link in links if any(row.message == request for row in link.request.exchanges)), None)
+        asked = ((link, link.request.exchanges) for link in links if link.request is not None)
+        return next((link for link, rows in asked if any(row.message == request for row in rows)), None)
 
     def _call(self, link: LinkView) -> str:
+        assert link.request is not None, "the link has the request of a message"
         parts = [f"{part.name}=1" for part in link.request.head_parts]
         return ", ".join([*(["1"] if link.request.before else []), "request", *parts])
 

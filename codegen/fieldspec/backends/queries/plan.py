@@ -71,7 +71,7 @@ def queries(
         yield _record_query(layout, name, title, record, enums, dialect_for)
     for message in layout.messages.values():
         for direction, record in (("request", message.request), ("response", message.response)):
-            if direction == "response" and not message.message.is_answered:
+            if direction not in message.message.directions:
                 continue
             own = f"{Name.of(message.name).snake()}_{direction}"
             title = f"{message.message.title or Name.of(message.name).title()}: the data of the {direction}."

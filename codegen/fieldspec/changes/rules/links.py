@@ -109,7 +109,7 @@ def _span_text(part: Part) -> str:
 
 
 def code_changed(comparison: Comparison) -> Iterator[Change]:
-    """A message has another code, or another number if it carries no code.
+    """A message has another code, its response has another code, or it has another number if it carries no code.
 
     Why: existing programs send the wrong message, and misread those that they receive.
 
@@ -124,6 +124,12 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
             text = f"{named(pair.new)}: {difference_text('the code', old, new)}"
             yield change("code_changed", Effect.WIRE, pair, "code", text, old, new)
+        answered = pair.old.code_of("response"), pair.new.code_of("response")
+        is_stated = pair.old.response_code is not None or pair.new.response_code is not None
+        if is_stated and answered[0] != answered[1]:
+            old, new = map(hexadecimal, answered)
+            text = f"{named(pair.new)}: {difference_text('the code of the response', old, new)}"
+            yield change("code_changed", Effect.WIRE, pair, "response_code", text, old, new)
         if pair.old.number != pair.new.number:
             effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
             text = f"{named(pair.new)}: {difference_text('the number', pair.old.number, pair.new.number)}"
@@ -246,6 +252,11 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
         links = tuple(comparison.renamed_to("links", name) for name in _links(comparison.old, pair.old))
         answered = tuple(comparison.renamed_to("links", name) for name in _answered_on(comparison.old, pair.old))
         beside = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
+        if pair.old.is_requested != pair.new.is_requested:
+            words = "users send it" if pair.new.is_requested else "only the device sends it"
+            text = f"{named(pair.new)}: {words} now"
+            values = pair.old.is_requested, pair.new.is_requested
+            yield change("sending_changed", Effect.WIRE, pair, "requested", text, *values)
         for key, what, old, new, fallback in (
             ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
             ("answered_on", "where it is answered", answered, _answered_on(comparison.new, pair.new), None),

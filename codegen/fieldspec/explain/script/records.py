@@ -81,7 +81,15 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
     own = message.message
     return {
         **fact_data(own),
-        **stated({"title": own.title, "code": own.code, "responseCode": own.response_code, "number": own.number}),
+        **stated(
+            {
+                "title": own.title,
+                "code": own.code,
+                "responseCode": own.response_code,
+                "number": own.number,
+                "unrequested": not own.is_requested,
+            }
+        ),
         "request": record_data(message.request, device.word_order),
         "response": record_data(message.response, device.word_order),
         **stated(

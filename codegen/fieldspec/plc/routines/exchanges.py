@@ -54,7 +54,7 @@ def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine])
     if not framed(link):
         return
     by_name = {routine.name: routine for routine in routines}
-    for message in link.carried("response").values():
+    for message in link.exchanged.values():
         if message.message.accesses is not None:
             words = (*link_words(world, link), message.name)
             build, parse = by_name[world.routine("build", *words)], by_name[world.routine("parse", *words)]

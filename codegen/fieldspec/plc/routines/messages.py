@@ -69,7 +69,8 @@ def message_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
     if not framed(link):
         return
     for message in link.messages.values():
-        yield _build(world, link, message)
+        if message.name in link.carried("request"):
+            yield _build(world, link, message)
         if message.name in link.carried("response"):
             yield _parse(world, link, message)
 

@@ -67,7 +67,7 @@ class _Uses:
 
     def _exchange(self, link: LinkLayout, message: MessageLayout) -> list[str]:
         built = call_lines(self._function("build", link, message), self.spelling)
-        if message.name not in link.carried("response"):
+        if message.name not in link.exchanged:
             return [*built, "// send the first iLength bytes of aFrame; the device does not answer"]
         return [
             *built,
@@ -121,7 +121,7 @@ def _telling(link: LinkLayout) -> MessageLayout | None:
     """The message with most values in its request, if these are all single ones."""
     best: MessageLayout | None = None
     most = 0
-    for message in link.messages.values():
+    for message in link.carried("request").values():
         fields = [field for field in message.request.fields if is_user_field(field)]
         single = all(field.value is not None and not field.is_list for field in fields)
         if single and message.message.accesses is None and len(fields) > most:

@@ -116,20 +116,47 @@ def message(entry: Entry, reused: Reused) -> Message:
         accesses=_access(access) if access else None,
         segments=_segments(pieces) if pieces else None,
         response_code=_response_code(entry),
+        is_requested=_is_requested(entry),
     )
 
 
 def _refuse_unstated(entry: Entry) -> None:
     """Refuses a message without a request, and one without the response that is due: nothing says what they are."""
-    if "request" not in entry.own:
+    if "request" not in entry.own and "requested" not in entry.own:
         text = "the message has no `request`"
-        help = "list the fields of its data, or add `request: []` if it has none; where frames have a code, leave out "
-        entry.refuse("missing_key", "name", text, f"{help}a message that only the device sends")
+        help = (
+            "list the fields of its data, add `request: []` if it has none, or `requested: false` if only the device "
+        )
+        entry.refuse("missing_key", "name", text, f"{help}sends it")
     if "response" in entry.own or ("answered_on" in entry.own and not entry.texts("answered_on")):
         return
     text = "the message has no `response`"
     help = "list the fields of its data, add `response: []` if it has none, or `answered_on: []` if it never comes"
     entry.refuse("missing_key", "name", text, help)
+
+
+_OF_REQUESTS = ("request", "accesses", "segments", "broadcast", "supplements", "response_code")
+"""The keys of messages that say something of a request."""
+
+
+def _is_requested(entry: Entry) -> bool:
+    """Whether users send the message; one that only the device sends has no request."""
+    if "requested" not in entry.own:
+        return True
+    for key in _OF_REQUESTS:
+        if key in entry.own:
+            text = f"only the device sends the message, but it has `{key}`"
+            help = "state its `code`" if key == "response_code" else f"remove `{key}`, or `requested`"
+            entry.refuse("wrong_form", key, text, help)
+    for key in ("frame_length", "data_words"):
+        stated = entry.entry(key)
+        if stated is not None and "request" in stated.own:
+            text = f"only the device sends the message, but its `{key}` has a request"
+            entry.refuse("wrong_form", key, text, "remove the request there, or `requested`")
+    if "answered_on" in entry.own and not entry.texts("answered_on"):
+        text = "the message is never answered, and the device does not send it of its own accord either"
+        entry.refuse("wrong_form", "answered_on", text, "remove `answered_on`, or `requested`")
+    return False
 
 
 def _answered_on(entry: Entry) -> tuple[str, ...] | None:

@@ -214,7 +214,7 @@ function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   const code = codeIn(direction, message);
-  if (part.role === "code") return error ? link.exception.code ?? code | link.exception.flag : code;
+  if (part.role === "code") return error ? link.exception.code ?? ((code | link.exception.flag) >>> 0) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;

@@ -12,7 +12,7 @@ export function frameOptions(device, { link, direction, message } = {}) {
   if (!links.length) throw new RangeError(`${link} is no link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
   if (message) {
     const others = links;
-    links = links.filter(({ carriedMessages }) => carriedMessages.request.has(message));
+    links = links.filter(({ carriedMessages }) => DIRECTIONS.some((way) => carriedMessages[way].has(message)));
     if (!links.length) throw new RangeError(`${message} is not sent on ${others.map(({ name }) => name).join(" or ")}`);
   }
   const places = links.flatMap(({ name, directionNames }) => DIRECTIONS

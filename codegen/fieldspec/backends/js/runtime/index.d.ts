@@ -90,7 +90,8 @@ export interface Message<N extends string, Q, R> {
   /** The code of the response: that of the request where the manual states no other. */
   readonly responseCode: number | null;
   readonly number: number | null;
-  readonly request: RecordCodec<Q>;
+  /** Null if only the device sends the message. */
+  readonly request: [Q] extends [never] ? null : RecordCodec<Q>;
   /** Null if the device never answers. */
   readonly response: [R] extends [never] ? null : RecordCodec<R>;
 }

@@ -27,9 +27,9 @@ export function frames({ name, hex, request, response, unitAddresses }) {
 export function link(shapes, messages, exception, unanswered = [], subcodes = {}, barred = []) {
   const silent = new Set(unanswered);
   const byCode = {
-    request: codesOf(messages, "code"),
+    request: codesOf(messages.filter((entry) => entry.request !== null), "code"),
     response: codesOf(messages.filter((entry) => !silent.has(entry)), "responseCode"),
-    refused: refusedCodesOf(messages),
+    refused: refusedCodesOf(messages.filter((entry) => entry.request !== null)),
   };
   const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: silent, subcodes };
   const { name, request, response, unitAddresses } = shapes;
@@ -40,7 +40,9 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
     /** The frame of a request. Throws CodecError. */
     encodeRequest(header, entry, data) {
       const alone = barred.includes(entry) ? entry.name : "";
-      return encoded(context, request, header, codeOf(context, request, entry, "code"), entry.request, data, undefined, alone);
+      const code = codeOf(context, request, entry, "code");
+      expectRequest(entry);
+      return encoded(context, request, header, code, entry.request, data, undefined, alone);
     },
     /** The frame of a response. Throws CodecError. */
     encodeResponse(header, entry, data) {
@@ -54,7 +56,7 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
       if ((code === null) !== (response.code === null)) {
         throw new CodecError("unknown_code", code === null ? "an exception response has a code" : "frames here carry no code");
       }
-      const own = exception.code ?? code | exception.flag;
+      const own = exception.code ?? ((code | exception.flag) >>> 0);
       const bytes = encoded(context, response, header, own, exception.record, data, exception.marks);
       if (exception.code !== undefined && code !== own) {
         throw new CodecError("unknown_code", `an exception response has the code ${own}`);
@@ -116,6 +118,10 @@ function codeOf(context, { code }, entry, key) {
 
 function expectAnswer({ name, unanswered }, entry) {
   if (unanswered.has(entry)) throw new CodecError("unknown_code", `${entry.name} is not answered on ${name}`);
+}
+
+function expectRequest({ name, request }) {
+  if (request === null) throw new CodecError("unknown_code", `only the device sends ${name}`);
 }
 
 function expectedException({ name, exception }) {
@@ -241,6 +247,7 @@ function decoded(context, shape, bytes, entry, direction) {
       throw new CodecError("unknown_code", "the frame carries no code: pass the message that it belongs to");
     }
     if (direction === "response") expectAnswer(context, entry);
+    else expectRequest(entry);
     const { exception } = context;
     if (exception !== null && direction === "response" && isUncodedException(exception, shape, data)) {
       const record = exception.record.read(data, shape.headerSize, end);
@@ -252,7 +259,7 @@ function decoded(context, shape, bytes, entry, direction) {
   const code = readPart(data, offset, shape.code);
   const { exception } = context;
   if (exception !== null && direction === "response" && isMarked(exception, shape, code, data)) {
-    const asked = code & ~exception.flag;
+    const asked = (code & ~exception.flag) >>> 0;
     const record = exception.record.read(data, shape.headerSize, end);
     const answered = answeredBy(context, asked, entry);
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };

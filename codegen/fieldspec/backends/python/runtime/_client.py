@@ -36,10 +36,11 @@ class Link:
     whose values users choose. `echoes` has the parts of the response that repeat parts of the request; those that
     number it have the same names unless it says otherwise.
     `timeout` is how long a response may take, `pause` how long the line is silent before a request, in seconds.
-    `refusal_code` is the code of all exception responses, None where it is that of the request, and `reason` their
-    field that says why, empty for the first one. `refusal_part` is the part before the body that says so instead, and
-    `refusal_names` its members by their numbers. `repeated` has the fields that a response repeats, by the class of the
-    request, and `value_counts` the field with the number of values and the field of the response with these values.
+    `refusal_code` is the code of all exception responses, None where it is that of the request, `refused_code` their
+    field that repeats the code of the request, and `reason` the one that says why, empty for the first one.
+    `refusal_part` is the part before the body that says so instead, and `refusal_names` its members by their numbers.
+    `repeated` has the fields that a response repeats, by the class of the request, and `value_counts` the field with
+    the number of values and the field of the response with these values.
     `unanswered` are the classes of the requests that nobody answers here.
     """
 
@@ -56,6 +57,7 @@ class Link:
         refusal_code: int | None = None,
         reason: str = "",
         refusal_part: str = "",
+        refused_code: str = "",
         refusal_names: Mapping[int, Any] | None = None,
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
@@ -66,6 +68,7 @@ class Link:
         self.echoes.update(echoes or {})
         self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
         self.reason, self.refusal_part, self.refusal_names = reason, refusal_part, refusal_names
+        self.refused_code = refused_code
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
         self.unanswered = unanswered
 
@@ -88,6 +91,8 @@ class Link:
             if getattr(reply, echo) != head[name]:
                 return False
         if isinstance(reply, ErrorReply):
+            if self.refused_code and getattr(reply.exception, self.refused_code) != request.CODE:
+                return False
             return bool(reply.code == (_response_code(request) if self.refusal_code is None else self.refusal_code))
         kind = request.__class__
         for name in self.repeated.get(kind, ()):

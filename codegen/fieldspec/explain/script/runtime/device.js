@@ -147,14 +147,21 @@ export function refusedMessage(link, code, asked) {
   return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
 }
 
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code, or `0C with 60 or 70 at byte 8`. */
+/** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
+export function partNumberText({ size, value }, number) {
+  if (value.digits === "decimal") return String(number).padStart(size, "0");
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+}
+
+/** `0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code, or `0x0C with 0x60 or 0x70 at byte 8`. */
 export function codeText(link, direction, message) {
   const code = codeIn(direction, message);
   if (code === undefined) return "no code";
-  const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
+  const digits = (number, size) => "0x" + number.toString(16).toUpperCase().padStart(2 * size, "0");
   const shared = link.subcodes[direction].get(code);
   const part = link[direction].code;
-  const own = part?.value.digits ? latinOf(digitsBytes(part.value, code)).toUpperCase() : digits(code, 1);
+  const sent = part?.value.digits && latinOf(digitsBytes(part.value, code)).toUpperCase();
+  const own = sent ? (part.value.digits === "decimal" ? "" : "0x") + sent : digits(code, 1);
   if (!shared) return own;
   const intervals = [];
   const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);

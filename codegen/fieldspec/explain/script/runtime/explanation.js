@@ -203,7 +203,7 @@ class ExplainedFrame {
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
-      code &= ~exception.flag;
+      code = (code & ~exception.flag) >>> 0;
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
@@ -219,8 +219,10 @@ class ExplainedFrame {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
+      const asked = this.sent.get(this.named);
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
-      return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
+      const should = asked ? codeText(link, direction, asked) : `one of ${known.join(", ")}`;
+      return judged(read, false, should, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;

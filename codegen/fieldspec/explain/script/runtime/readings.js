@@ -1,4 +1,4 @@
-import { codeIn, isAmbiguous } from "./device.js";
+import { codeIn, isAmbiguous, partNumberText } from "./device.js";
 import { isWhole } from "./numbers.js";
 import { enumeration } from "./texts.js";
 import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
@@ -92,15 +92,19 @@ export class FrameOptions {
  * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
  */
 export function readFrame(device, frame, options, mark = "", asked = null) {
-  if (asked && options.allowsDirection("response")) {
-    const answer = answerOf(device, frame, asked.request);
+  const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
+  if (answer) {
     if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
   }
   const fitting = readingsOf(device, frame)
     .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
     .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
-  if (!fitting.length) return closestReading(device, frame, options, mark);
+  if (!fitting.length) {
+    const near = closestReading(device, frame, options, mark);
+    // What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
+    return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
+  }
   const examples = exampleKeys(device, frame);
   const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
   fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
@@ -201,7 +205,8 @@ function mismatchesOf(device, request, response) {
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
       if (isWhole(have ?? "") && have !== responseCode) {
-        texts.push(`${theirs.name} is ${have}, but ${responseCode} answers ${request.message}`);
+        const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
+        texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
     } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
@@ -301,8 +306,10 @@ function namedReading(device, own, link, direction, error, messages) {
   if (!DIRECTIONS.includes(name) && !error) {
     return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
   }
-  const kind = error ? "refusal" : direction;
-  const joint = kind === "response" ? "to" : "of";
+  // What the device sends of its own accord answers nothing.
+  const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
+  const kind = error ? "refusal" : isAnswer || direction === "request" ? direction : "frame";
+  const joint = isAnswer ? "to" : "of";
   if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
   return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
 }

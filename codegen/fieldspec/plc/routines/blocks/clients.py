@@ -43,7 +43,7 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
     single: Exchange | None = None
     several: Exchange | None = None
     device = world.layout.device
-    for message in link.carried("response").values():
+    for message in link.exchanged.values():
         access = device.word_access(message.message)
         if access is None or device.space_name(access.space) != device.space_name(""):
             continue

@@ -44,7 +44,7 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
         blocks += table_blocks(world, by_name)
         blocks += client_blocks(world, by_name, own_links(layout))
     for link in own_links(layout):
-        for message in link.carried("response").values():
+        for message in link.exchanged.values():
             if message.message.accesses is None:
                 blocks.append(message_block(world, exchange_of(world, link, message, by_name)))
     return Blocks((*helpers.routines.values(), *_distinct(blocks, by_name)), tuple(missing))

@@ -215,6 +215,8 @@ class _Sending:
             message = link.carried("response").get(operand.fact.name)
             if message is None and operand.fact.name in link.messages:
                 raise NoBlock(f"{operand.fact.name} is not answered on {link.name}")
+            if message is not None and not message.message.is_requested:
+                raise NoBlock(f"only the device sends {operand.fact.name}")
             if message is not None:
                 return exchange_of(self.world, link, message, self.by_name)
         raise NoBlock(f"{operand.fact.name} is on no link with frames")

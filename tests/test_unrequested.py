@@ -1,0 +1,64 @@
+"""Messages that only the device sends, of its own accord."""
+
+from __future__ import annotations
+
+import pytest
+
+from command_line import CommandLine
+from fieldspec.live.client import Client, Timing
+from fieldspec.reference.frames import codec
+from fieldspec.reference.records import CodecError
+from layouts import TEST_SPECS, newest
+from python_package import module_of
+from test_client_parts import Line
+
+SCANNER = newest(TEST_SPECS, "scanner")
+MODULE = module_of(SCANNER)
+READ = "06 02 05 20 03 01 2C 41 42 43 31 32 33 B1"
+STATE = "06 02 05 10 07 1C"
+
+
+class Burst(Line):
+    """A line that brings all frames after the first request."""
+
+    def write(self, data: bytes) -> None:
+        """Takes a request."""
+        self.due, self.answers = self.answers[::-1], []
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
+
+
+def test_python_has_no_request_for_it() -> None:
+    frame = MODULE.host.decode_response(bytes.fromhex(READ))
+    assert (frame.message.place, frame.message.text) == (300, "ABC123")
+    assert MODULE.host.encode_response(5, frame.message) == bytes.fromhex(READ)
+    assert not hasattr(MODULE, "GoodReadRequest")
+
+
+def test_its_code_is_none_of_a_request() -> None:
+    with pytest.raises(CodecError, match="no message has the code 0x20"):
+        codec(SCANNER).links["host"].decode(bytes.fromhex("01 05 20 25 0D"), "request")
+    with pytest.raises(CodecError, match="only the device sends good_read"):
+        codec(SCANNER).links["host"].encode("request", "good_read", {"station": 5})
+
+
+def test_it_is_no_answer_to_a_request() -> None:
+    client = Client(SCANNER, "host", Burst(READ, STATE), 5, Timing(timeout=0.01, retries=1))
+    assert client.ask("read_state", {}).values["state"] == 7
+    with pytest.raises(CodecError, match="only the device sends"):
+        client.ask("good_read", {})
+
+
+def test_what_arrives_is_explained_as_no_response(run: CommandLine) -> None:
+    result = run("decode", "scanner", READ)
+    assert result.code == 0
+    assert "A label has been read" in result.out
+
+
+def test_the_command_line_sends_none(run: CommandLine) -> None:
+    result = run("encode", "scanner", "good_read", "--link", "host")
+    assert result.code == 2
+    assert "only the device sends good_read; use: --direction response" in result.err
