@@ -5269,6 +5269,9 @@ end
 -- Whether a response answers a request: the same unit, code and other parts, as far as it repeats them.
 -- The code that all exception responses have is that of no request.
 local function answers(link, request, response)
+    if response.message and response.message.is_unrequested then
+        return false
+    end
     if response.is_coded then
         local is_other = response.message and response.message ~= request.message
         local code = request.message and request.message.response_code or request.code
@@ -5366,8 +5369,12 @@ local function recognized(link, bytes, hint, session, message)
 end
 
 -- Closes the requests that a frame leaves without an answer. A device has one open request for each of the numbers that
--- its responses repeat: the next frame with the same numbers answers it, or follows on an answer that is lost.
+-- its responses repeat: the next frame with the same numbers answers it, or follows on an answer that is lost. What the
+-- device sends of its own accord is neither.
 local function close_requests(link, session, head)
+    if head.message and head.message.is_unrequested then
+        return
+    end
     for index = #session, 1, -1 do
         local request = session[index]
         local is_closed = true

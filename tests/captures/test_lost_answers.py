@@ -68,7 +68,19 @@ links:
     response:
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
+  - name: talking
+    encoding: binary
+    byte_order: big
+    start: "05"
+    source: 1 L4
+    request: &talking
+      - {name: station, role: unit_address, type: u8}
+      - {name: command, role: code, type: u8}
+      - {name: body, role: body}
+      - {name: sum, role: checksum, algorithm: sum8}
+    response: *talking
 messages:
+  - {name: event, code: 0x4C, links: [talking], requested: false, source: 2 L3, response: [{name: level, type: u16}]}
   - {name: read_pressure, code: 0x50, source: 2 L1, request: [], response: [{name: pressure, type: u16, unit: bar}]}
   - {name: read_speed, code: 0x53, source: 2 L2, request: [], response: [{name: speed, type: u16, unit: rpm}]}
 """
@@ -93,16 +105,21 @@ class Frame(NamedTuple):
             "addressed": struct.pack(">I", self.meter),
             "numbered": struct.pack(">BI", self.transaction, self.meter),
             "bus": bytes([self.meter] if is_request else []),
+            "talking": bytes([self.meter]) + (b"" if is_request else self.command.encode()),
         }[link]
         parts = head + (self.command.encode() if is_request else b"\x03\xe8")
-        return {"addressed": b"\2", "numbered": b"\3", "bus": b"\4"}[link] + parts + bytes([sum(parts) & 0xFF])
+        start = {"addressed": b"\2", "numbered": b"\3", "bus": b"\4", "talking": b"\5"}[link]
+        return start + parts + bytes([sum(parts) & 0xFF])
 
 
 def frames_of(text: str) -> list[Frame]:
-    """Frames as text: a request is `>9P`, or `>9P#1` with a number; `<9:1` answers the first frame, `<9` none."""
+    """Frames as text: a request is `>9P`, or `>9P#1` with a number; `<9:1` answers the first frame, `<9` none.
+
+    A response has a letter too where it has a code.
+    """
     result = []
     for word in text.split():
-        match = re.fullmatch(r"([<>])(\d)([PS]?)(?:#(\d))?(?::(\d))?", word)
+        match = re.fullmatch(r"([<>])(\d)([PSL]?)(?:#(\d))?(?::(\d))?", word)
         assert match is not None
         way, meter, command, transaction, asked = match.groups()
         direction = "request" if way == ">" else "response"
@@ -118,6 +135,7 @@ CONVERSATIONS = {
     "requests overlap": ("numbered", ">9P#1 >9S#2 >9P#3 <9#2:2 <9#1:1 <9#4 <9#3:3"),
     "a number comes again": ("numbered", ">9P#1 >9S#1 <9#1:2 <9#1"),
     "the response names no station": ("bus", ">9P >8S <8:2 <9"),
+    "the device speaks before it answers": ("talking", ">9P <9L <9P:1 <9L >9S <9P <9S"),
 }
 
 
@@ -158,10 +176,10 @@ def test_wireshark_shows_no_value_of_another_request(twin: DeviceLayout) -> None
     packets, options, asked, first = [], [], [], 0
     for place, (link, text) in enumerate(CONVERSATIONS.values()):
         frames = frames_of(text)
-        client = 40000 + place
-        packets += [Packet(client, PORT + len(link), frame.direction, frame.data(link)) for frame in frames]
+        client, port = 40000 + place, PORT + len(link)
+        packets += [Packet(client, port, frame.direction, frame.data(link)) for frame in frames]
         asked += [f"{first + frame.asked}" if frame.asked else "" for frame in frames]
-        options += ["-o", f"twin.{link}_udp:{PORT + len(link)}"]
+        options += ["-o", f"twin.{link}_udp:{port}"]
         first += len(frames)
     run = tshark([twin], pcap(packets), "-T", "fields", "-e", "twin.frame.request_in", *options)
     assert run.stdout.split("\n")[:-1] == asked

@@ -177,7 +177,9 @@ class LinkDecoder:
     def _exchange(self, rows: _Rows, direction: Numbers, first: Numbers, readings: dict[int, Reading]) -> None:
         """Pairs the valid frames, and gives responses what only their requests say."""
         self._own_accesses(rows, direction)
-        valid = np.flatnonzero((rows.verdict == OK) & (direction != UNKNOWN))
+        own_accord = [place for place, own in enumerate(self.link.messages.values()) if not own.message.is_requested]
+        is_exchange = ~(np.isin(rows.message, own_accord) & (direction == RESPONSE))
+        valid = np.flatnonzero((rows.verdict == OK) & (direction != UNKNOWN) & is_exchange)
         repeated = np.full(len(valid), NONE)
         payloads = rows.payloads
         for asked, answered in self.repeated:

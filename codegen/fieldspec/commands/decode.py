@@ -195,6 +195,9 @@ class Log:
 
     def _close(self, frame: Explanation) -> None:
         """Closes the requests that a frame answers, or leaves without an answer."""
+        message = self.layout.messages.get(frame.message)
+        if message is not None and not message.message.is_requested:
+            return  # the device sends it of its own accord
         own = self._numbers(frame)
         self.open = [
             other
