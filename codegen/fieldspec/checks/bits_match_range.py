@@ -1,7 +1,8 @@
 """The printed range of a bit field is 0 to the sum of its bits. A range that leaves out numbers between picks words
-of these bits.
+of these bits. Where the words of bits have a range, every value with these bits states one too.
 
-Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong.
+Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong. Encoders refuse
+what is beyond the range of a value; that of its words of bits is shown to people.
 
 Example: a range of 0..1 for a word with one bit for each of 14 inputs.
 
@@ -21,6 +22,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.fact import Fact
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
 
 _WIDEST = 64
 
@@ -31,7 +33,8 @@ def bits_match_range(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         used = device.flags.get(value.flags)
         if used is not None:
-            yield from _compare_range(device, fact, used, value.ranges)
+            wrong = list(_compare_range(device, fact, used, value.ranges))
+            yield from wrong or _compare_words(fact, value, used)
 
 
 def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
@@ -53,6 +56,14 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
             "correct the range or the list of bits",
             label(word.place, "bits", "the bits"),
         )
+
+
+def _compare_words(fact: Fact, value: Value, word: Flags) -> Iterator[Diagnostic]:
+    """A value states a range where its words of bits have one: encoders compare that of the value."""
+    if word.ranges is not None and value.ranges is None and value.const is None:
+        text = f"{fact.name} states no range, but the words {word.name} have the range {word.ranges.text()}"
+        there = label(word.place, "range", word.name)
+        yield finding("bits_match_range", fact.place, "flags", text, f"add `range: {word.ranges.text()}`", there)
 
 
 def _highest(device: Device, bit: Bit) -> int:

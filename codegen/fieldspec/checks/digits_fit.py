@@ -1,7 +1,8 @@
 """A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
 hexadecimal number has the digits of its whole type. Digits are those of fields and registers whose raw value is free:
 not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
-of a frame may be any of these; its digits have no sign.
+of a frame may be any of these; its digits have no sign. On links with `encoding: hex_ascii`, where every byte is sent
+as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
 take the characters for one.
@@ -9,21 +10,24 @@ take the characters for one.
 Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
 
 Cure: Use the next wider type with a `range`, or correct `length`. State a constant of a text line as the bytes of its
-characters: `{name: mark, type: u8, const: 0x2C}` is a comma.
+characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `encoding: hex_ascii`, state the number as
+a binary one: its bytes become the hexadecimal digits.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from fieldspec.checks.facts import layers, values
-from fieldspec.checks.finding import finding
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.digits import BCD, digit_bounds, digit_count, digits_text
 from fieldspec.model.fact import Fact
-from fieldspec.model.link import Part
+from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field
+from fieldspec.model.sizes import messages_on
 from fieldspec.model.value import Kind, Value
 
 _CODE = "digits_fit"
@@ -33,6 +37,8 @@ _MOST_BYTES = 8
 
 def digits_fit(device: Device) -> Iterator[Diagnostic]:
     taken = _binary_fields(device)
+    for link in device.links.values():
+        yield from _sent_twice(device, link)
     for fact, value in values(device):
         if not value.digits:
             if value.places:
@@ -49,6 +55,21 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
             yield finding(
                 _CODE, fact.place, "digits", text, "state it as a binary number, or as the bytes of its characters"
             )
+
+
+def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """The first digits on a link that sends every byte as two characters."""
+    if link.encoding != "hex_ascii":
+        return
+    bodies = (body for message in messages_on(device, link) for body in (message.request, message.response))
+    facts: chain[Part | Field] = chain(link.request, link.response, *(body.fields for body in bodies))
+    for fact in facts:
+        if fact.value is not None and fact.value.digits and fact.value.digits != BCD:
+            text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
+            help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
+            there = label(link.place, "encoding", "sends every byte as two characters")
+            yield finding(_CODE, fact.place, "digits", text, help, there, severity=Severity.WARNING)
+            return
 
 
 def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:

@@ -31,7 +31,11 @@ def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, fact.place, "length", text, "state the digits of whole words of two bytes")
         elif isinstance(fact, Register) and value.type.is_number and value.size % 2 and value.size > 1:
             text = f"the register {fact.name} is {type_name}, which has no whole number of words"
-            yield finding(_CODE, fact.place, "type", text, "state the words as u32 or u48, with a range if it is known")
+            help = "state the words as u32 or u48, with a range if it is known"
+            if device.space(fact.space).unit_size == 1:
+                text = f"the register {fact.name} is {type_name}; registers of bytes have 1, 2, 4, 6 or 8 of them"
+                help = "state its bytes as several registers, such as a u16 and a u8"
+            yield finding(_CODE, fact.place, "type", text, help)
         elif isinstance(fact, Parameter | Subindex) and value.type.is_odd:
             text = f"the parameter {fact.name} is {type_name}; parameters have 8, 16, 32 or 64 bits"
             yield finding(_CODE, fact.place, "type", text, "use the next wider type, with a range")

@@ -204,7 +204,17 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         return Diagnostic("wrong_value", f"{what} is {text}; the {keyword} is {limit}", node.span, help=description)
     if keyword in ("minItems", "minProperties", "maxProperties"):
         return Diagnostic("wrong_size", f"{what} has too few or too many entries", _head(node), help=description)
+    if keyword in ("oneOf", "anyOf"):
+        return Diagnostic("wrong_form", f"{what} has other keys than it can have", _head(node), help=_choices(part))
     return Diagnostic("wrong_form", error.message, _head(node), help=description)
+
+
+def _choices(part: Schema) -> str:
+    """The help for a mapping that has one of some keys: what it is, and the keys."""
+    options = part.get("oneOf") or part.get("anyOf") or []
+    keys = [key for option in options for key in option.get("required", [])]
+    stated = f" State one of {', '.join(f'`{key}`' for key in dict.fromkeys(keys))}." if keys else ""
+    return f"{part.get('description', '')}{stated}".strip()
 
 
 _KINDS = {

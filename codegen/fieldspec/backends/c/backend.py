@@ -168,7 +168,8 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         message = layout_of_message.message
         beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
-        about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
+        sender = "" if message.is_requested else "Only the device sends it, of its own accord."
+        about = " ".join(text for text in (message.title and f"{message.title}.", links, beside, sender) if text)
         subcodes = subcodes_of(layout, layout_of_message)
         subcode = subcodes[0][0] if len(subcodes) == 1 and subcodes[0][0] == subcodes[0][1] else None
         codes = (("code", message.code), ("response_code", message.response_code))
