@@ -48,13 +48,13 @@ links:
     byte_order: little
     source: 1 L2
     request:
-      - {name: serial, type: u8, range: "3..4, 7"}
+      - {name: sequence, type: u8, range: "3..4, 7"}
       - {name: timeout, type: u8}
       - {name: command, role: code, type: u8}
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
     response:
-      - {name: echo, type: u8, range: "3..4, 7", same_as: serial}
+      - {name: echo, type: u8, range: "3..4, 7", same_as: sequence}
       - {name: command, role: code, type: u8}
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
@@ -73,12 +73,12 @@ links:
     byte_order: little
     source: 1 L5
     request:
-      - {name: node, type: u8}
+      - {name: meter, type: u8}
       - {name: command, role: code, type: u8}
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
     response:
-      - {name: node, type: u8, same_as: node}
+      - {name: meter, type: u8, same_as: meter}
       - {name: command, role: code, type: u8}
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
@@ -187,7 +187,7 @@ def test_an_asynchronous_client_has_the_same_parts(module: Any, client: Any) -> 
     [
         ({"link": "line"}, "requests on this link have a part meter_address, which needs a value"),
         ({"link": "flagged"}, "requests on this link have a part adr, which needs a value"),
-        ({"link": "routed"}, "requests on this link have a part node, which needs a value"),
+        ({"link": "routed"}, "requests on this link have a part meter, which needs a value"),
         ({"link": "line", "meter_address": 1, "timeout_": 3}, "requests on this link have no part timeout"),
     ],
 )
@@ -205,13 +205,15 @@ def test_a_part_that_the_response_repeats_is_counted_beside_one_that_the_user_ch
     assert line.sent == ["03 05 02 0A", "04 05 02 0B", "03 05 02 0A"]
 
 
-def test_a_user_may_choose_a_part_that_would_be_counted(module: Any, client: Any, errors: Any) -> None:
-    line = Line("07 02 09", "03 02 05")
-    meter = client.Client(line, link="counted", timeout_=5, serial=7, timeout=0.001)
-    assert meter.ask(module.PingRequest()).echo == 7
+def test_a_repeated_part_is_no_number_of_requests_unless_its_name_says_so(
+    module: Any, client: Any, errors: Any
+) -> None:
+    line = Line("09 02 0B", "08 02 0A")
+    meter = client.Client(line, link="routed", meter=9, timeout=0.001)
+    assert meter.ask(module.PingRequest()).meter == 9
     with pytest.raises(errors.NoAnswerError):
         meter.ask(module.PingRequest())
-    assert line.sent == ["07 05 02 0E", "07 05 02 0E"]
+    assert line.sent == ["09 02 0B", "09 02 0B"]
 
 
 def test_a_part_may_be_a_word_of_flags(module: Any, client: Any) -> None:
@@ -252,6 +254,7 @@ def test_the_live_client_counts_only_numbers_of_requests(meter: DeviceLayout) ->
         ("line", "read", {"meter_address": 9}, ["01 09 00 00 00 01 00 00 01 0C"] * 2),
         ("counted", "ping", {"timeout": 5}, ["03 05 02 0A", "04 05 02 0B"]),
         ("flagged", "ping", {"adr": 4}, ["04 02 06"] * 2),
+        ("routed", "ping", {"meter": 9}, ["09 02 0B"] * 2),
     ):
         line = Line()
         owner = Client(meter, link, line, 1, Timing(0.001, 0, 1), fixed=fixed)
@@ -261,7 +264,7 @@ def test_the_live_client_counts_only_numbers_of_requests(meter: DeviceLayout) ->
 
 
 def test_the_simulator_repeats_a_part_under_another_name(meter: DeviceLayout) -> None:
-    request = codec(meter).links["counted"].encode("request", "ping", {"serial": 7, "timeout": 5})
+    request = codec(meter).links["counted"].encode("request", "ping", {"sequence": 7, "timeout": 5})
     spec = load({"meter/device.yaml": TEXT.encode()}).devices["meter"]
     assert Server(Engine(meter, behaviour_of(spec.tree))).answer("counted", request).frame.hex() == "070209"
 

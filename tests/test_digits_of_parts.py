@@ -59,8 +59,8 @@ def test_digits_are_read_as_they_are_sent_and_refused_where_they_are_not(name: s
     if refusal is None:
         decoded = REFERENCE.decode(frame, "request")
         request = LOOP.decode_request(frame)
-        assert (decoded.head["unit"], decoded.head["number"], decoded.values) == (15, 41, {"channel": 5})
-        assert (request.unit_address, request.number, request.message.channel) == (15, 41, 5)
+        assert (decoded.head["unit"], decoded.head["sequence"], decoded.values) == (15, 41, {"channel": 5})
+        assert (request.unit_address, request.sequence, request.message.channel) == (15, 41, 5)
         assert reasons == ()
         return
     with pytest.raises(CodecError) as expected:
@@ -73,22 +73,22 @@ def test_digits_are_read_as_they_are_sent_and_refused_where_they_are_not(name: s
 
 
 def test_a_checksum_is_that_of_the_characters() -> None:
-    frame = LOOP.encode_request(15, LADDER.ReadLevelRequest(5), number=41)
+    frame = LOOP.encode_request(15, LADDER.ReadLevelRequest(5), sequence=41)
     assert frame == sealed(b"0F0410703150") == b"%0F0410703150107\r"
 
 
 @pytest.mark.parametrize(("unit_address", "number"), [(0, 1), (64, 1), (1, 1000), (1, -1)])
 def test_numbers_beyond_the_digits_or_the_range_are_refused(unit_address: int, number: int) -> None:
     with pytest.raises(codec_error()):
-        LOOP.encode_request(unit_address, LADDER.ReadLevelRequest(1), number=number)
+        LOOP.encode_request(unit_address, LADDER.ReadLevelRequest(1), sequence=number)
     with pytest.raises(CodecError):
-        REFERENCE.encode("request", "read_level", {"unit": unit_address, "number": number, "channel": 1})
+        REFERENCE.encode("request", "read_level", {"unit": unit_address, "sequence": number, "channel": 1})
 
 
 def test_a_framer_finds_frames_by_the_digits_of_their_length() -> None:
     chance = random.Random(7)
     frames = [
-        LOOP.encode_request(chance.randint(1, 63), LADDER.StoreRequest(list(chance.randbytes(size))), number=size)
+        LOOP.encode_request(chance.randint(1, 63), LADDER.StoreRequest(list(chance.randbytes(size))), sequence=size)
         for size in (1, 9, 40, 2)
     ]
     garbage = [b"", b"%", b"%0F041x7", b"\r%%zz", b"%40001070315"]
@@ -149,4 +149,4 @@ def test_a_generated_client_counts_its_requests_in_digits() -> None:
             replies = [client.ask(LADDER.ReadLevelRequest(channel)) for channel in (1, 8)]
             assert client.ask(LADDER.StoreRequest([0x0D])).message == LADDER.StoreResponse()
     assert [reply.message.level for reply in replies] == [0, 0]
-    assert replies[1].number == replies[0].number + 1
+    assert replies[1].sequence == replies[0].sequence + 1

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib
+
 import pytest
 
 from fieldspec.explain.explanation import explained
@@ -12,7 +14,7 @@ from fieldspec.live.writing import Assignment, write
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of
+from python_package import codec_error, module_of, runtime
 from simulators import Unit
 
 CALLER = newest(TEST_SPECS, "caller")
@@ -95,6 +97,20 @@ def test_a_client_does_not_wait_for_an_answer_that_does_not_come() -> None:
     speed = occupant_at(CALLER, "", 0)
     assert speed is not None
     write(client, Assignment("", speed, (7,), ()))
+    assert line.frames[1] == LINKS["status"].encode("request", "write", {"id": 1, "address": 0, "value": 7})
+
+
+def test_a_generated_client_sends_what_nobody_answers_and_refuses_to_ask_it() -> None:
+    client = importlib.import_module(f"{MODULE.__package__}.client")
+    line = Line()
+    caller = client.Client(line, link="bus", timeout=5)
+    with pytest.raises(runtime("errors").InvalidValueError, match=r"nobody answers ResetRequest .* use `send`"):
+        caller.ask(MODULE.ResetRequest(5))
+    assert line.frames == []
+    caller.send(MODULE.ResetRequest(5))
+    assert line.frames == [RESET]
+    caller = client.Client(line, link="status", timeout=5)
+    caller.write(MODULE.SPEED, 7)
     assert line.frames[1] == LINKS["status"].encode("request", "write", {"id": 1, "address": 0, "value": 7})
 
 

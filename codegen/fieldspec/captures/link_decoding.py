@@ -17,6 +17,10 @@ from fieldspec.captures.registers import Accesses
 from fieldspec.captures.verdicts import MISMATCH, NO_FRAME, NO_REQUEST, OK
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.repeated_parts import repeated_parts
+
+_FACTOR = 0x9E3779B97F4A7C15 - (1 << 64)
+"""An odd number without a pattern, by which several numbers become one, modulo 2^64."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +47,7 @@ class LinkDecoder:
         self.link, self.readers, self.cutter, self.spaces = link, readers, cutter, spaces
         self.open = NO_EXCHANGES
         self.last: dict[int, tuple[int, int, int]] = {}
-        response = link.frame("response")
-        repeated = [part for part in response.header if part.part.same_as and part.role == "plain"]
-        asked = {part.name: part for part in link.frame("request").header}
-        self.repeated = [(asked[part.part.same_as], part) for part in repeated if part.part.same_as in asked]
+        self.repeated = repeated_parts(link)
         names_nothing = readers[REQUEST].has_code and not readers[RESPONSE].has_code
         self.asks = names_nothing or bool(link.ambiguous_codes("response"))
 
@@ -163,7 +164,8 @@ class LinkDecoder:
                 answered = code[RESPONSE, row]
                 is_answer = (
                     before is not None
-                    and before[:2] == (REQUEST, int(unit[RESPONSE, row]))
+                    and before[0] == REQUEST
+                    and int(unit[RESPONSE, row]) in (NONE, before[1])
                     and answered in (NONE, before[2])
                 )
                 direction[row] = RESPONSE if is_answer else REQUEST
@@ -175,13 +177,16 @@ class LinkDecoder:
     def _exchange(self, rows: _Rows, direction: Numbers, first: Numbers, readings: dict[int, Reading]) -> None:
         """Pairs the valid frames, and gives responses what only their requests say."""
         self._own_accesses(rows, direction)
-        valid = np.flatnonzero((rows.verdict == OK) & (direction != UNKNOWN))
+        own_accord = [place for place, own in enumerate(self.link.messages.values()) if not own.message.is_requested]
+        is_exchange = ~(np.isin(rows.message, own_accord) & (direction == RESPONSE))
+        valid = np.flatnonzero((rows.verdict == OK) & (direction != UNKNOWN) & is_exchange)
         repeated = np.full(len(valid), NONE)
         payloads = rows.payloads
         for asked, answered in self.repeated:
+            repeated *= _FACTOR
             for way, part in ((REQUEST, asked), (RESPONSE, answered)):
                 own = direction[valid] == way
-                repeated[own] = part_numbers(part, rows.buffer(way), rows.parts[valid[own]] + part.offset)
+                repeated[own] += part_numbers(part, rows.buffer(way), rows.parts[valid[own]] + part.offset)
         current = Exchanges(
             payloads.stream[valid], direction[valid], repeated, rows.unit_address[valid], rows.code[valid],
             rows.message[valid], first[valid], payloads.time[valid], rows.address[valid], rows.count[valid],

@@ -17,9 +17,9 @@ MOST_OPEN = 4096
 class Exchanges:
     """What pairing needs to know of frames, one row each, in the order of the capture.
 
-    `repeated` is the number that a response repeats from its request, NONE where the link has none. `message` is a
-    place in the messages of the link. `number` is the number of the frame in its source. The columns of requests that
-    ask for registers have the `address` and the `count`, others have NONE.
+    `repeated` is one number for all that a response repeats from its request, the unit among it; NONE where the link
+    has nothing of that. `message` is a place in the messages of the link. `number` is the number of the frame in its
+    source. The columns of requests that ask for registers have the `address` and the `count`, others have NONE.
     """
 
     stream: Numbers
@@ -56,8 +56,8 @@ def joined(left: Exchanges, right: Exchanges) -> Exchanges:
 def paired(exchanges: Exchanges) -> Numbers:
     """For each response the row of its request; NONE for others, and for a response to none.
 
-    A response answers the frame before it on its line, among those with the same repeated number, if that is a request
-    to the same unit with the same code. A response without a code answers any.
+    A response answers the frame before it on its line, among those with the same repeated numbers, if that is a request
+    to the same unit with the same code. A response without a code answers any, one without a unit those to any.
     """
     result = np.full(len(exchanges.stream), NONE)
     if not len(result):
@@ -68,8 +68,8 @@ def paired(exchanges: Exchanges) -> Numbers:
         exchanges.repeated[before] == exchanges.repeated[after]
     )
     fits &= (exchanges.direction[before] == REQUEST) & (exchanges.direction[after] == RESPONSE)
-    fits &= exchanges.unit_address[before] == exchanges.unit_address[after]
-    code = exchanges.code
+    unit, code = exchanges.unit_address, exchanges.code
+    fits &= (unit[before] == unit[after]) | (unit[after] == NONE)
     fits &= (code[before] == code[after]) | (code[after] == NONE) | (code[before] == NONE)
     result[after[fits]] = before[fits]
     return result

@@ -12,9 +12,11 @@ from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import frame_options
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
+from fieldspec.explain.explanation import Explanation
 from fieldspec.explain.log import LogLine, Unreadable, log_line
 from fieldspec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.repeated_parts import repeated_parts
 from fieldspec.render import explanation as texts
 from fieldspec.render.blocks import Block, Line
 from fieldspec.render.explanation import faults
@@ -130,11 +132,16 @@ def _frame(layout: DeviceLayout, text: str) -> LogLine:
     return line
 
 
+_MOST_OPEN = 64
+"""The requests without an answer that are remembered."""
+
+
 class Log:
     """Explains the frames of a log, one in each line, in constant memory.
 
-    `asked` is the request, in line `asked_in`, that the next response answers. `mark` is the direction that a line
-    without bytes announces for the next one.
+    `asked` is the request that the user names for all responses. `open` are the requests that may still be answered,
+    each with its line, the newest last: one for each of the values that responses repeat. `mark` is the direction that
+    a line without bytes announces for the next one.
     """
 
     def __init__(
@@ -142,7 +149,9 @@ class Log:
     ) -> None:
         self.layout, self.said, self.printer = layout, options, printer
         self.links = [link.link for link in layout.links.values()]
-        self.asked, self.asked_in = asked, 0
+        self.asked = asked
+        self.open: list[tuple[OpenRequest, int]] = []
+        self.repeated = {name: repeated_parts(link) for name, link in layout.links.items()}
         self.mark = ""
         self.wrong = False
 
@@ -165,13 +174,41 @@ class Log:
         self.mark = line.direction or self.mark
         if not line.frame:
             return
-        reading = read(self.layout, line.frame, self.said, self.mark, self.asked)
-        self.printer.explain(reading, [*line.remarks, *remarks(self.layout, reading, self.asked_in, self.said)], number)
+        reading, asked_in = self._read(line.frame)
+        self.printer.explain(reading, [*line.remarks, *remarks(self.layout, reading, asked_in, self.said)], number)
         self.wrong = self.wrong or reading.wrong
         self.mark = ""
-        if self.asked is None or not self.asked.sure:
-            self.asked = self._request(reading)
-            self.asked_in = number if self.asked else 0
+        if self.asked is None:
+            self._close(reading.explanation)
+            request = self._request(reading)
+            self.open = [*self.open[1 - _MOST_OPEN :], (request, number)] if request is not None else self.open
+
+    def _read(self, frame: bytes) -> tuple[ChosenReading, int]:
+        """The reading of a frame, and the line of the request before it that counts; 0 where there is none."""
+        if self.asked is not None or not self.open:
+            return read(self.layout, frame, self.said, self.mark, self.asked), 0
+        readings = ((read(self.layout, frame, self.said, self.mark, asked), line) for asked, line in self.open[::-1])
+        newest = next(readings)
+        if newest[0].chosen == "request":
+            return newest
+        return next((own for own in readings if own[0].chosen == "request"), newest)
+
+    def _close(self, frame: Explanation) -> None:
+        """Closes the requests that a frame answers, or leaves without an answer."""
+        message = self.layout.messages.get(frame.message)
+        if message is not None and not message.message.is_requested:
+            return  # the device sends it of its own accord
+        own = self._numbers(frame)
+        self.open = [
+            other
+            for other in self.open
+            if None not in own and other[0].request.link == frame.link and self._numbers(other[0].request) != own
+        ]
+
+    def _numbers(self, frame: Explanation) -> list[object]:
+        """What responses repeat of their requests, in a request or in a response; None where a frame lacks it."""
+        pairs = self.repeated[frame.link]
+        return [frame.values.get((asked if frame.direction == "request" else answer).name) for asked, answer in pairs]
 
     def _request(self, reading: ChosenReading) -> OpenRequest | None:
         """The frame as the request that the next response answers; None for what nobody answers."""

@@ -82,6 +82,9 @@ def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
 def chosen_items(access: Access, names: Sequence[str]) -> list[Item]:
     """What names mean. Raises UsageError."""
     result, missing = find(access, names)
+    reason = next((text for name in missing if (text := access.reason_unread(name))), "")
+    if reason:
+        raise UsageError(reason)
     if missing:
         raise unknown(access.what, missing[0], [access.path(item) for item in access.items()])
     return result
@@ -89,8 +92,13 @@ def chosen_items(access: Access, names: Sequence[str]) -> list[Item]:
 
 def _read(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
     items = chosen_items(access, arguments.arguments) if arguments.arguments else access.harmless()
+    remarks = access.remarks(arguments.arguments)
+    if not items:
+        raise UsageError("; ".join(["name what to read", *remarks]))
     with progress(access.size(items), "reading") as done:
         values = list(access.read(client, items, done))
+    for text in remarks:
+        print(f"{client.layout.device.id}: {text}", file=sys.stderr)
     return print_values(access, values, arguments.format)
 
 

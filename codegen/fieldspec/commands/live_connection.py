@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from fieldspec.carriers.carrier import Carrier, CarrierError
@@ -12,11 +12,13 @@ from fieldspec.carriers.sockets import Connection, Datagrams
 from fieldspec.carriers.terminals import SerialPort
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.explain.hazards import is_bare
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.open_parts import open_parts
 from fieldspec.layout.values import MeaningError, Raw, raw_value
 from fieldspec.live.client import Client, Timing
+from fieldspec.live.left_out import reason_unread
 from fieldspec.live.messages import link_of, parameter_message, signals
 from fieldspec.live.parameter_access import ParameterAccess
 from fieldspec.live.register_access import RegisterAccess
@@ -27,6 +29,10 @@ from fieldspec.simulator.simulation import can_objection, settings_of, usual_uni
 
 if TYPE_CHECKING:
     from fieldspec.live.access import Access
+
+
+_MOST_REASONS = 3
+"""The reasons of one finding."""
 
 
 def has_registers(layout: DeviceLayout) -> bool:
@@ -96,11 +102,20 @@ def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
         return str(arguments.link)
     chosen = layout.links[arguments.link] if arguments.link else link_of(layout)
     if chosen is None or not any(True for _ in signals(layout, chosen)):
-        name = chosen.name if chosen is not None else layout.device.id
-        raise UsageError(
+        raise UsageError(_nothing_read(layout, [chosen] if chosen is not None else list(layout.links.values())))
+    return chosen.name
+
+
+def _nothing_read(layout: DeviceLayout, links: Sequence[LinkLayout]) -> str:
+    """Why links have nothing that is read by name."""
+    name = links[0].name if len(links) == 1 else layout.device.id
+    if all(map(is_bare, links)):
+        return (
             f"nothing on {name} only asks: what is exchanged cyclically is for a program, such as the generated client"
         )
-    return chosen.name
+    reasons = [reason_unread(link, message) for link in links for message in link.exchanged]
+    text = "; ".join([reason for reason in dict.fromkeys(reasons) if reason][:_MOST_REASONS])
+    return f"nothing on {name} is read by name: {text or 'none of its messages is answered'}"
 
 
 def _refuse_open_identifier(link: LinkLayout) -> None:
@@ -180,7 +195,7 @@ def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:
         for operation in ("read", "write")
     ]
     requests = [message.request for message in messages if message is not None]
-    parts = {part.part.name: part.part.value for part in open_parts(link) if part.choosable}
+    parts = {part.part.name: part.part.value for part in open_parts(link) if part.numbering is None}
     fields = {
         field.name: field.value
         for request in requests

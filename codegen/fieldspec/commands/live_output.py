@@ -52,8 +52,10 @@ def number(value: Reading) -> str:
 
 
 def number_of(decoded: DecodedValue | None) -> str:
-    """The raw value as a number; empty for a text and where there is none."""
+    """The raw value as a number, or as hexadecimal bytes; empty for a text and where there is none."""
     number = decoded.number if decoded is not None else None
+    if isinstance(number, bytes):
+        return number.hex(" ").upper()
     return "" if number is None or isinstance(number, str) else str(number)
 
 

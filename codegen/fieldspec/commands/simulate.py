@@ -134,6 +134,10 @@ def _message(layout: DeviceLayout, name: str | None) -> str:
     cyclic = [message for message in layout.device.messages.values() if message.number is not None]
     if name is None:
         return cyclic[0].name if cyclic else ""
+    if not cyclic:
+        raise UsageError(
+            f"{layout.device.id} exchanges nothing cyclically, so --message has nothing to choose: leave it out"
+        )
     for message in cyclic:
         if name in (message.name, str(message.number)):
             if message.supplements:

@@ -30,9 +30,15 @@ def write_hazards(*, trigger: bool, access: str, restart: bool | None, handlings
         yield f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes"
 
 
+def is_bare(link: LinkLayout) -> bool:
+    """Whether nothing stands around the data of requests, as in a cyclic exchange."""
+    shape = link.request
+    return not (shape.header or shape.trailer or shape.start or shape.end)
+
+
 def only_reads(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> bool:
     """Whether a message only reads, as far as the spec says: registers, a parameter, or values without an argument."""
-    if not (link.request.header or link.request.trailer):
+    if is_bare(link):
         return False  # a cyclic exchange does not only read
     access = message.message.accesses
     if access is not None:
@@ -54,6 +60,20 @@ def is_query(message: MessageLayout) -> bool:
     """Whether a message only asks: without arguments, and with an answer that has values."""
     asked = any(is_argument(field) for field in message.request.fields)
     return message.message.is_requested and not asked and any(is_single(field) for field in message.response.fields)
+
+
+def reads_state(layout: DeviceLayout, message: MessageLayout) -> bool:
+    """Whether the spec shows that a message only reads, without any effect.
+
+    It is a query without a role of its own, such as a stop has, and one of its values has the role of a state, such as
+    `actual_position`. A query without all of that may as well begin something and answer with how long it takes.
+    """
+    fields = message.response.fields
+    if not is_query(message) or message.message.roles or any(field.field.handling.clears_on_read for field in fields):
+        return False
+    words = [layout.device.flags[field.value.flags] for field in fields if field.value and field.value.flags]
+    facts = [*(field.field for field in fields), *(bit for word in words for bit in word.bits)]
+    return any(fact.roles for fact in facts)
 
 
 def is_argument(field: FieldLayout) -> bool:

@@ -9,13 +9,6 @@ from fieldspec.model.value import Kind, Value
 
 _SEQUENCE_WORDS = frozenset({"counter", "reference", "sequence", "transaction"})
 """The words of names that say that a part numbers the requests, if the response has a part with the same name."""
-_ADDRESS_WORDS = frozenset(
-    {
-        *("address", "axis", "channel", "destination", "device", "drive", "line"),
-        *("module", "network", "node", "slave", "source", "station", "unit"),
-    }
-)
-"""The words of names that say where a request goes: another number is that of another device."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,37 +16,27 @@ class OpenPart:
     """A plain part before the body of a request that has no constant.
 
     `repeated` is the part of the response that repeats it, None where none does. `numbering` is the first and the last
-    number of a part that clients count, None for one that users choose. A `choosable` part is one that users may
-    choose: all but those whose names say that they are the numbers of requests.
+    number of a part that clients count, None for one that users choose.
     """
 
     part: PartLayout
     repeated: PartLayout | None
     numbering: tuple[int, int] | None
-    choosable: bool
 
 
 def open_parts(link: LinkLayout) -> list[OpenPart]:
     """The open parts of the requests on a link, in the order of the frame.
 
-    Of several parts that the response repeats, those count whose names say that they number requests: others are
-    mostly addresses. One alone counts unless its name says that it is an address.
+    A part counts if the response repeats it and its name says that it numbers requests. Any other may be the address of
+    a device, which only users know.
     """
     parts = [part for part in link.request.header if part.role == "plain" and part.is_argument]
-    repeated = {part.name: other for part in parts if (other := _repeated(link, part)) is not None}
-    numbers = {part.name: span for part in parts if part.name in repeated and (span := _numbers(part.value))}
-    named = {name for name in numbers if _names_sequence(name)}
-    alone = {name for name in numbers if len(repeated) == 1 and _ADDRESS_WORDS.isdisjoint(name.split("_"))}
-    numbering = named or alone
-    return [
-        OpenPart(
-            part,
-            repeated.get(part.name),
-            numbers[part.name] if part.name in numbering else None,
-            part.name not in named,
-        )
-        for part in parts
-    ]
+    return [_open_part(part, _repeated(link, part)) for part in parts]
+
+
+def _open_part(part: PartLayout, repeated: PartLayout | None) -> OpenPart:
+    is_number = repeated is not None and _names_sequence(part.name)
+    return OpenPart(part, repeated, _numbers(part.value) if is_number else None)
 
 
 def _names_sequence(name: str) -> bool:

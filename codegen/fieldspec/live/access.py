@@ -99,6 +99,12 @@ if TYPE_CHECKING:
         def harmless(self) -> list[Item]:
             """What can be read without an effect."""
 
+        def reason_unread(self, name: str) -> str:
+            """Why what a name means is not read; empty where it means nothing."""
+
+        def remarks(self, names: Sequence[str]) -> list[str]:
+            """What is not read with some names, or without any, though the device has it."""
+
         def objection(self, item: Item) -> str:
             """Why an item is in no list that is written to a device; empty where it may be."""
 
@@ -150,6 +156,12 @@ def find(access: Access, names: Sequence[str]) -> tuple[list[Item], list[str]]:
             unknown.append(name)
         result |= {access.path(item): item for item in own}
     return list(result.values()), unknown
+
+
+def clears_on_read(fact: object) -> bool:
+    """Whether reading a fact clears it."""
+    handling = getattr(fact, "handling", None)
+    return handling is not None and bool(handling.clears_on_read)
 
 
 def role_masks(device: Device, fact: Fact, value: Value, roles: Sequence[str]) -> Iterator[tuple[str, int]]:

@@ -91,7 +91,7 @@ class Client:
         self.head = {addressed.name: unit_address} if addressed is not None else {}
         parts = open_parts(self.frames.link)
         self.head.update((part.part.name, self.fixed[part.part.name]) for part in parts if part.part.name in self.fixed)
-        self.counters = [part for part in parts if part.numbering is not None and part.part.name not in self.fixed]
+        self.counters = [part for part in parts if part.numbering is not None]
         self.echoes = {part.part.name: part.repeated.name for part in parts if part.repeated is not None}
         if addressed is not None:
             self.echoes[addressed.name] = addressed.name

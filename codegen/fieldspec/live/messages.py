@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.explain.hazards import is_query, is_single, write_hazards
+from fieldspec.explain.hazards import is_bare, is_query, is_single, reads_state, write_hazards
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
@@ -92,14 +92,14 @@ def link_of(layout: DeviceLayout) -> LinkLayout | None:
 
 def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     """Everything that the messages of a link read: fields of responses to requests without arguments, parameters."""
-    if not (link.request.header or link.request.trailer):
+    if is_bare(link):
         return  # a cyclic exchange does not only read
     for message in link.exchanged.values():
         for field in message.response.fields if is_query(message) else ():
             if is_single(field) and field.value is not None:
                 path = f"{message.name}.{field.name}"
                 yield Signal(path, field.field, field.value, field.order, field.swapped, query=message.name)
-    yield from _parts(link)
+    yield from _parts(layout, link)
     orders = Orders(layout.device.byte_order, layout.device.word_order)
     for parameter_set in layout.device.parameters.values():
         reading = parameter_message(link, parameter_set, "read")
@@ -132,9 +132,9 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
             yield f"{name}.{own.name}" + (f"[{index}]" if several else ""), own, own.value, index
 
 
-def _parts(link: LinkLayout) -> Iterator[Signal]:
+def _parts(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     """The parts of a response that say something about the device, such as a status."""
-    query = next((message.name for message in link.exchanged.values() if is_query(message)), "")
+    query = next((own.name for own in link.exchanged.values() if reads_state(layout, own)), "")
     asked = {part.name for part in link.request.parts}
     for part in link.response.header:
         if (

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from fieldspec.live.access import DumpRow, role_masks
+from fieldspec.explain.hazards import reads_state
+from fieldspec.live.access import DumpRow, clears_on_read, role_masks
+from fieldspec.live.left_out import ADVICE, reason_unread, remarks
 from fieldspec.live.messages import (
     ParameterAssignment,
     Signal,
@@ -80,8 +82,22 @@ class ParameterAccess:
         return named_signals(self.layout, self._items, name)
 
     def harmless(self) -> list[Signal]:
-        """Everything: only messages that ask are sent."""
-        return self._items
+        """Parameters, and what messages answer that only read, as far as the spec shows it."""
+        messages = self.layout.messages
+        return [
+            item
+            for item in self._items
+            if (reads_state(self.layout, messages[item.query]) if item.query else not clears_on_read(item.fact))
+        ]
+
+    def reason_unread(self, name: str) -> str:
+        """Why what a name means is not read; empty where it means nothing."""
+        reason = reason_unread(self.link, name)
+        return f"{reason}: {ADVICE}" if reason else ""
+
+    def remarks(self, names: Sequence[str]) -> list[str]:
+        """What is not read with some names, or without any, though the device has it."""
+        return list(remarks(self.layout, self.link, names))
 
     def objection(self, item: Signal) -> str:
         """Why an item is in no list that is written to a device; empty where it may be.

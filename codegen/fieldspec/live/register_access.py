@@ -15,7 +15,7 @@ from fieldspec.explain.registers import (
 )
 from fieldspec.layout.bases import at_bases, at_usual_bases, moving_tables
 from fieldspec.live import writing
-from fieldspec.live.access import DumpRow, role_masks
+from fieldspec.live.access import DumpRow, clears_on_read, role_masks
 from fieldspec.live.bases import read_bases
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
 from fieldspec.live.value_lists import COMMANDS
@@ -93,6 +93,14 @@ class RegisterAccess:
             if len(block.occupants) > 1 or _is_harmless(block.occupants[0])
         ]
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
+
+    def reason_unread(self, name: str) -> str:
+        """Nothing: every register is read."""
+        return ""
+
+    def remarks(self, names: Sequence[str]) -> list[str]:
+        """Nothing: every register is read."""
+        return []
 
     def objection(self, item: Placed) -> str:
         """Why an item is in no list that is written to a device; empty where it may be."""
@@ -230,8 +238,7 @@ class RegisterAccess:
 
 
 def _is_harmless(occupant: Occupant) -> bool:
-    handling = getattr(occupant.fact, "handling", None)
-    return occupant.access in ("ro", "rw") and not (handling is not None and handling.clears_on_read)
+    return occupant.access in ("ro", "rw") and not clears_on_read(occupant.fact)
 
 
 def _objection(layout: DeviceLayout, occupant: Occupant) -> str:

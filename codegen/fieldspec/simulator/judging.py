@@ -44,3 +44,22 @@ def field_out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
     if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
         return ""
     return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
+
+
+def recognised_message(frames: FrameCodec, frame: bytes) -> str:
+    """The only message whose request a frame without a code may be; empty where none or several may."""
+    fitting = []
+    for name in frames.link.carried("request"):
+        try:
+            frames.decode(frame, "request", name)
+        except CodecError:
+            continue
+        fitting.append(name)
+    return fitting[0] if len(fitting) == 1 else ""
+
+
+def refusal_words(frames: FrameCodec, frame: bytes, message: str, error: CodecError) -> tuple[str, str]:
+    """The reason why a request is refused, and what is wrong with it. `message` names it where frames have no code."""
+    is_unnamed = frames.link.request.role("code") is None and not message
+    text = "its bytes fit no message, or several" if is_unnamed else error.detail
+    return refusal_reason(frames, frame, error), text

@@ -12,9 +12,8 @@ from fieldspec.model.value import Kind
 from fieldspec.reference.frames import FrameCodec, codec
 from fieldspec.reference.parameters import bytes_of_value, carries, field_of_bytes, value_of_bytes
 from fieldspec.reference.records import CodecError
-from fieldspec.simulator import parameters
+from fieldspec.simulator import judging, parameters
 from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.judging import DAMAGED, DamagedError, field_out_of_range, refusal_reason
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.raw_values import chosen_kind, in_type, initial_value, number_of_kind, signed
 from fieldspec.simulator.refusal import Refusal, reason_place
@@ -77,6 +76,8 @@ class Server:
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
         if coded is not None and coded.part.bits is not None and not frames.link.messages_with_code(int(code or 0)):
             return Answer(b"", "another identifier")
+        if code is None and not message:
+            message = judging.recognised_message(frames, frame)
         asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
         if asked is not None and asked.name not in frames.link.carried("response"):
@@ -93,11 +94,12 @@ class Server:
             self.engine.refresh()
             if not silent:
                 return self._encoded(frames, head, announced, values, body)
-        except DamagedError as damaged:
+        except judging.DamagedError as damaged:
             return Answer(b"", f"damaged: {damaged}")
         except Refusal as refusal:
-            answer = self._refused(frames, head, code, refusal, asked_values)
-            return Answer(b"", f"{silent}: {refusal}") if silent else answer
+            if silent:
+                return Answer(b"", f"{silent}: {refusal}")
+            return self._refused(frames, head, code, refusal, asked_values)
         return Answer(b"", f"{silent}: {announced.name}")
 
     def _accepts_broadcast(self) -> bool:
@@ -108,9 +110,9 @@ class Server:
         try:
             decoded = frames.decode(frame, "request", message)
         except CodecError as error:
-            if error.reason in DAMAGED:
-                raise DamagedError(error.detail) from None
-            raise Refusal(refusal_reason(frames, frame, error), error.detail) from None
+            if error.reason in judging.DAMAGED:
+                raise judging.DamagedError(error.detail) from None
+            raise Refusal(*judging.refusal_words(frames, frame, message, error)) from None
         announced = decoded.message
         if announced is None:
             raise Refusal("unknown_code")
@@ -126,7 +128,7 @@ class Server:
         read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
         access = access or bits
         if access is not None:
-            judged = [field_out_of_range(field, values) for field in announced.request.fields]
+            judged = [judging.field_out_of_range(field, values) for field in announced.request.fields]
             wrong = next((name for name in judged if name), "")
             reasons: list[Refusal] = []
             if wrong:
@@ -146,7 +148,7 @@ class Server:
         if message.accesses is not None:
             raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
         for field in announced.request.fields:
-            if field_out_of_range(field, values):
+            if judging.field_out_of_range(field, values):
                 raise Refusal("value_invalid", f"{field.name} is out of range")
         self._store(announced.request, message.request.place.path, values)
         size = message.segments.size if message.segments is not None else ""
@@ -336,15 +338,13 @@ class Server:
         engine, part = self.engine, self.refusals.get(refusal.reason)
         text = f"refused, {refusal}"
         if part is None:
-            return Answer(b"", f"{text}; the device is silent")
-        marked = part.get("mark")
-        if marked is not None:
+            return self._unsaid(frames, f"{text}; the device is silent, as no `refuse` says what it answers")
+        if (marked := part.get("mark")) is not None:
             engine.refresh()
             return self._marked(frames, head, marked, text)
-        record = frames.link.link.exception_response
-        number = self._exception(part)
+        record, number = frames.link.link.exception_response, self._exception(part)
         if record is None or number is None:
-            return Answer(b"", f"{text}; the device is silent")
+            return self._unsaid(frames, f"{text}; the device is silent")
         values, coded = self._head(frames, head), frames.link.request.role("code")
         for field in engine.layout.records[record.record].fields:
             value = field.value
@@ -376,8 +376,7 @@ class Server:
         """The number of the exception that a part names."""
         name = part.get("with")
         for link in self.engine.layout.device.links.values():
-            record = link.exception_response
-            if record is not None and name is not None:
+            if (record := link.exception_response) is not None and name is not None:
                 enum = reason_place(self.engine.layout, self.codecs[link.name].link, record)[1].enum
                 member = self.engine.layout.device.enums[enum].named(name) if enum else None
                 if member is not None:
@@ -389,7 +388,7 @@ class Server:
         answered = frames.link.carried("response").values()
         empty = next((message for message in answered if not message.response.fields), None)
         if empty is None:
-            return Answer(b"", f"{text}; the device is silent")
+            return self._unsaid(frames, f"{text}; the device is silent")
         cells = self.engine.cells.of(marked)
         before = [cell.read() for cell in cells]
         for cell in cells:

@@ -230,7 +230,8 @@ def usual_place(layout: LinkLayout) -> str:
         return "pty"
     if layout.link.is_can:
         return "can://"
-    streams = layout.request.role("length") is not None or layout.request.start or layout.request.checksums
+    shape = layout.request
+    streams = shape.role("length") is not None or shape.start or shape.end or shape.checksums
     return "tcp://127.0.0.1:0" if streams else "udp://127.0.0.1:0"
 
 

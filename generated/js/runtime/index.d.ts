@@ -108,7 +108,10 @@ export type FrameOf<M, D extends "request" | "response", H> =
     ? { readonly kind: D; readonly name: N; readonly header: H; readonly message: M; readonly data: DataOf<M, D> }
     : never;
 
-/** What an exception response says: its `code`, which is that of the request or that of all exception responses; and why. */
+/**
+ * What an exception response says: why, and its `code`. This is that of the usual response, which is that of the request
+ * unless a message has another one; or that of all exception responses.
+ */
 export interface ExceptionFrame<M, H, E> {
   readonly kind: "exception";
   readonly name: string | null;
@@ -125,6 +128,7 @@ export interface Link<Q, R, M, E> {
   readonly unitAddresses: { readonly ranges: readonly (readonly [number, number])[] | null; readonly broadcast: number | null } | null;
   encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
   encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
+  /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */
   encodeException(header: R, code: number | null, data: E): Uint8Array;
   decodeRequest<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "request", Q>;
   decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E>);

@@ -32,15 +32,16 @@ SILENCE: Final = 0.05
 class Link:
     """What a client needs to know of a link: its codec, and how requests and responses belong together.
 
-    `counters` are the parts of a request that number it, each with its lowest and highest number, and `parts` all
-    whose values users choose; a part that is in both is counted where users choose nothing. `echoes` has the parts of
-    the response that repeat parts of the request; those that number it have the same names unless it says otherwise.
+    `counters` are the parts of a request that number it, each with its lowest and highest number, and `parts` those
+    whose values users choose. `echoes` has the parts of the response that repeat parts of the request; those that
+    number it have the same names unless it says otherwise.
     `timeout` is how long a response may take, `pause` how long the line is silent before a request, in seconds.
     `refusal_code` is the code of all exception responses, None where it is that of the request, `refused_code` their
     field that repeats the code of the request, and `reason` the one that says why, empty for the first one.
     `refusal_part` is the part before the body that says so instead, and `refusal_names` its members by their numbers.
     `repeated` has the fields that a response repeats, by the class of the request, and `value_counts` the field with
     the number of values and the field of the response with these values.
+    `unanswered` are the classes of the requests that nobody answers here.
     """
 
     def __init__(
@@ -60,6 +61,7 @@ class Link:
         refusal_names: Mapping[int, Any] | None = None,
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
+        unanswered: tuple[type[Any], ...] = (),
     ) -> None:
         self.codec, self.addressed, self.counters, self.parts = codec, addressed, counters, parts
         self.echoes = {name: name for name, _, _ in counters}
@@ -68,6 +70,7 @@ class Link:
         self.reason, self.refusal_part, self.refusal_names = reason, refusal_part, refusal_names
         self.refused_code = refused_code
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
+        self.unanswered = unanswered
 
     def chosen_parts(self, parts: Mapping[str, Any]) -> dict[str, Any]:
         """The parts of requests that users choose; None stands for no choice. Raises ValueError."""
@@ -75,9 +78,8 @@ class Link:
         for name in chosen:
             if name not in self.parts:
                 raise ValueError(f"requests on this link have no part {name}")
-        counters = [name for name, _, _ in self.counters]
         for name in self.parts:
-            if name not in chosen and name not in counters:
+            if name not in chosen:
                 raise ValueError(f"requests on this link have a part {name}, which needs a value: add its keyword")
         return chosen
 
@@ -133,8 +135,7 @@ class Session:
         make = None if datagrams else getattr(link.codec, "response_framer", None)
         self._framer: Framer | None = make() if make is not None else None
         self._head: dict[str, Any] = link.chosen_parts(parts or {})
-        self._counters = [counter for counter in link.counters if counter[0] not in self._head]
-        self._head.update((name, high) for name, _, high in self._counters)
+        self._head.update((name, high) for name, _, high in link.counters)
         self._silent_until = 0.0
         self._owed = 0
         self._owed_until = 0.0
@@ -145,6 +146,8 @@ class Session:
 
         Raises InvalidValueError, NoAnswerError, RefusedError and TransportError.
         """
+        if request.__class__ in self.link.unanswered:
+            raise InvalidValueError(f"nobody answers {request.__class__.__name__} on this link: use `send` for it")
         again = self.retries if retries is None else retries
         while True:
             try:
@@ -163,7 +166,7 @@ class Session:
 
     def _frame(self, request: Any, unit_address: int) -> bytes:
         link, head = self.link, self._head
-        for name, low, high in self._counters:
+        for name, low, high in link.counters:
             head[name] = head[name] + 1 if head[name] < high else low
         try:
             if link.addressed:
@@ -210,7 +213,7 @@ class Session:
         is_new = False
         heard = self.now()
         deadline = heard + self.timeout
-        if not self._counters:
+        if not self.link.counters:
             self._owed, self._owed_request, self._owed_until = self._owed + 1, request, deadline
         while (left := deadline - self.now()) > 0:
             wait = left if framer is None or not is_new else min(left, SILENCE)

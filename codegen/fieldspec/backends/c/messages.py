@@ -97,6 +97,8 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]
     parameters = [Variable(CODE_TYPE, "code")]
     about = comment("Writes the whole frame of an exception response to a code.")
+    if error.code is None and link.has_response_codes:
+        about = comment("Writes the whole frame of an exception response, by the code of the usual response.")
     return [about, _encode_frame(naming, link, "response", record, function, parameters, code, True)]
 
 

@@ -164,21 +164,18 @@ def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout
 
 
 def _choices(links: Sequence[ClientLinkView]) -> Iterator[tuple[str, str, str, bool]]:
-    """The parts of requests that users choose: keyword, name, type, and whether all links need it."""
+    """The parts of requests that users choose: keyword, name, type, and whether all links have it."""
     scope = Scope(_KEYWORDS)
-    for name in dict.fromkeys(name for link in links for name, _, _ in link.choices):
-        own = [(kind, required) for link in links for other, kind, required in link.choices if other == name]
-        kinds = " | ".join(dict.fromkeys(kind for kind, _ in own))
-        yield scope.take(name), name, kinds, len(own) == len(links) and all(required for _, required in own)
+    for name in dict.fromkeys(name for link in links for name, _ in link.choices):
+        own = [kind for link in links for other, kind in link.choices if other == name]
+        yield scope.take(name), name, " | ".join(dict.fromkeys(own)), len(own) == len(links)
 
 
 def _choices_doc(links: Sequence[ClientLinkView]) -> list[str]:
     """What the keywords for parts of requests mean."""
-    needed = {name for link in links for name, _, required in link.choices if required}
     return [
-        f"`{keyword}` is the value of this part in every request; "
-        + ("each link whose requests have it needs it." if name in needed else "None counts the requests in it.")
-        for keyword, name, _, _ in _choices(links)
+        f"`{keyword}` is the value of this part in every request; each link whose requests have it needs it."
+        for keyword, _, _, _ in _choices(links)
     ]
 
 

@@ -28,13 +28,13 @@ _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6}
 class ClientLinkView:
     """A link of a client: its constant, its name as a literal, and the call that creates it.
 
-    `choices` are the parts of requests that users choose: their names, their types, and whether they must be chosen.
+    `choices` are the parts of requests that users choose: their names and their types.
     """
 
     name: str
     title: str
     call: list[str]
-    choices: list[tuple[str, str, bool]]
+    choices: list[tuple[str, str]]
 
 
 def is_framed(link: LinkLayout) -> bool:
@@ -88,6 +88,9 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
             )
     arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
+    answered = link.carried("response")
+    silent = [f"{CODEC}.{names.exchanges[name].request_name}" for name in link.messages if name not in answered]
+    arguments += [f"unanswered={tuple_of(silent)}"] if silent else []
     name = f"_{Name.of(link.name).upper()}"
     return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0), _choices(parts))
 
@@ -98,12 +101,12 @@ def named_parts(link: LinkLayout, view: LinkView) -> list[tuple[PartView, OpenPa
     return list(zip(view.request.head_parts, open_parts(link), strict=True))
 
 
-def _choices(parts: list[tuple[PartView, OpenPart]]) -> list[tuple[str, str, bool]]:
-    """The parts that users choose: their names, their types, and whether they must be chosen."""
+def _choices(parts: list[tuple[PartView, OpenPart]]) -> list[tuple[str, str]]:
+    """The parts that users choose: their names and their types."""
     return [
-        (own.name, own.type if own.type == "int" else f"{CODEC}.{own.type}", part.numbering is None)
+        (own.name, own.type if own.type == "int" else f"{CODEC}.{own.type}")
         for own, part in parts
-        if part.choosable
+        if part.numbering is None
     ]
 
 
@@ -125,7 +128,7 @@ def _parts(link: LinkLayout, view: LinkView, parts: list[tuple[PartView, OpenPar
         for own, part in parts
         if part.repeated is not None and (part.numbering is None or answered[part.repeated.name] != own.name)
     ]
-    chosen = [literal(name) for name, _, _ in _choices(parts)]
+    chosen = [literal(name) for name, _ in _choices(parts)]
     return [
         *([f"counters={tuple_of(counters)}"] if counters else []),
         *([f"parts={tuple_of(chosen)}"] if chosen else []),

@@ -15,7 +15,8 @@ from fieldspec.layout.frame import LinkLayout
 class ErrorView:
     """The exception responses of a link: what marks them, the code in the reply, the record, and the parts.
 
-    They are `coded` where frames carry the code of the request.
+    They are `coded` where frames carry the code of the request, and `by_response` where this is the code of the usual
+    response, which may be another one.
     """
 
     wrapper: str
@@ -26,6 +27,7 @@ class ErrorView:
     bind: list[str]
     refusals: list[str]
     coded: bool = True
+    by_response: bool = False
 
 
 def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorView | None:
@@ -68,4 +70,5 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
         head=f"[{', '.join(head)}]",
         bind=[f"{part.variable} = {part.number}" for part in arguments],
         refusals=chained("_wrong = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
+        by_response=error.code is None and link.has_response_codes,
     )

@@ -9,6 +9,7 @@ from fieldspec.layout.checksums import reflected
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exception_mark import ExceptionMark
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.repeated_parts import repeated_parts
 from fieldspec.layout.subcodes import Subcode
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.link import ExceptionResponse
@@ -33,7 +34,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "hex": own.encoding == "hex_ascii",
         "is_coded": is_coded,
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
-        "is_numbered": any(part.part.same_as for part in link.response.header),
+        "repeated": [{"asked": asked.name, "answered": answered.name} for asked, answered in repeated_parts(link)],
         "messages": messages,
         "exception": None if exception is None else _exception(exception, link.mark),
         "units": None

@@ -103,6 +103,7 @@ def message_data(layout: DeviceLayout, message: MessageLayout) -> dict[str, Data
         "title": line_text(own.title) or Name.of(message.name).title(),
         "code": own.code,
         "response_code": own.code_of("response"),
+        **({} if own.is_requested else {"is_unrequested": True}),
         "errata": list(errata_of_message(layout.device, own)) or None,
         **{direction: record_key(message, direction) for direction in DIRECTIONS},
     }

@@ -50,7 +50,7 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
       const code = codeOf(context, response, entry, "responseCode");
       return encoded(context, response, header, code, entry.response, data, context.exception?.normal);
     },
-    /** The frame of an exception response to a code, which is null where frames carry none. Throws CodecError. */
+    /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */
     encodeException(header, code, data) {
       const exception = expectedException(context);
       if ((code === null) !== (response.code === null)) {

@@ -142,7 +142,10 @@ class RegisterWork:
     def _sent(self, requests: Sequence[Any]) -> Work[None]:
         # A request that is sent again could start something twice.
         for request in requests:
-            yield from self.session.ask(request, 0)
+            if request.__class__ in self.session.link.unanswered:
+                yield from self.session.send(request)
+            else:
+                yield from self.session.ask(request, 0)
 
     def read_group(self, group: Group) -> Work[Values]:
         """The registers of a group. A block that the device refuses is divided, so that a refusal costs no other."""

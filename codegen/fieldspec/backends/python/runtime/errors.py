@@ -13,7 +13,7 @@ class DeviceError(Exception):
 
 
 class InvalidValueError(DeviceError, ValueError):
-    """A value that no request can carry. Nothing was sent."""
+    """A value that no request can carry, or a request that does not fit the link or the call. Nothing was sent."""
 
 
 class TransportError(DeviceError):

@@ -52,10 +52,10 @@ local function session_of(link, pinfo)
     return sessions[key]
 end
 
--- Whether a response answers a request: the same unit, code and other parts that it repeats, as far as they have them.
+-- Whether a response answers a request: the same unit, code and other parts, as far as it repeats them.
 -- The code that all exception responses have is that of no request.
 local function answers(link, request, response)
-    if request.unit ~= response.unit then
+    if response.message and response.message.is_unrequested then
         return false
     end
     if response.is_coded then
@@ -73,7 +73,8 @@ local function answers(link, request, response)
     return true
 end
 
--- What the head of a frame tells about its place in a conversation.
+-- What the head of a frame tells about its place in a conversation. `repeated` has the numbers that a response repeats,
+-- by the names of the parts of the request.
 local function head_of(link, direction, bytes, asked, message)
     local head = { values = {}, repeated = {} }
     local shape = link[direction]
@@ -93,21 +94,22 @@ local function head_of(link, direction, bytes, asked, message)
                 local body = parts:sub(shape.header + 1)
                 local named, _, own = frames.message_of(link, direction, number, parts, body)
                 head.message, head.code, head.is_coded = named, own, own ~= nil
-            elseif part.same_as then
-                head.repeated[part.same_as] = number
             end
         end
+    end
+    for _, part in ipairs(link.repeated) do
+        head.repeated[part.asked] = head.values[direction == "request" and part.asked or part.answered]
     end
     return head
 end
 
 local function open_request(link, session, head)
-    for index, request in ipairs(session) do
-        if answers(link, request, head) then
-            return request, index
+    for index = #session, 1, -1 do
+        if answers(link, session[index], head) then
+            return session[index]
         end
     end
-    return nil, nil
+    return nil
 end
 
 -- The direction, the length and the open request of the first frame in some bytes. The length is nil where nothing
@@ -118,13 +120,13 @@ local function recognized(link, bytes, hint, session, message)
     local fallback
     for _, direction in ipairs(choices) do
         local head = head_of(link, direction, bytes, nil, message)
-        local asked, index
+        local asked
         if direction == "response" then
-            asked, index = open_request(link, session, head)
+            asked = open_request(link, session, head)
         end
         local length, more = frames.length(link, direction, bytes, asked, message)
         waits = waits or more or length and length > #bytes
-        local choice = { direction = direction, length = length, asked = asked, index = index, head = head }
+        local choice = { direction = direction, length = length, asked = asked, head = head }
         choice.more = more or length and length > #bytes
         local whole = bytes:sub(1, length or #bytes)
         -- Without a hint, a response must answer a request: an echo of the device looks like a request.
@@ -152,26 +154,39 @@ local function recognized(link, bytes, hint, session, message)
     return fallback
 end
 
+-- Closes the requests that a frame leaves without an answer. A device has one open request for each of the numbers that
+-- its responses repeat: the next frame with the same numbers answers it, or follows on an answer that is lost. What the
+-- device sends of its own accord is neither.
+local function close_requests(link, session, head)
+    if head.message and head.message.is_unrequested then
+        return
+    end
+    for index = #session, 1, -1 do
+        local request = session[index]
+        local is_closed = true
+        for _, part in ipairs(link.repeated) do
+            is_closed = is_closed and request.values[part.asked] == head.repeated[part.asked]
+        end
+        if is_closed then
+            table.remove(session, index)
+        end
+    end
+end
+
 -- Notes a frame in the conversation, at the first visit of its packet.
 local function remember(link, session, choice, pinfo)
     local note = { direction = choice.direction, length = choice.length, frame = pinfo.number, time = pinfo.abs_ts }
+    close_requests(link, session, choice.head)
     if choice.direction == "request" then
-        if not link.is_numbered then
-            for index = #session, 1, -1 do
-                if session[index].unit == choice.head.unit then
-                    table.remove(session, index)
-                end
-            end
-        elseif #session >= streams.limit then
+        if #session >= streams.limit then
             table.remove(session, 1)
         end
-        note.unit, note.values, note.message = choice.head.unit, choice.head.values, choice.head.message
+        note.values, note.message = choice.head.values, choice.head.message
         note.code = choice.head.code
         session[#session + 1] = note
     elseif choice.asked then
         note.asked = choice.asked
         choice.asked.answered_in = pinfo.number
-        table.remove(session, choice.index)
     end
     return note
 end
