@@ -122,7 +122,7 @@ def message(entry: Entry, reused: Reused) -> Message:
 
 def _refuse_unstated(entry: Entry) -> None:
     """Refuses a message without a request, and one without the response that is due: nothing says what they are."""
-    if "request" not in entry.own and "requested" not in entry.own:
+    if "request" not in entry.own and entry.maybe("requested") is not False:
         text = "the message has no `request`"
         help = (
             "list the fields of its data, add `request: []` if it has none, or `requested: false` if only the device "
@@ -141,7 +141,7 @@ _OF_REQUESTS = ("request", "accesses", "segments", "broadcast", "supplements", "
 
 def _is_requested(entry: Entry) -> bool:
     """Whether users send the message; one that only the device sends has no request."""
-    if "requested" not in entry.own:
+    if entry.maybe("requested") is not False:
         return True
     for key in _OF_REQUESTS:
         if key in entry.own:
