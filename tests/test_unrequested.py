@@ -33,7 +33,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_python_has_no_request_for_it() -> None:
     frame = MODULE.host.decode_response(bytes.fromhex(READ))
-    assert (frame.message.place, frame.message.text) == (300, "ABC123")
+    assert (frame.message.distance, frame.message.text) == (300, "ABC123")
     assert MODULE.host.encode_response(5, frame.message) == bytes.fromhex(READ)
     assert not hasattr(MODULE, "GoodReadRequest")
 

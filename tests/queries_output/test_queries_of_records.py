@@ -32,9 +32,8 @@ def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
     """The records and the data of messages by the names of their queries."""
     queries = {Name.of(record.name).snake(): record for record in layout.records.values()}
     for message in layout.messages.values():
-        for direction in ("request", "response"):
-            if direction == "request" or message.message.is_answered:
-                queries[f"{Name.of(message.name).snake()}_{direction}"] = message.data(direction)
+        for direction in message.message.directions:
+            queries[f"{Name.of(message.name).snake()}_{direction}"] = message.data(direction)
     return queries
 
 
