@@ -58,6 +58,15 @@ def test_what_arrives_is_explained_as_no_response(run: CommandLine) -> None:
     assert "A label has been read" in result.out
 
 
+def test_a_frame_of_another_length_is_one_from_the_device(run: CommandLine) -> None:
+    assert (
+        "the frame has 10 bytes; node_heartbeat response has 3"
+        in run("decode", "node", "--link", "heartbeat", "00000701 02000000 0500").lines
+    )
+    named = run("decode", "node", "--message", "node_heartbeat", "00000701 02000000 0500")
+    assert named.lines[0].startswith("node_heartbeat response, heartbeat")
+
+
 def test_the_command_line_sends_none(run: CommandLine) -> None:
     result = run("encode", "scanner", "good_read", "--link", "host")
     assert result.code == 2

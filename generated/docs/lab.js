@@ -2871,8 +2871,10 @@ function closestReading(device, frame, options, mark) {
     .map((reading) => namedByOption(device, frame, reading, options))
     .filter((reading) => options.allows(reading));
   if (!near.length) {
-    near = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction, options.message, false]))
+    const places = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction]))
       .filter(([link, direction]) => options.goes(link, direction));
+    const carrying = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].has(options.message));
+    near = (carrying.length ? carrying : places).map((place) => [...place, options.message, false]);
   }
   const examples = exampleKeys(device, frame);
   const faultsOf = (reading) => {
@@ -3030,15 +3032,16 @@ function otherLengths(device, chosen, options) {
   const link = device.links.get(own.link);
   const ofLength = ["wrong_length", "incomplete", "unknown_code"];
   if (isCoded(link) || !reasonsOf(own).some((reason) => ofLength.includes(reason))) return [];
-  const carried = link.carriedMessages.request;
-  const names = carried.has(options.message) ? [options.message] : [...carried.keys()];
+  const known = link.carriedMessages;
+  const all = new Set([...known.request.keys(), ...known.response.keys()]);
+  const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const sizes = names.flatMap((name) => ways.map((direction) => {
+  const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
     const [least, most] = lengthsOf(link, direction, device.messages.get(name));
     const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
     return `${messageText(link, direction, name)} has ${size}`;
   }));
-  return [`the frame has ${own.frame.length} bytes; ${sizes.join(", ")}`];
+  return sizes.length ? [`the frame has ${own.frame.length} bytes; ${sizes.join(", ")}`] : [];
 }
 
 // Patterns of bytes in a text, in the spellings of terminals, sniffers and programming languages.

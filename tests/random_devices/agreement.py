@@ -145,7 +145,7 @@ def _disagreements(
             continue
         if judge.name == "explainer" and "wrong_length" in reasons and _may_move(layout, query, wanted):
             continue
-        if judge.name == "javascript" and query.values is not None and _may_differ(query, wanted, answer):
+        if judge.name == "javascript" and query.values is not None and _may_differ(wanted, answer):
             continue
         if not wanted.is_stable and judge.drops_bits:
             answer.again = None
@@ -169,16 +169,14 @@ def _may_move(layout: DeviceLayout, query: Query, wanted: Answer) -> bool:
     return any(part.form for part in layout.links[link].frame(direction).trailer)
 
 
-def _may_differ(query: Query, wanted: Answer, answer: Answer) -> bool:
+def _may_differ(wanted: Answer, answer: Answer) -> bool:
     """Whether JavaScript may answer otherwise where values are encoded.
 
-    It counts the bytes before it writes them, so that of two mistakes it names the length of a list first. It writes
-    fields in the order of the wire, where the reference looks at a selector before all others. Its objects do not have
-    the constant that a selector has chosen, which therefore cannot be wrong.
+    It counts the bytes before it writes them, so that of two mistakes it names the length of a list first. Its objects
+    do not have the constant that a selector has chosen, which therefore cannot be wrong.
     """
     chosen = wanted.reason == "wrong_const" and not answer.reason
-    has_selector = getattr(query.shape, "selector", None) is not None
-    return chosen or bool(wanted.reason and answer.reason and (has_selector or answer.reason == "wrong_length"))
+    return chosen or bool(wanted.reason and answer.reason == "wrong_length")
 
 
 __all__ = ["JUDGES", "Comparison", "Judge", "compare"]

@@ -213,8 +213,8 @@ class FrameReader:
         if not self.link.has_response_codes:
             return code
         answered: Numbers = code.copy()
+        own = [message.message for message in self.link.messages.values()]
         for number in self.link.codes("response"):
-            own = [message.message for message in self.link.messages.values()]
             asked = {m.code for m in own if m.code is not None and m.code_of("response") == number}
             answered[code == number] = asked.pop() if len(asked) == 1 else NONE
         return answered

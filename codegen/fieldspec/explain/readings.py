@@ -149,8 +149,9 @@ def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: st
     named = (_named_by_option(layout, frame, reading, options) for reading in closest(layout, frame))
     near = [reading for reading in named if options.allows(reading)]
     if not near:
-        places = ((link, direction) for link in layout.links for direction in DIRECTIONS)
-        near = [(*place, options.message, False) for place in places if options.goes(*place)]
+        places = [(link, way) for link in layout.links for way in DIRECTIONS if options.goes(link, way)]
+        carrying = [(link, way) for link, way in places if options.message in layout.links[link].carried(way)]
+        near = [(*place, options.message, False) for place in carrying or places]
 
     examples = _examples(layout, frame)
 
@@ -318,14 +319,17 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     link = layout.links[own.link]
     if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
         return
-    names = [options.message] if options.message in link.carried("request") else list(link.carried("request"))
+    known = {direction: link.carried(direction) for direction in DIRECTIONS}
+    names = dict.fromkeys([*known["request"], *known["response"]])
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
-    sizes = (
+    sizes = [
         f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"
-        for name in names
+        for name in ([options.message] if options.message in names else names)
         for direction in ways
-    )
-    yield f"the frame has {len(own.frame)} bytes; {', '.join(sizes)}"
+        if name in known[direction]
+    ]
+    if sizes:
+        yield f"the frame has {len(own.frame)} bytes; {', '.join(sizes)}"
 
 
 def _bounds(least: int, most: int | None) -> str:

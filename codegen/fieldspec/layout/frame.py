@@ -34,7 +34,7 @@ class MessageLayout:
 
     @property
     def bodies(self) -> tuple[RecordLayout, ...]:
-        """The data that frames carry: of the request, and of the response if the device answers on any link."""
+        """The data that frames carry: of the request, of the response, or of both, as `Message.directions` says."""
         return tuple(map(self.data, self.message.directions))
 
 

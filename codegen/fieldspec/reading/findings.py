@@ -83,7 +83,7 @@ SYNONYMS = {
 """Words of other tools for keys of the language, the likeliest key first."""
 
 _LONGEST = 60
-MOST_NAMES = 100
+_MOST_NAMES = 100
 _SEARCHED = 2000
 _SHORTEST = 2
 
@@ -107,8 +107,11 @@ def synonym(word: str, known: Collection[str]) -> str:
     return next((key for key in SYNONYMS.get(word.lower(), ()) if key in known), "")
 
 
-def near(word: str, known: Collection[str]) -> str:
-    """The help for an unknown word: the known word that is probably meant, or all known words."""
+def near(word: str, known: Collection[str], about: str = "") -> str:
+    """The help for an unknown word: the known word that is probably meant, or all known words.
+
+    Where these are too many to be listed, `about` says what they are.
+    """
     from difflib import get_close_matches
 
     letters = sorted(word)
@@ -120,6 +123,8 @@ def near(word: str, known: Collection[str]) -> str:
     close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []
     if close:
         return f"did you mean `{close[0]}`?"
+    if about and len(known) > _MOST_NAMES:
+        return about
     names = [f"`{name}`" for name in sorted(known)]
-    more = "" if len(names) <= MOST_NAMES else ", ..."
-    return "it can be " + ", ".join(names[:MOST_NAMES]) + more if names else "there is none"
+    more = "" if len(names) <= _MOST_NAMES else ", ..."
+    return "it can be " + ", ".join(names[:_MOST_NAMES]) + more if names else "there is none"

@@ -16,7 +16,7 @@ from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
-from fieldspec.reading.findings import MOST_FINDINGS, MOST_NAMES, near, quoted, synonym
+from fieldspec.reading.findings import MOST_FINDINGS, near, quoted, synonym
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
@@ -185,9 +185,7 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         help = described(part.get("properties", {}).get(missing, {}))
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
-        hint = near(text, words := [str(option) for option in part.get("enum", [])])
-        if len(words) > MOST_NAMES and not hint.startswith("did you mean"):
-            hint = described(part)
+        hint = near(text, [str(option) for option in part.get("enum", [])], described(part))
         return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":

@@ -26,7 +26,7 @@ def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
         lines += _write_fields(shape, f"write{name}{suffix}", names)
         if shape.size is None:
             lines += _count_bytes(shape, f"size{name}{suffix}")
-    return lines if record.selector is None else [*lines, *_select(record, name)]
+    return lines if record.selector is None else [*lines, *_select(record, name, names)]
 
 
 def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
@@ -107,13 +107,19 @@ def _count_bytes(record: RecordLayout, name: str) -> list[str]:
     return [f"function {name}(value) {{", f"  return {field.offset} + {size};", "}"]
 
 
-def _select(record: RecordLayout, name: str) -> list[str]:
-    """The functions that choose how to write a record, and how many bytes it has, by the value of its selector."""
+def _select(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The functions that choose how to write a record, and how many bytes it has, by the value of its selector.
+
+    A selector that may not be sent is refused before all other fields, as in the other codecs.
+    """
     selector = record.selector
     assert selector is not None
     key = next(member.key for member in members_of(record) if member.field.name == selector.name)
     wrong = throw_wrong_number("unknown_value", selector.name, f"value.{key}", literal(CHOOSES_NOTHING), "null")
-    choose = [f"  const index = choices{name}[value.{key}];", f"  if (index === undefined) {wrong}"]
+    slot = slot_of(selector, names)
+    is_sendable = all(any(low <= number <= high for low, high in slot.sendable) for number in record.chosen)
+    refusals = [] if is_sendable else [f"  {line}" for line in slot.refusals(f"value.{key}")]
+    choose = [*refusals, f"  const index = choices{name}[value.{key}];", f"  if (index === undefined) {wrong}"]
     writers = ", ".join(f"write{name}{suffix}" for suffix, _ in shapes_of(record))
     lines = [f"function write{name}(value, b, o) {{", *choose, f"  return [{writers}][index](value, b, o);", "}"]
     if record.size is None:

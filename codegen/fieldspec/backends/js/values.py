@@ -229,7 +229,7 @@ class Slot:
             arguments = f"{name}, {variable}, {self._float_ranges()}"
             function = "doubleBitsOf" if self.size == 8 else "bitsOf"
             return [f"const {raw} = {function}({arguments});", *self.stored(raw, base, offset)]
-        return [*self._refusals(variable), *self.stored(variable, base, offset)]
+        return [*self.refusals(variable), *self.stored(variable, base, offset)]
 
     def _float_ranges(self) -> str:
         """The ranges of a floating-point number, and the numbers beside them that stand for no value."""
@@ -238,7 +238,7 @@ class Slot:
         others = ", ".join("NaN" if sentinel.is_nan else str(sentinel.value) for sentinel in self.value.sentinels)
         return f"{intervals}, [{others}]"
 
-    def _refusals(self, variable: str) -> Iterator[str]:
+    def refusals(self, variable: str) -> Iterator[str]:
         """The statements that refuse a number that may not be sent: for its constant, its enum, and then its range."""
         low, high, const = self.value.type.low, self.value.type.high, self.value.const
         if const is not None:

@@ -124,10 +124,8 @@ def _refuse_unstated(entry: Entry) -> None:
     """Refuses a message without a request, and one without the response that is due: nothing says what they are."""
     if "request" not in entry.own and entry.maybe("requested") is not False:
         text = "the message has no `request`"
-        help = (
-            "list the fields of its data, add `request: []` if it has none, or `requested: false` if only the device "
-        )
-        entry.refuse("missing_key", "name", text, f"{help}sends it")
+        help = "list the fields of its data, add `request: []` if it has none, or `requested: false` if only the device"
+        entry.refuse("missing_key", "name", text, f"{help} sends it")
     if "response" in entry.own or ("answered_on" in entry.own and not entry.texts("answered_on")):
         return
     text = "the message has no `response`"
