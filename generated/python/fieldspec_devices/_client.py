@@ -176,7 +176,7 @@ class Session:
         except CodecError as error:
             raise InvalidValueError(str(error)) from error
         except AttributeError as error:
-            links = [name[4:] for name in dir(request) if name.startswith("_to_") and name != "_to_image"]
+            links = [name[4:] for name in dir(request) if name.startswith("_to_")]
             if error.obj is not request or not links:
                 raise
             text = f"{request.__class__.__name__} is not sent on this link, but on {', '.join(links)}"
