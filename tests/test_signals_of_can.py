@@ -1,9 +1,13 @@
-"""Fields of bits against the signals of a DBC file: signed and scaled ones, in both byte orders."""
+"""Fields of bits against the signals of a DBC file: signed and scaled ones, in both byte orders, and over a bus."""
 
 from __future__ import annotations
 
+import random
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 
+import can
 import cantools
 import pytest
 from hypothesis import given
@@ -12,6 +16,7 @@ from hypothesis import strategies as st
 from fieldspec.explain.values import decode_value
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
+from serial_lines import SECONDS
 
 COUNTER = newest(TEST_SPECS, "counter")
 MODULE = module_of(COUNTER)
@@ -84,3 +89,45 @@ def test_a_number_that_its_bits_do_not_hold_is_refused(name: str, number: int) -
     with pytest.raises(codec_error()) as caught:
         MODULE.Drive(**{name: number})
     assert caught.value.reason == "out_of_range"
+
+
+@contextmanager
+def bus(channel: str) -> Iterator[tuple[can.BusABC, can.BusABC]]:
+    """Two ends of a virtual CAN bus."""
+    with can.Bus(interface="virtual", channel=channel) as near, can.Bus(interface="virtual", channel=channel) as far:
+        yield near, far
+
+
+def values_of(name: str, chance: random.Random) -> dict[str, int]:
+    """Counts that fit all signals of a message."""
+    return {
+        signal.name: chance.randrange(1 << signal.length) - (1 << (signal.length - 1) if signal.is_signed else 0)
+        for signal in MESSAGES.get_message_by_name(name).signals
+    }
+
+
+def test_cantools_reads_on_a_bus_what_the_generated_codec_sends() -> None:
+    brake, chance = MESSAGES.get_message_by_name("brake"), random.Random(7)
+    with bus("brake") as (near, far):
+        for _ in range(50):
+            counts = values_of("brake", chance)
+            record = MODULE.bus.can_frame(MODULE.bus.encode_request(MODULE.SetBrakeRequest(MODULE.Brake(**counts))))
+            near.send(can.Message(arbitration_id=record.identifier, data=record.data, is_extended_id=False))
+            received = far.recv(SECONDS)
+            assert received is not None
+            assert received.arbitration_id == 0x2A0
+            assert brake.decode(received.data, scaling=False) == counts
+
+
+def test_a_generated_framer_reads_on_a_bus_what_cantools_sends() -> None:
+    drive, chance = MESSAGES.get_message_by_name("drive"), random.Random(8)
+    with bus("drive") as (near, far):
+        for _ in range(50):
+            counts = values_of("drive", chance)
+            data = drive.encode(counts, scaling=False)
+            near.send(can.Message(arbitration_id=0x101, data=data, is_extended_id=False))
+            received = far.recv(SECONDS)
+            assert received is not None
+            frame = MODULE.bus.frame_of(received.arbitration_id, received.data)
+            message = MODULE.bus.decode_response(frame, None).message
+            assert {key: int(value) for key, value in message.drive.flags().items()} == counts
