@@ -200,7 +200,25 @@ def test_an_unknown_item_or_device_is_wrong_use(run: CommandLine, arguments: lis
     assert message in result.err
 
 
-def test_an_item_is_shown_by_the_number_that_the_manual_prints_for_its_address(run: CommandLine) -> None:
-    result = run("show", "station", "40001", "--specs", str(TEST_SPECS))
-    assert (result.code, result.lines[:1]) == (0, ["filter_time"])
-    assert run("show", "station", "40999", "--specs", str(TEST_SPECS)).code == 2
+@pytest.mark.parametrize(
+    ("device", "number", "expected"),
+    [
+        ("station", "40001", ["filter_time", "0x0000 (40001)"]),
+        ("station", "30005", ["counters", "0x0004 is counters[3]"]),
+        ("wattmeter", "40002", ["ratio", "0x0000 (40001)"]),
+    ],
+)
+def test_an_item_is_shown_by_the_number_that_the_manual_prints_for_its_address(
+    run: CommandLine, device: str, number: str, expected: list[str]
+) -> None:
+    result = run("show", device, number)
+    assert (result.code, result.lines[0]) == (0, expected[0])
+    assert expected[1] in result.out
+
+
+def test_a_number_that_the_manual_prints_for_no_address_is_wrong_use(run: CommandLine) -> None:
+    assert run("show", "station", "40999").code == 2
+
+
+def test_the_registers_of_several_spaces_are_shown_with_their_space_and_printed_number(run: CommandLine) -> None:
+    assert "holding_registers  0x0000   40001   filter_time" in run("show", "station").out

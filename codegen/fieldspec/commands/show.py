@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace) -> int:
     for at, item in enumerate(_meant(layout, arguments.item, number)):
         if at:
             print()
-        print_blocks(blocks(layout, item, number))
+        print_blocks(blocks(layout, item, _address_in(layout, item, number)))
     return 0
 
 
@@ -44,7 +44,7 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
             if matches:
                 return matches
     matches = [item for item in known if number is not None and numbered(item, number)]
-    matches = matches or [item for item in known if number is not None and _has_printed_number(layout, item, number)]
+    matches = matches or [item for item in known if _printed_address(layout, item, number) is not None]
     matches = matches or list(unnamed(layout, text, number))
     if not matches:
         names = {handle for item in known for handle in handles(item) if handle}
@@ -52,13 +52,18 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
     return matches
 
 
-def _has_printed_number(layout: DeviceLayout, item: Item, number: int) -> bool:
-    """Whether an item is at the address for which the manual prints a number, such as 40003."""
+def _address_in(layout: DeviceLayout, item: Item, number: int | None) -> int | None:
+    """The address or number within an item that a number means: itself, or the address for which it is printed."""
+    return number if number is None or numbered(item, number) else _printed_address(layout, item, number)
+
+
+def _printed_address(layout: DeviceLayout, item: Item, number: int | None) -> int | None:
+    """The address within an item for which the manual prints a number, such as 40003; None where it prints none."""
     fact = item.table if isinstance(item, TableLayout) else item
-    if not isinstance(fact, (Register, Table)):
-        return False
+    if number is None or not isinstance(fact, (Register, Table)):
+        return None
     address = layout.device.space(fact.space).address_of(number)
-    return address is not None and numbered(item, address)
+    return address if address is not None and numbered(item, address) else None
 
 
 def _called(item: Item, text: str, place: int, exact: bool) -> bool:

@@ -19,6 +19,9 @@ BIT = "bit"
 WHOLE = Ranges(((0, 0xFFFF),))
 """The addresses of a space without stated bounds: all 16 bit numbers."""
 
+LEAST_OF_FIVE_DIGITS = 10000
+"""Manuals that number registers with five digits print the space in the first one, and count from 1 in the others."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AddressSpace(Fact):
@@ -39,9 +42,14 @@ class AddressSpace(Fact):
         return 1 if self.unit == BYTE else 2
 
     def address_of(self, number: int) -> int | None:
-        """The address for which the manual prints a number, such as 40003; None for numbers that may be addresses."""
+        """The address for which the manual prints a number, such as 40003; None for numbers that may be addresses.
+
+        Where the bounds are not stated, numbers of five or six digits, such as 40001 and 400001, are no addresses.
+        """
         address = number - self.first_number
-        return address if self.bounds.high < self.first_number and address in self.bounds else None
+        digits = self.bounds == WHOLE and self.first_number > LEAST_OF_FIVE_DIGITS
+        is_apart = digits or self.bounds.high < self.first_number
+        return address if is_apart and address in self.bounds else None
 
 
 WORDS = AddressSpace(

@@ -61,7 +61,7 @@ def _inner_blocks(layout: DeviceLayout, item: Item) -> Iterator[Block]:
         case Flags():
             yield from _word(item)
         case RegisterGroup():
-            yield register_table(item.registers)
+            yield register_table(layout.device, item.registers)
         case ParameterSet():
             yield parameter_table(item)
         case Link():

@@ -104,7 +104,7 @@ def overview(layout: DeviceLayout) -> Iterator[Block]:
     yield Line(f"versions {', '.join(version.id for line in device.lines for version in line.versions) or '1'}")
     tables = (
         _links(device),
-        register_table(device.registers()),
+        register_table(device, device.registers()),
         _tables(device),
         _messages(device),
         _signals(device),
@@ -120,17 +120,20 @@ def overview(layout: DeviceLayout) -> Iterator[Block]:
             yield Line(f"{title}: {', '.join(names)}")
 
 
-def register_table(registers: Iterable[Register]) -> Table:
-    """Registers by address, name, type and unit."""
+def register_table(device: Device, registers: Iterable[Register]) -> Table:
+    """Registers by address, name, type and unit; with the space where there are several, and with printed numbers."""
     rows = []
     for register in registers:
+        space = device.space(register.space)
+        number = str(space.first_number + register.address) if space.first_number else ""
         times = f" x {register.count}" if register.count > 1 else ""
         kind = register.value.type.name + times
         label = " ".join(text for text in (register.printed_name, register.label) if text)
         names = register.value.enum or register.value.flags
-        first = (f"0x{register.address:04X}", register.name, label, kind, register.access or "?")
-        rows.append((*first, register.value.unit, names))
-    return narrowed(Table(("address", "register", "label", "type", "access", "unit", "names"), tuple(rows)))
+        place = (space.name if device.several_spaces else "", f"0x{register.address:04X}", number)
+        rows.append((*place, register.name, label, kind, register.access or "?", register.value.unit, names))
+    headings = ("space", "address", "number", "register", "label", "type", "access", "unit", "names")
+    return narrowed(Table(headings, tuple(rows)))
 
 
 def parameter_table(parameter_set: ParameterSet) -> Table:
