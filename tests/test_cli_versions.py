@@ -119,6 +119,16 @@ def test_a_matrix_has_the_facts_that_differ(capsys: pytest.CaptureFixture[str], 
     assert "signals/speed_setpoint" not in cells
 
 
+def test_a_renamed_fact_is_one_row_of_a_matrix(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
+    overlay = folder / "glider-x/versions/1.2.yaml"
+    renamed = "renames: [{fact: parameters/servo/reference_speed, to: top_speed, reason: The notes call it so.}]\n"
+    overlay.write_text(OVERLAY + renamed, "utf-8")
+    done = ran(capsys, folder, "matrix", "glider-x", "--format", "csv")
+    cells = {row[0]: row[2:] for row in csv.reader(io.StringIO(done.out))}
+    assert "parameters/servo/reference_speed" not in cells
+    assert cells["parameters/servo/top_speed"][2] == "name top_speed, max 6000, ranges 1..6000"
+
+
 def test_a_matrix_prints_addresses_in_hexadecimal_and_decimal() -> None:
     rows = {version: [row("register", "registers/a", (), address=at)] for version, at in (("1", 16), ("2", 8193))}
     assert matrix(rows, False).rows[0].cells == ("there", "address 0x2001 (8193)")

@@ -5,13 +5,17 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+from itertools import pairwise
 
+from fieldspec.changes.comparison import Comparison
+from fieldspec.changes.reasons import stated_reasons
 from fieldspec.commands import specs
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.commands.versions import each
 from fieldspec.facts import rows
-from fieldspec.facts.matrix import Matrix, matrix
+from fieldspec.facts.matrix import Matrix, Renaming, matrix
+from fieldspec.model.device import Device
 from fieldspec.render.blocks import Line, Table
 
 
@@ -21,7 +25,10 @@ def run(arguments: argparse.Namespace) -> int:
     if version:
         raise UsageError(f"the matrix shows all versions; leave out @{version}")
     spec, _ = specs.spec_at(arguments.specs, name)
-    fact_matrix = matrix({version: rows(specs.layout_of(spec, version)) for version in each(spec)}, arguments.all)
+    layouts = {version: specs.layout_of(spec, version) for version in each(spec)}
+    facts = {version: rows(layout) for version, layout in layouts.items()}
+    devices = [layout.device for layout in layouts.values()]
+    fact_matrix = matrix(facts, arguments.all, [_renaming(*pair) for pair in pairwise(devices)])
     if arguments.format == "text":
         print_blocks(
             [_table(fact_matrix)] if fact_matrix.rows else [Line(f"all versions of {name} have the same facts")]
@@ -35,6 +42,16 @@ def run(arguments: argparse.Namespace) -> int:
 
         print(rendered(spec.id, fact_matrix), end="")
     return 0
+
+
+def _renaming(old: Device, new: Device) -> Renaming:
+    """The paths of a version as those of the next one: of what the spec says is renamed, or what evidently is.
+
+    What was reserved and now has a meaning is no renamed fact.
+    """
+    comparison = Comparison(old, new, stated_reasons(old, new).renames)
+    reserved = {pair.old.place.path for pair in comparison.reserved_changes}
+    return lambda path: path if path in reserved else comparison.renamed_path(path)
 
 
 def _table(matrix: Matrix) -> Table:

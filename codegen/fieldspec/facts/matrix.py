@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.facts.row import Cell, FactRow
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+Renaming: TypeAlias = "Callable[[str], str]"
+"""Gives the path that a fact of a version has in the next one."""
 
 SAME = "same"
 # Columns that say where a fact is in the spec and in the manual, and not what it states.
@@ -15,7 +21,10 @@ _LONGEST = 40
 
 @dataclass(frozen=True, slots=True)
 class MatrixRow:
-    """A fact with a cell for each version: empty if it is missing, what it states, or `same` as the version before."""
+    """A fact with a cell for each version: empty if it is missing, what it states, or `same` as the version before.
+
+    `path` is that of the newest version that has the fact.
+    """
 
     path: str
     kind: str
@@ -30,26 +39,34 @@ class Matrix:
     rows: tuple[MatrixRow, ...]
 
 
-def matrix(facts: Mapping[str, Sequence[FactRow]], everything: bool) -> Matrix:
-    """The matrix of the facts of each version, in their order: of those that differ, or of everything."""
-    columns = {version: _by_path(rows) for version, rows in facts.items()}
+def matrix(facts: Mapping[str, Sequence[FactRow]], everything: bool, renamings: Sequence[Renaming] = ()) -> Matrix:
+    """The matrix of the facts of each version, in their order: of those that differ, or of everything.
+
+    `renamings` lead from each version to the next one; without them, a renamed fact is two.
+    """
+    columns = []
+    for number, rows in enumerate(facts.values()):
+        columns.append(_by_path(rows, renamings[number:]))
     paths: dict[str, None] = {}
-    for rows_by_path in columns.values():
+    for rows_by_path in columns:
         paths |= dict.fromkeys(rows_by_path)
     rows_of_matrix = []
     for path in paths:
-        rows = [rows_by_path.get(path) for rows_by_path in columns.values()]
-        if everything or len({_row_values(row) for row in rows}) > 1:
-            kind = next(str(row["kind"]) for row in rows if row is not None)
-            rows_of_matrix.append(MatrixRow(path, kind, tuple(_cells(rows))))
+        of_path = [rows_by_path.get(path) for rows_by_path in columns]
+        if everything or len({_row_values(row) for row in of_path}) > 1:
+            kind = next(str(row["kind"]) for row in of_path if row is not None)
+            rows_of_matrix.append(MatrixRow(path, kind, tuple(_cells(of_path))))
     return Matrix(tuple(facts), tuple(rows_of_matrix))
 
 
-def _by_path(rows: Sequence[FactRow]) -> dict[str, FactRow]:
-    """The first row of each path. The others are the same fact, printed again."""
+def _by_path(rows: Sequence[FactRow], renamings: Sequence[Renaming]) -> dict[str, FactRow]:
+    """The first row of each path, which is the newest one. The others are the same fact, printed again."""
     first_rows: dict[str, FactRow] = {}
     for row in rows:
-        first_rows.setdefault(str(row["path"]), row)
+        path = str(row["path"])
+        for renaming in renamings:
+            path = renaming(path)
+        first_rows.setdefault(path, row)
     return first_rows
 
 
