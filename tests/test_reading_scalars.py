@@ -122,6 +122,7 @@ ROW = "registers: [{{group: a, rows: [{{at: 1, name: b, type: u16, {}}}]}}]\n"
 # The code of a finding, a text that has it, and a part of its help.
 FINDINGS = {
     "a misspelt key": ("unknown_key", ROW.format("«acess»: rw"), "did you mean `access`?"),
+    "a key of other mappings": ("unknown_key", ROW.format("«record»: x"), "`record` is a key of other mappings"),
     "a misspelt section": ("unknown_key", "«registrs»: []\n", "did you mean `registers`?"),
     "a key that is like no other": ("unknown_key", ROW.format("«qqq»: rw"), "`access`, `align`, `allow`"),
     "a key of another place": ("unknown_key", "notes: [{name: a, text: b, «at»: 1}]\n", "it can be `about`"),

@@ -50,7 +50,13 @@ def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
         behind = layer.fields[-1]
         text = f"{behind.name} comes after {field.name}, whose size depends on another field"
         there = label(behind.place, "name", "comes after it")
-        yield finding(_CODE, field.place, "choice", text, "list the fields in the order of the wire", there)
+        by = field.choice.by if field.choice else ""
+        help = (
+            "list the fields in the order of the wire"
+            if by in [other.name for other in layer.fields[layer.fields.index(field) :]]
+            else f"where the device has fields behind it, write a message for each case, with a `const` for {by}"
+        )
+        yield finding(_CODE, field.place, "choice", text, help, there)
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")

@@ -25,6 +25,8 @@ from fieldspec.source import Span
 # Longer numbers are on no wire; a number that is not written like this is text, and then of the wrong type.
 _INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})")
 _NUMBER = re.compile(r"[-+]?(0|[1-9][0-9]{0,19})(\.[0-9]{1,20})?")
+_SLIP = 0.85
+"""How alike two keys are at least where one may be written for the other by mistake."""
 
 
 @lru_cache(maxsize=64)
@@ -241,7 +243,7 @@ def _have(node: Node) -> str:
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     known = part.get("properties", {})
-    hint = _comma(node, key) or _known_key(key, known) or near(key, list(known))
+    hint = _comma(node, key) or _known_key(key, known) or _misplaced(key, known) or near(key, list(known))
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
 
 
@@ -254,6 +256,32 @@ def _known_key(key: str, known: Schema) -> str:
         if "name" in keys and (own := key if key in keys else synonym(key, keys)):
             return f"the entries of `{name}` have the key `{own}`"
     return ""
+
+
+def _misplaced(key: str, known: Schema) -> str:
+    """The help for a key of other mappings, which is no slip of the pen; empty for others."""
+    from difflib import get_close_matches
+
+    if key not in _all_keys() or get_close_matches(key, known, 1, _SLIP):
+        return ""
+    names = [f"`{name}`" for name in sorted(known)]
+    return f"`{key}` is a key of other mappings; here it can be {', '.join(names)}"
+
+
+@lru_cache(maxsize=1)
+def _all_keys() -> frozenset[str]:
+    """All keys of the language, of any mapping."""
+    keys: set[str] = set()
+    parts: list[Any] = [schema()]
+    while parts:
+        part = parts.pop()
+        if isinstance(part, dict):
+            properties = part.get("properties", {})
+            keys |= properties.keys()
+            parts += part.values()
+        elif isinstance(part, list):
+            parts += part
+    return frozenset(keys)
 
 
 def _comma(node: Mapping, key: str) -> str:
