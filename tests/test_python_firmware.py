@@ -15,7 +15,7 @@ import pytest
 
 from fieldspec import pipeline
 from fieldspec.backends.python.backend import files, shared
-from fieldspec.reading.project import read
+from fieldspec.reading.project import DeviceSpec, read
 from layouts import SPECS, layout_at, layouts
 from python_package import NAME, package, write
 
@@ -110,8 +110,8 @@ DETECTIONS = {
 }
 
 
-def detecting(keys: str, number: int) -> ModuleType:
-    """The package of a device whose version is in a register."""
+def detecting_spec(keys: str) -> DeviceSpec:
+    """A device whose version is in a register."""
     members = ", ".join(f'{{id: "{version}", source: L1}}' for version in ("0.07", "2.1", "2.80", "12", "12.12"))
     head = MILL.partition("versions:")[0]
     spec = f"""{head}versions:
@@ -122,7 +122,12 @@ def detecting(keys: str, number: int) -> ModuleType:
 registers:
   - {{group: all, source: L1, rows: [{{name: firmware, at: 1, type: u16, access: ro}}]}}
 """
-    device = read({"mill/device.yaml": spec.encode()}).devices["mill"]
+    return read({"mill/device.yaml": spec.encode()}).devices["mill"]
+
+
+def detecting(keys: str, number: int) -> ModuleType:
+    """The package of a device whose version is in a register."""
+    device = detecting_spec(keys)
     texts = {**shared(), **files([layout_at(device, version) for version in device.versions()])}
     folder = Path(tempfile.mkdtemp(prefix="fieldspec-detecting-"))
     name = f"detecting_{number}"
@@ -154,6 +159,7 @@ def test_the_exception_can_be_passed_between_processes() -> None:
 
 
 def test_the_text_that_a_device_sends_is_taken_as_it_comes() -> None:
+    package()
     device = importlib.import_module(f"{NAME}.esc11")
     (layout,) = (layout for layout in layouts(SPECS)["esc11"] if layout.device.version == "1.17")
     assert layout.identity == device.for_firmware(" 1.17 ").IDENTITY

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.python.detection import detecting_value
+from fieldspec.backends.detection import detecting_value
 from fieldspec.backends.python.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout

@@ -3,12 +3,14 @@
  *
  * Version 1: ./v1.js
  */
+import { versionOf } from "../runtime/firmware.js";
 export * from "./v1.js";
 
 const VERSIONS_BY_NAME = {
   __proto__: null,
   "1": () => import("./v1.js"),
 };
+const LINES = [["1"]];
 export const VERSIONS = Object.freeze(["1"]);
 
 /** The module of a version. Throws RangeError for a version that the spec does not have. */
@@ -18,4 +20,16 @@ export async function forVersion(version) {
     throw new RangeError(`ck10 has the versions ${VERSIONS.join(", ")}`);
   }
   return load();
+}
+
+/**
+ * The module of the firmware that a device reports. Blanks around the version, a `v` before it and leading or
+ * trailing zeros do not matter: ` v02.0 ` is 2.0. The version `before-2.0` of a spec is all firmware below 2.0.
+ * With `nearest`, a version that the spec does not list gets the module of the newest version below it on its
+ * line; the caller answers for that choice.
+ *
+ * Throws UnknownFirmwareError, which lists the known versions, for every other firmware. Nothing is guessed.
+ */
+export async function forFirmware(firmware, { nearest = false } = {}) {
+  return forVersion(versionOf(LINES, firmware, nearest));
 }

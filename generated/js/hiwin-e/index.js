@@ -19,6 +19,7 @@
  *
  * Version 4.14.4: ./v2_14_4.js
  */
+import { versionOf } from "../runtime/firmware.js";
 export * from "./v2_14_4.js";
 
 const VERSIONS_BY_NAME = {
@@ -33,6 +34,7 @@ const VERSIONS_BY_NAME = {
   "3.14.4": () => import("./v2_14_4.js"),
   "4.14.4": () => import("./v2_14_4.js"),
 };
+const LINES = [["before-2.8.16", "2.8.16", "2.12.5", "2.14.4"], ["before-3.12.5", "3.12.5", "3.14.4"], ["before-4.14.4", "4.14.4"]];
 export const VERSIONS = Object.freeze(["before-2.8.16", "2.8.16", "2.12.5", "2.14.4", "before-3.12.5", "3.12.5", "before-4.14.4", "3.14.4", "4.14.4"]);
 
 /** The module of a version. Throws RangeError for a version that the spec does not have. */
@@ -42,4 +44,16 @@ export async function forVersion(version) {
     throw new RangeError(`hiwin_e has the versions ${VERSIONS.join(", ")}`);
   }
   return load();
+}
+
+/**
+ * The module of the firmware that a device reports. Blanks around the version, a `v` before it and leading or
+ * trailing zeros do not matter: ` v02.0 ` is 2.0. The version `before-2.0` of a spec is all firmware below 2.0.
+ * With `nearest`, a version that the spec does not list gets the module of the newest version below it on its
+ * line; the caller answers for that choice.
+ *
+ * Throws UnknownFirmwareError, which lists the known versions, for every other firmware. Nothing is guessed.
+ */
+export async function forFirmware(firmware, { nearest = false } = {}) {
+  return forVersion(versionOf(LINES, firmware, nearest));
 }

@@ -6,8 +6,8 @@ import json
 from collections.abc import Sequence
 
 from fieldspec.backends.js.explainer import explainer_files
+from fieldspec.backends.js.index import index_texts
 from fieldspec.backends.js.module import module_texts
-from fieldspec.backends.js.text import comment, literal
 from fieldspec.backends.js.usages import usages as usages
 from fieldspec.backends.templates import text
 from fieldspec.explain import script
@@ -17,6 +17,7 @@ from fieldspec.names import Name, version_word
 RUNTIME = (
     "delimiters",
     "end_framer",
+    "firmware",
     "framer",
     "index",
     "link",
@@ -76,50 +77,4 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     if versions[-1].links:
         for ending in ("js", "d.ts"):
             texts[f"{folder}/explain.{ending}"] = f'export * from "./{newest}_explain.js";\n'
-    head = comment(
-        [
-            f"{device.vendor} {device.name}: the names of the newest version.",
-            *(f"Version {version}: ./{module}.js" for version, module in modules.items()),
-        ]
-    )
-    rows = [f'  {literal(version)}: () => import("./{module}.js"),' for version, module in modules.items()]
-    texts[f"{folder}/index.js"] = "\n".join(
-        [
-            *head,
-            f'export * from "./{newest}.js";',
-            "",
-            "const VERSIONS_BY_NAME = {",
-            "  __proto__: null,",
-            *rows,
-            "};",
-            f"export const VERSIONS = Object.freeze({json.dumps(list(modules))});",
-            "",
-            "/** The module of a version. Throws RangeError for a version that the spec does not have. */",
-            "export async function forVersion(version) {",
-            "  const load = VERSIONS_BY_NAME[version];",
-            "  if (load === undefined) {",
-            f'    throw new RangeError(`{Name.of(device.id).snake()} has the versions ${{VERSIONS.join(", ")}}`);',
-            "  }",
-            "  return load();",
-            "}",
-            "",
-        ]
-    )
-    union = " | ".join(f'typeof import("./{module}.js")' for module in dict.fromkeys(modules.values()))
-    known = " | ".join(map(literal, modules))
-    overloads = [
-        f'export declare function forVersion(version: {literal(version)}): Promise<typeof import("./{module}.js")>;'
-        for version, module in modules.items()
-    ]
-    texts[f"{folder}/index.d.ts"] = "\n".join(
-        [
-            *head,
-            f'export * from "./{newest}.js";',
-            f"export declare const VERSIONS: readonly ({known})[];",
-            *comment(["The module of a version. Throws RangeError for a version that the spec does not have."]),
-            *overloads,
-            f"export declare function forVersion(version: string): Promise<{union}>;",
-            "",
-        ]
-    )
-    return texts
+    return texts | index_texts(versions[-1], folder, modules)

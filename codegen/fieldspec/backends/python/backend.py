@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from fieldspec.backends.detection import version_lines
 from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.python.client import client_view
 from fieldspec.backends.python.detection import detection_view
@@ -15,7 +16,6 @@ from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.usages import usages as usages
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.device import Device
 
 PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("client", "for_firmware", "latest")
@@ -96,7 +96,10 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         latest=literal(device.version),
         versions=[(literal(version), literal(module)) for version, module in modules.items()],
         detection=detection_view(versions[-1]),
-        lines=[[(literal(version), literal(modules[version])) for version in line] for line in _lines(device, modules)],
+        lines=[
+            [(literal(version), literal(modules[version])) for version in line]
+            for line in version_lines(device, modules)
+        ],
     )
     newest = f"{modules[device.version]}_client"
     if f"{folder}/{newest}.py" in texts:
@@ -111,12 +114,6 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
             type=detection_view(versions[-1])["type"],
         )
     return texts
-
-
-def _lines(device: Device, modules: Container[str]) -> list[list[str]]:
-    """The versions of each line that have a module; all in one line where the device declares no lines."""
-    lines = [[version.id for version in line.versions if version.id in modules] for line in device.lines]
-    return [line for line in lines if line] or [[device.version]]
 
 
 def _module(view: Mapping[str, Any]) -> str:

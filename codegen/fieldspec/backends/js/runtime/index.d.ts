@@ -24,6 +24,12 @@ export declare class CodecError extends Error {
   readonly offset: number | null;
 }
 
+/** Firmware that a spec does not list: `firmware` is the requested one, `known` are the versions of the spec. */
+export declare class UnknownFirmwareError extends RangeError {
+  readonly firmware: string;
+  readonly known: readonly string[];
+}
+
 /** The identifier and the data of a CAN frame, as drivers take and give them; `isExtended` means 29 bits. */
 export interface CanFrame {
   readonly identifier: number;
