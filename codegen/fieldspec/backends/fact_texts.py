@@ -48,6 +48,11 @@ def described(head: str, fact: Fact, *more: str) -> list[str]:
     return [sentence(first), sentence(fact.doc), *more, *caveats, cited(fact.sources)]
 
 
+def detection_text(detection: Detection) -> str:
+    """Which value tells the version of a device, and how a number in it is read."""
+    return f"The device tells its version in `{detection.fact}`. {number_text(detection)}".strip()
+
+
 def number_text(detection: Detection) -> str:
     """How a number is read, as a sentence; empty where the manual does not print it."""
     if detection.form == "bytes":

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.detection import detecting_value
 from fieldspec.backends.python.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.detection import detecting_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.client import Client
 from fieldspec.live.messages import read_signals, signals

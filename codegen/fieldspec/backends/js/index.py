@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 
-from fieldspec.backends.detection import version_detection, version_lines
+from fieldspec.backends.fact_texts import detection_text
 from fieldspec.backends.js.text import comment, literal
+from fieldspec.layout.detection import version_detection, version_lines
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.names import Name
@@ -77,7 +78,7 @@ def _code(device: Device, modules: Mapping[str, str]) -> list[str]:
         "  return load();",
         "}",
         "",
-        *comment([*_FOR_FIRMWARE, detection.text if detection is not None else ""]),
+        *comment([*_FOR_FIRMWARE, detection_text(device.detection) if device.detection is not None else ""]),
         "export async function forFirmware(firmware, { nearest = false } = {}) {",
         f"  return forVersion(versionOf(LINES, {version}, nearest));",
         "}",
@@ -104,7 +105,7 @@ def _types(device: Device, modules: Mapping[str, str]) -> list[str]:
         *comment([_FOR_VERSION]),
         *overloads,
         f"export declare function forVersion(version: string): Promise<{union}>;",
-        *comment([*_FOR_FIRMWARE, detection.text if detection is not None else ""]),
+        *comment([*_FOR_FIRMWARE, detection_text(device.detection) if device.detection is not None else ""]),
         f"export declare function forFirmware(firmware: {takes}, options?: {{ readonly nearest?: boolean }}): "
         f"Promise<{union}>;",
     ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from fieldspec.backends.detection import version_lines
 from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.python.client import client_view
 from fieldspec.backends.python.detection import detection_view
@@ -15,6 +14,7 @@ from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.usages import usages as usages
 from fieldspec.backends.templates import fill
+from fieldspec.layout.detection import version_lines
 from fieldspec.layout.device import DeviceLayout
 
 PACKAGE = "fieldspec_devices"

@@ -5,8 +5,9 @@ from __future__ import annotations
 import textwrap
 from typing import Any
 
-from fieldspec.backends.detection import version_detection
+from fieldspec.backends.fact_texts import detection_text
 from fieldspec.backends.python.text import WIDTH, literal
+from fieldspec.layout.detection import version_detection
 from fieldspec.layout.device import DeviceLayout
 
 
@@ -15,8 +16,9 @@ def detection_view(layout: DeviceLayout) -> dict[str, Any]:
 
     `fact` is empty where no line states what tells its version; `reads` says whether a value is more than a text.
     """
+    stated = layout.device.detection
     detection = version_detection(layout.device)
-    if detection is None:
+    if detection is None or stated is None:
         return {"fact": "", "type": "str", "doc": [], "named": [], "reads": False}
     named = [
         (literal(value) if isinstance(value, str) else str(value), literal(version))
@@ -25,7 +27,7 @@ def detection_view(layout: DeviceLayout) -> dict[str, Any]:
     return {
         "fact": literal(detection.fact),
         "type": "str | int" if detection.takes_numbers else "str",
-        "doc": textwrap.wrap(detection.text, WIDTH - 4),
+        "doc": textwrap.wrap(detection_text(stated), WIDTH - 4),
         "named": named,
         "form": literal(detection.form),
         "places": detection.places,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Container
 
-from fieldspec.backends.fact_texts import number_text
 from fieldspec.classes import dataclass
 from fieldspec.model.attributes import descendants
 from fieldspec.model.device import Detection, Device
@@ -16,13 +15,12 @@ from fieldspec.model.value import Kind, Value
 class VersionDetection:
     """The value of the device that tells its version: the `fact` with it, and what its numbers stand for.
 
-    `text` says it in a sentence. `named` has single values with the ids of their versions; `takes_numbers` says whether
-    the value is a number that stands for a version, and `reads_values` whether it is more than a text. `places` is the
-    size in bytes for the form `bytes`.
+    `named` has single values with the ids of their versions; `takes_numbers` says whether the value is a number that
+    stands for a version, and `reads_values` whether it is more than a text. `places` is the size in bytes for the form
+    `bytes`.
     """
 
     fact: str
-    text: str
     form: str
     places: int
     named: tuple[tuple[str | int, str], ...]
@@ -45,7 +43,6 @@ def version_detection(device: Device) -> VersionDetection | None:
     named = tuple((item, version.id) for version in versions for item in version.detected_as)
     return VersionDetection(
         fact=detection.fact,
-        text=f"The device tells its version in `{detection.fact}`. {number_text(detection)}".strip(),
         form=detection.form,
         places=value.size if detection.form == "bytes" and value is not None else detection.places,
         named=named,
