@@ -11,6 +11,7 @@ from fieldspec.checks.accesses_agree import accesses_agree
 from fieldspec.checks.accesses_fit_space import accesses_fit_space
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
+from fieldspec.checks.addresses_fit_messages import addresses_fit_messages
 from fieldspec.checks.addresses_within_space import addresses_within_space
 from fieldspec.checks.aliases_agree import aliases_agree
 from fieldspec.checks.allowances_used import allowances_used
@@ -126,6 +127,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("accesses_fit_space", accesses_fit_space),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),
+    ("addresses_fit_messages", addresses_fit_messages),
     ("addresses_within_space", addresses_within_space),
     ("aliases_agree", aliases_agree),
     ("bases_apply", bases_apply),
