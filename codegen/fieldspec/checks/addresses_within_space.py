@@ -5,7 +5,8 @@ bounds cannot be read. Either the address, the stride or the number of elements 
 
 Example: a table of 4096 elements with a stride of 0x10 that begins at 0x9000.
 
-Cure: Correct the address, the stride, the number of elements or the `bounds` of the space.
+Cure: Correct the address, the stride, the number of elements or the `bounds` of the space. What has longer addresses
+is stated as `parameters`, whose numbers have up to 32 bits.
 """
 
 from __future__ import annotations
@@ -20,11 +21,16 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.sizes import RecordSizes
 
 _HELP = "correct the address, the stride or the number of elements"
+_WIDE = "lower the bounds; state what has longer addresses as `parameters`, whose numbers have up to 32 bits"
 
 
 def addresses_within_space(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         yield from _of(device, register, register.space, "at", register.address, register.end - 1)
+    for space in device.spaces.values():
+        if space.bounds.low < 0 or space.bounds.high >= SPACE:
+            text = f"{space.name} has bounds beyond 0..0xFFFF, the addresses that a space may have"
+            yield finding("addresses_within_space", space.place, "bounds", text, _WIDE)
     sizes = RecordSizes(device)
     for table in device.tables.values():
         last = table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
