@@ -257,6 +257,14 @@ def test_rows_take_what_they_lack_from_the_defaults_of_their_group() -> None:
     assert far.value.unit == "mm"
 
 
+def test_what_a_row_states_in_counts_comes_before_what_its_group_states_in_the_unit() -> None:
+    defaults = "{type: u16, scale: 0.1, unit: mm, unit_range: 0..10, unit_default: 1}"
+    rows = "[{at: 1, name: own, range: 5..7, default: 6}, {at: 2, name: usual}]"
+    own, usual = device(f"registers: [{{group: a, defaults: {defaults}, rows: {rows}}}]\n").groups[0].registers
+    assert [own.value.ranges and own.value.ranges.text(), own.value.default] == ["5..7", 6]
+    assert [usual.value.ranges and usual.value.ranges.text(), usual.value.default] == ["0..100", 10]
+
+
 def test_reasons_of_a_row_are_added_to_those_of_its_group() -> None:
     near, far = device(ROWS).groups[0].registers
     assert list(near.inferred) == ["access"]

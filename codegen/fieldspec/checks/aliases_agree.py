@@ -21,6 +21,8 @@ from fieldspec.model.link import Part
 from fieldspec.model.record import Field
 from fieldspec.model.value import Value
 
+_HELP = "correct one of them, or remove `same_as`"
+
 
 def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     registers = {register.name: register for register in device.registers()}
@@ -36,7 +38,9 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         asked = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
-            yield from _echo(field, asked.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
+            text = f"{field.name} repeats {field.same_as} of the request"
+            yield from _echo(field, asked.get(field.same_as), text)
+            yield from _repeats(field, asked.get(field.same_as), text)
     for link in device.links.values():
         parts = {part.name: part for part in link.request}
         for part in link.response:
@@ -49,6 +53,28 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
 def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator[Diagnostic]:
     if same is not None and field.value is not None and same.value is not None:
         yield from _compare_values(text, field, field.value, same, same.value)
+
+
+def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
+    """A field of a response can have what the request has: as many elements, and no other constant."""
+    if same is None:
+        return
+    if _elements(field) != _elements(same):
+        key, there = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
+        yield finding("aliases_agree", field.place, key, f"{text}, but has another number of elements", _HELP, there)
+    mine = field.value.const if field.value is not None else None
+    if mine is not None and same.value is not None and mine != same.value.const:
+        there = label(same.place, "const" if "const" in same.place else "name", f"in {same.name}")
+        yield finding("aliases_agree", field.place, "const", f"{text}, but is always the same", _HELP, there)
+
+
+def _elements(field: Field) -> object:
+    """How many elements a field has: a number, or the bounds of a list; None for a single value."""
+    return field.count if field.repeat is None else field.repeat
+
+
+def _elements_key(field: Field) -> str:
+    return next((key for key in ("count", "repeat") if key in field.place), "type")
 
 
 def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
@@ -67,6 +93,6 @@ def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Valu
                 fact.place,
                 key,
                 f"{text}, but has a different {key.removeprefix('unit_')}",
-                "correct one of them, or remove `same_as`",
+                _HELP,
                 label(other.place, range_key(other.place) if "range" in key else key, f"in {other.name}"),
             )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 from fieldspec.classes import replace
 from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.escape import CAN_BITS, Escape
@@ -74,8 +76,8 @@ def link(entry: Entry) -> Link:
         exception_response=_exception_response(exception) if exception else None,
         unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
-        silence_characters=silence.decimal("characters") if silence else None,
-        silence_milliseconds=silence.decimal("milliseconds") if silence else None,
+        silence_characters=_silence(silence, "characters"),
+        silence_milliseconds=_silence(silence, "milliseconds"),
         silence_sources=silence.citations("source") if silence else (),
         escape=_identifier(can, request, order) if can else escape(escaping) if escaping else None,
     )
@@ -200,13 +202,27 @@ def _unit_addresses(entry: Entry) -> UnitAddresses | None:
     )
 
 
+def _silence(silence: Entry | None, key: str) -> Decimal | None:
+    """The silence between frames in the unit of a key; None where it is not stated in it."""
+    time = silence.decimal(key) if silence is not None else None
+    if silence is not None and time is not None and time <= 0:
+        silence.refuse(
+            "wrong_form", key, "no silence is between the frames", "state a time above 0, or remove `silence`"
+        )
+    return time
+
+
 def _serial(entry: Entry) -> Serial | None:
     serial = entry.entry("serial")
     if serial is None:
         return None
+    speeds, usual = serial.integers("baud"), serial.integer("default_baud")
+    if usual is not None and speeds and usual not in speeds:
+        text = f"the speed on delivery, {usual}, is none of the speeds"
+        serial.refuse("wrong_form", "default_baud", text, "correct it, or add it to `baud`")
     return Serial(
-        baud=serial.integers("baud"),
-        default_baud=serial.integer("default_baud"),
+        baud=speeds,
+        default_baud=usual,
         data_bits=serial.integers("data_bits"),
         parity=serial.texts("parity"),
         stop_bits=serial.integers("stop_bits"),

@@ -141,14 +141,22 @@ def _size(entry: Entry, primitive: Primitive, words: int | None, digits: str) ->
     return length
 
 
+def _states_in_unit(entry: Entry, key: str) -> bool:
+    """Whether a value states the key in its unit; what it states itself comes before the defaults of its group."""
+    in_unit = f"unit_{key}"
+    if key in entry.own and in_unit in entry.own:
+        text = f"`{key}` has no effect beside `{in_unit}`"
+        entry.refuse("wrong_form", key, text, "state one of them; what the manual prints again goes under `restated`")
+    return in_unit in entry.own or (key not in entry.own and entry.value(in_unit) is not None)
+
+
 def _real_ranges(entry: Entry) -> Ranges | None:
     """The range of a floating-point number, which is in its unit."""
-    in_unit = entry.real_ranges("unit_range")
-    return entry.real_ranges("range") if in_unit is None else in_unit
+    return entry.real_ranges("unit_range" if _states_in_unit(entry, "range") else "range")
 
 
 def _ranges(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Ranges | None:
-    in_unit = entry.ranges("unit_range")
+    in_unit = entry.ranges("unit_range") if _states_in_unit(entry, "range") else None
     if in_unit is None:
         return entry.whole_ranges("range")
     from fractions import Fraction
@@ -165,7 +173,7 @@ def _ranges(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Ranges 
 
 
 def _default(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> int | str | None:
-    in_unit = entry.decimal("unit_default")
+    in_unit = entry.decimal("unit_default") if _states_in_unit(entry, "default") else None
     if in_unit is None:
         default = entry.value("default")
         return default if isinstance(default, int | str) else None
