@@ -28,7 +28,9 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     registers = {register.name: register for register in device.registers()}
     for register in device.registers():
         other = registers.get(register.same_as)
-        if other is not None:
+        if other is register:
+            yield finding("aliases_agree", register.place, "same_as", f"{register.name} is itself", "remove `same_as`")
+        elif other is not None:
             yield from _compare_values(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for record in device.records.values():
         alike = device.records.get(record.same_as)

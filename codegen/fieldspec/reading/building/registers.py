@@ -64,6 +64,9 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
     content = value(entry, words=words)
     width = -(-content.size // unit_size)
     count = entry.integer("count") or 1
+    for key in ("stride", "index_from", "element_name") if entry.get("count") is None else ():
+        if key in entry.own:
+            entry.refuse("wrong_form", key, f"`{key}` has no effect without `count`", "add `count`, or remove it")
     elements = _elements(entry, count)
     if not entry.sources and elements:
         entry.sources = (elements[0],)
