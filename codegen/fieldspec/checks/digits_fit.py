@@ -64,7 +64,8 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
     bodies = (body for message in messages_on(device, link) for body in (message.request, message.response))
     facts: chain[Part | Field] = chain(link.request, link.response, *(body.fields for body in bodies))
     for fact in facts:
-        if fact.value is not None and fact.value.digits and fact.value.digits != BCD:
+        digits = fact.digits if isinstance(fact, Part) and fact.value is None else fact.value and fact.value.digits
+        if digits and digits != BCD:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
             help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
             there = label(link.place, "encoding", "sends every byte as two characters")
