@@ -5569,7 +5569,7 @@ local function add_carrier(link, kind, title, text)
     local id = device.id .. "_" .. link.name .. "_" .. kind
     local proto = Proto(id, device.title .. ", " .. link.title .. ", " .. title)
     local preference = link.name .. "_" .. kind
-    protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, "", text)
+    protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, (link.ports or {})[kind] or "", text)
     local carrier = { kind = kind, preference = preference, proto = proto, link = link, attached = {} }
     proto.dissector = function(tvb, pinfo, root)
         local message

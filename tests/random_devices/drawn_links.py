@@ -36,6 +36,8 @@ def link(draft: Draft, coded: bool) -> Spec:
         line["silence"] = {"milliseconds": 5}
     if draft.chance(5):
         line["serial"] = {"baud": [9600], "parity": ["even"]}
+    if draft.chance(5):
+        line["network"] = {draft.pick(("tcp", "udp")): draft.number(1, 0xFFFF)}
     return line
 
 

@@ -6,7 +6,8 @@ Why: a bit that no part has could be anything, and a frame with more data cannot
 Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
 
 Cure: Give every bit of the identifier to one part, a `const` or a `reserved` one where the manual says so. State longer
-data as several messages. A CAN bus has no delimiters, lengths, checksums, escapes and serial settings of its own.
+data as several messages. A CAN bus has no delimiters, lengths, checksums, escapes, serial settings and ports of its
+own.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.sizes import RecordSizes, messages_on, part_size
 
 _CODE = "can_frames_complete"
-_FOREIGN = ("start", "end", "delimiters", "escape", "serial", "silence")
+_FOREIGN = ("start", "end", "delimiters", "escape", "serial", "network", "silence")
 _MOST_PARTS = 7
 """The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
 

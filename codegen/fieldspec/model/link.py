@@ -111,6 +111,21 @@ class Serial:
     sources: tuple[Citation, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Network:
+    """The ports on which the device listens, by protocol; None where the manual states none."""
+
+    tcp: int | None
+    udp: int | None
+    sources: tuple[Citation, ...]
+
+    @property
+    def ports(self) -> tuple[tuple[str, int], ...]:
+        """The stated ports: `("tcp", 502)`."""
+        each = (("tcp", self.tcp), ("udp", self.udp))
+        return tuple((protocol, port) for protocol, port in each if port is not None)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
@@ -140,6 +155,12 @@ class Link(Fact):
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
     escape: Escape | None = None
+    network: Network | None = None
+
+    @property
+    def ports(self) -> tuple[tuple[str, int], ...]:
+        """The ports of a network on which the device listens: `("tcp", 502)`."""
+        return self.network.ports if self.network is not None else ()
 
     @property
     def is_can(self) -> bool:

@@ -220,6 +220,22 @@ def can_objection(link: LinkLayout, place: str) -> str:
     return ""
 
 
+def completed_place(layout: LinkLayout, place: str) -> str:
+    """A place whose address has no port, with the port that the spec states for the link, if it does."""
+    protocol, _, host = place.partition("://")
+    port = dict(layout.link.ports).get(protocol)
+    has_port = not host or host.rpartition("]")[2].rpartition(":")[1]
+    return place if port is None or has_port else f"{place.rstrip('/')}:{port}"
+
+
+def stated_place(layout: LinkLayout) -> str:
+    """Where a link is served on this machine: at the port that the spec states, or at the usual place."""
+    ports = layout.link.ports
+    if layout.link.serial is not None or not ports:
+        return usual_place(layout)
+    return f"{ports[0][0]}://127.0.0.1:{ports[0][1]}"
+
+
 def usual_place(layout: LinkLayout) -> str:
     """Where a link is served that no place is stated for.
 

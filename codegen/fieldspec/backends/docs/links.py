@@ -21,7 +21,7 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.backends.docs.link_settings import address_facts, serial_facts
+from fieldspec.backends.docs.link_settings import address_facts, network_facts, serial_facts
 from fieldspec.backends.docs.positions import Position, field_starts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
@@ -378,5 +378,6 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         )
     yield from address_facts(link)
     yield from serial_facts(link)
+    yield from network_facts(link)
     if link.sources:
         yield "Source", (cited(link.sources),)

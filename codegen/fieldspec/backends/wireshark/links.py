@@ -40,6 +40,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "units": None
         if addresses is None
         else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
+        **({"ports": {protocol: str(port) for protocol, port in own.ports}} if own.ports else {}),
         **shapes,
     }
 

@@ -1,11 +1,11 @@
-"""Links: parts of frames, unit addresses, serial settings."""
+"""Links: parts of frames, unit addresses, serial settings, ports of a network."""
 
 from __future__ import annotations
 
 from fieldspec.classes import replace
 from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.escape import CAN_BITS, Escape
-from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.model.link import ExceptionResponse, Link, Network, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 from fieldspec.reading.building.checksums import algorithm_of
@@ -74,6 +74,7 @@ def link(entry: Entry) -> Link:
         exception_response=_exception_response(exception) if exception else None,
         unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
+        network=_network(entry),
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
         silence_sources=silence.citations("source") if silence else (),
@@ -198,6 +199,16 @@ def _unit_addresses(entry: Entry) -> UnitAddresses | None:
         notes=addresses.texts("notes"),
         sources=addresses.sources,
     )
+
+
+def _network(entry: Entry) -> Network | None:
+    network = entry.entry("network")
+    if network is None:
+        return None
+    ports = {key: network.integer(key) for key in ("tcp", "udp")}
+    if not any(ports.values()):
+        entry.refuse("wrong_form", "network", "a network has no port", "add `tcp` or `udp`, or remove `network`")
+    return Network(**ports, sources=network.sources)
 
 
 def _serial(entry: Entry) -> Serial | None:
