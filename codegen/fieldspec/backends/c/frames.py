@@ -57,7 +57,8 @@ from fieldspec.backends.c.values import (
     status_type,
 )
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 
 DIRECTIONS = ("request", "response")
 _SIZE_POINTER = Type("size_t", pointer=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import checksum_named
 
 _TEXTS = {

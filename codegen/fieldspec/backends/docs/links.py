@@ -27,7 +27,8 @@ from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import replace
 from fieldspec.explain.values import decimal_text
-from fieldspec.layout.frame import LinkLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link, Part
