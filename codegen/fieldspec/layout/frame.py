@@ -92,6 +92,11 @@ class FrameLayout:
         return next((part for part in self.parts if part.role == role), None)
 
     @property
+    def lengths(self) -> tuple[PartLayout, ...]:
+        """The parts that count bytes, in the order of the wire. Where a frame ends in a stream, the first one tells."""
+        return tuple(part for part in self.header if part.role == "length")
+
+    @property
     def checksum(self) -> PartLayout | None:
         """The only checksum, or the first of several in the order in which they are computed; None without one."""
         return next(iter(self.checksums), None)

@@ -28,7 +28,8 @@ class Part(Fact):
     as characters where `digits` says which. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
-    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier.
+    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier. The
+    computation of `algorithm` begins behind the `prefix`; `stated_algorithm` is the one that the spec states.
     """
 
     role: str
@@ -42,6 +43,8 @@ class Part(Fact):
     digits: str = ""
     same_as: str = ""
     bits: tuple[int, int] | None = None
+    prefix: bytes = b""
+    stated_algorithm: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -75,10 +75,14 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Part):
-        old, new = pair.old.algorithm, pair.new.algorithm
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the algorithm', old, new)}"
-            yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
+        if pair.old.algorithm != pair.new.algorithm:
+            key, what = "algorithm", "the algorithm"
+            old, new = pair.old.stated_algorithm, pair.new.stated_algorithm
+            if old == new:
+                key, what = "prefix", "the prefix"
+                old, new = pair.old.prefix.hex(" ").upper(), pair.new.prefix.hex(" ").upper()
+            text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+            yield change("check_changed", Effect.WIRE, pair, key, text, old, new)
         if pair.old.digits != pair.new.digits:
             text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
             yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
