@@ -6,6 +6,7 @@ import io
 import shutil
 import socket
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.simulator.simulation import completed_place, stated_place, usual_place
 from fieldspec.testing import simulation
 from layouts import SPECS, TEST_SPECS, newest
+from python_package import module_of
 
 STATION = newest(TEST_SPECS, "station").links["tcp"]
 RTU = newest(TEST_SPECS, "station").links["rtu"]
@@ -56,13 +58,13 @@ def busy_port() -> Iterator[int]:
         yield server.getsockname()[1]
 
 
-def specs_at(folder: Path, port: int) -> str:
-    """Specs with a wattmeter that listens on a port."""
+def specs_at(folder: Path, port: int, udp: int = 502) -> str:
+    """Specs with a wattmeter that listens on other ports."""
     shutil.copytree(TEST_SPECS / "wattmeter", folder / "wattmeter")
     shutil.copytree(TEST_SPECS / "protocols", folder / "protocols")
     path = folder / "wattmeter" / "device.yaml"
     text = path.read_text("utf-8")
-    path.write_text(text.replace("{tcp: 502, udp: 502,", f"{{tcp: {port}, udp: 502,"), "utf-8")
+    path.write_text(text.replace("{tcp: 502, udp: 502,", f"{{tcp: {port}, udp: {udp},"), "utf-8")
     return str(folder)
 
 
@@ -100,3 +102,22 @@ def test_the_side_with_the_port_of_the_spec_is_the_device_in_captures(tmp_path: 
     assert conversation(high, 50000) == f"tcp {client} 10.0.0.2:50000"
     assert conversation(newest(TEST_SPECS, "wattmeter"), 502) == f"tcp {client} 10.0.0.2:502"
     assert conversation(newest(TEST_SPECS, "wattmeter"), 50000) == f"tcp 10.0.0.2:50000 {client}"
+
+
+def test_a_simulated_device_is_served_at_the_port_of_the_spec_where_its_place_has_none(tmp_path: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+    with simulation("wattmeter", ports={"tcp": "udp://127.0.0.1"}, folder=specs_at(tmp_path, port, port)) as device:
+        assert device.place == f"udp://127.0.0.1:{port}"
+
+
+def test_live_asks_for_a_host_where_the_port_is_known(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["live", "wattmeter", "read", "--link", "tcp", "--specs", FOLDER]) == 2
+    assert "say where the device is: --port tcp://HOST, udp://HOST" in capsys.readouterr().err
+
+
+def test_the_documentation_of_a_client_says_the_ports_of_the_device() -> None:
+    module = import_module(f"{module_of(newest(TEST_SPECS, 'wattmeter')).__name__}_client")
+    about = " ".join((module.Client.__doc__ or "").split())
+    assert 'On the link "tcp", the device listens on TCP port 502.' in about
+    assert 'On the link "tcp", the device listens on UDP port 502.' in about

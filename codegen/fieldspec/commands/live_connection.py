@@ -128,7 +128,8 @@ def _refuse_open_identifier(link: LinkLayout) -> None:
 def _opened(link: LinkLayout, arguments: argparse.Namespace) -> Carrier:
     place = arguments.port
     if not place:
-        places = "/dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
+        places = ", ".join(f"{protocol}://HOST" for protocol, _ in link.link.ports)
+        places = places or "/dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
         raise UsageError(f"say where the device is: --port {places}")
     _refuse_open_identifier(link)
     wrong = can_objection(link, place)

@@ -25,7 +25,6 @@ from fieldspec.simulator.server import Server
 from fieldspec.simulator.simulation import (
     Simulation,
     can_objection,
-    completed_place,
     settings_of,
     stated_place,
     usual_unit_address,
@@ -131,9 +130,10 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         wrong = can_objection(layout.links[name], place)
         if wrong:
             raise UsageError(wrong)
-        if place.startswith("udp://") and layout.links[name].link.serial is not None:
+        spoken = layout.links[name].link
+        if place.startswith("udp://") and spoken.serial is not None and "udp" not in dict(spoken.ports):
             raise UsageError(f"the link {name} is a serial line; use pty, a serial port, or tcp://HOST:PORT")
-        yield name, completed_place(layout.links[name], place)
+        yield name, place
 
 
 def _unit_address(layout: DeviceLayout, unit: int | None) -> int:

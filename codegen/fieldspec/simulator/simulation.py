@@ -90,8 +90,10 @@ class Simulation:
     def serve(self, link: str, place: str, settings: LineSettings) -> str:
         """Serves a link at a place: `pty`, `tcp://HOST:PORT`, `udp://HOST:PORT`, a serial port, a CAN bus.
 
-        Returns the place that others open. Raises CarrierError.
+        An address without a port has the one that the spec states. Returns the place that others open. Raises
+        CarrierError.
         """
+        place = completed_place(self.layout.links[link], place)
         wrong = can_objection(self.layout.links[link], place)
         if wrong:
             raise CarrierError(wrong)
