@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from example_counts import examples
 from fieldspec.layout.checksums import checksum as checksum_of
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec

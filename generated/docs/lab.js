@@ -1015,7 +1015,7 @@ function indexedFrame(frame) {
     escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
-    length: parts.find((part) => part.role === "length"),
+    lengths: parts.filter((part) => part.role === "length"),
     code: parts.find((part) => part.role === "code"),
     unitAddress: parts.find((part) => part.role === "unit_address"),
   };
@@ -2475,11 +2475,9 @@ class ExplainedFrame {
   /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
-    let { length, checks } = this.shape;
-    if (this.shape.escape) {
-      length = length?.escaped ? undefined : length;
-      checks = checks.filter(({ escaped }) => !escaped);
-    }
+    const ofSent = (part) => !this.shape.escape || !part.escaped;
+    const [length] = this.shape.lengths.filter(ofSent);
+    const checks = this.shape.checks.filter(ofSent);
     if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
     const number = Number(numberOf(length, data));
     const stated = number * (length.unitSize ?? 1) + (length.base ?? 0);
@@ -3620,15 +3618,16 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
   const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
   const sent = () => sentBytes(shape, original());
-  const { length } = shape;
-  if (length) {
-    const total = (shape.escape && !length.escaped ? sent() : original()).length;
-    const units = lengthNumber(length, total);
-    if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
-    numbers.set(length.name, units);
-  }
-  for (const check of shape.checks) {
-    numbers.set(check.name, checksumOf(check, shape.escape && !check.escaped ? sent() : original()));
+  // What is escaped comes first: how many bytes are sent depends on all of its bytes.
+  for (const bytes of [original, sent]) {
+    const isOwn = (part) => (shape.escape && !part.escaped ? sent : original) === bytes;
+    for (const length of shape.lengths.filter(isOwn)) {
+      const total = bytes().length;
+      const units = lengthNumber(length, total);
+      if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
+      numbers.set(length.name, units);
+    }
+    for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;

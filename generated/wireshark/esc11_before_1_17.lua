@@ -5173,7 +5173,7 @@ local function add_carrier(link, kind, title, text)
     local id = device.id .. "_" .. link.name .. "_" .. kind
     local proto = Proto(id, device.title .. ", " .. link.title .. ", " .. title)
     local preference = link.name .. "_" .. kind
-    protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, "", text)
+    protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, (link.ports or {})[kind] or "", text)
     local carrier = { kind = kind, preference = preference, proto = proto, link = link, attached = {} }
     proto.dissector = function(tvb, pinfo, root)
         local message
@@ -5276,7 +5276,8 @@ for _, link in ipairs(device.link_order) do
             Pref.enum(link.name .. ": message", 1, text, message_choices(link), false)
         add_process_data(link)
     end
-    if link.is_framed then
+    -- Where nothing tells the end of a frame in a stream, each segment is read as whole frames.
+    if link.is_framed or (link.ports and link.ports.tcp) then
         add_carrier(link, "tcp", "TCP ports", "Ports of the device or its gateway, such as 4001 or 4001-4004. Empty for none.")
     end
     add_carrier(link, "udp", "UDP ports", "Ports of the device or its gateway. Empty for none.")

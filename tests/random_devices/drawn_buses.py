@@ -48,10 +48,29 @@ def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:
             behind.append(_part(draft, "code", f"u{draft.code_bits}"))
         if draft.chance(30):
             behind.append(_part(draft, "plain", "u8", **({"const": draft.number(0, 255)} if draft.chance(50) else {})))
-        parts = [*({**part} for part in identifier), *behind, draft.fact(role="body")]
-        link[direction] = parts
-        room[direction] = DATA - 2 - sum(int(part["type"][1:]) // 8 for part in behind)
+        behind.append(draft.fact(role="body"))
+        checked = draft.chance(30)
+        if checked:
+            behind.insert(draft.pick((0, len(behind) - 1, len(behind))), _checksum(draft))
+        if draft.chance(15):
+            first = next(at for at, part in enumerate(behind) if part.get("role") == "body")
+            behind.insert(draft.number(0, first), _part(draft, "length", "u8", counts={"from": behind[0]["name"]}))
+        for part in behind:
+            if part.get("role") == "checksum":
+                others = [other["name"] for other in behind if other is not part]
+                part["covers"] = {"from": others[0], **({} if part is not behind[-1] else {"to": others[-1]})}
+                if behind.index(part) > 0:
+                    part["covers"]["to"] = behind[behind.index(part) - 1]["name"]
+        link[direction] = [*({**part} for part in identifier), *behind]
+        sizes = (int(part["type"][1:]) // 8 if "type" in part else 1 for part in behind if part.get("role") != "body")
+        room[direction] = DATA - 2 - sum(sizes)
     return link, room
+
+
+def _checksum(draft: Draft) -> Spec:
+    """A checksum of one byte, as safe data have it."""
+    part: Spec = draft.fact(role="checksum", algorithm=draft.pick(("crc8_sae_j1850", "crc8_autosar", "sum8")))
+    return {**part, "prefix": draft.pick(("34 12", "07"))} if draft.chance(60) else part
 
 
 def _identifier(draft: Draft, bits: int, code_bits: int) -> list[Spec]:

@@ -36,6 +36,8 @@ def link(draft: Draft, coded: bool) -> Spec:
         line["silence"] = {"milliseconds": 5}
     if draft.chance(5):
         line["serial"] = {"baud": [9600], "parity": ["even"]}
+    if draft.chance(5):
+        line["network"] = {draft.pick(("tcp", "udp")): draft.number(1, 0xFFFF)}
     return line
 
 
@@ -87,7 +89,8 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
         (before if draft.chance(50) else behind).append(_constant(draft))
     counts = draft.chance(45)
     if counts:
-        before.append(_part(draft, "length", **_number(draft, draft.pick(("u16", "u8", "u32")), 999)))
+        for _ in range(draft.pick((1, 1, 1, 2))):
+            before.append(_part(draft, "length", **_number(draft, draft.pick(("u16", "u8", "u32")), 999)))
     if draft.chance(70):
         for _ in range(draft.pick((1, 1, 1, 1, 2))):
             (before if draft.chance(15) else behind).append(_checksum(draft))
@@ -130,8 +133,10 @@ def _part(draft: Draft, role: str, **keys: object) -> Spec:
 
 
 def _checksum(draft: Draft) -> Spec:
-    """A checksum by its name, or by its parameters, as bytes or as characters."""
+    """A checksum by its name, or by its parameters, as bytes or as characters; some have a prefix."""
     part = _part(draft, "checksum")
+    if draft.chance(15):
+        part["prefix"] = draft.pick(("34 12", "00", "A5 5A 01 FF"))
     if draft.chance(80):
         part["algorithm"] = draft.pick(USUAL_CHECKSUMS if draft.chance(60) else ALGORITHMS)
     elif draft.chance(60):

@@ -8,7 +8,8 @@ import struct
 from typing import Any
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind, Value
 

@@ -12,7 +12,7 @@ from typing import Any
 import python_package
 from fieldspec.backends.python.backend import PACKAGE, files
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
 from python_package import built, class_of, codec_error, link_of, raw, raws, record_class

@@ -40,13 +40,13 @@ def line(frames: Sequence[bytes]) -> bytes:
     return b"".join(parts)
 
 
-def stream(pieces: Sequence[tuple[str, bytes]]) -> bytes:
+def stream(pieces: Sequence[tuple[str, bytes]], port: int = PORT) -> bytes:
     """A capture of a TCP connection without its beginning. A piece goes in the direction of requests or responses."""
     parts = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, 1)]
     sent = {"request": 1, "response": 1}
     for number, (direction, payload) in enumerate(pieces):
         other = "response" if direction == "request" else "request"
-        ports = (40000, PORT) if direction == "request" else (PORT, 40000)
+        ports = (40000, port) if direction == "request" else (port, 40000)
         hosts = (b"\x0a\0\0\1", b"\x0a\0\0\2") if direction == "request" else (b"\x0a\0\0\2", b"\x0a\0\0\1")
         tcp = struct.pack(">HHIIBBHHH", *ports, sent[direction], sent[other], 0x50, 0x18, 8192, 0, 0) + payload
         sent[direction] += len(payload)
@@ -121,6 +121,12 @@ def test_transactions_pair_responses_in_any_order() -> None:
     pieces = [("request", request(7, 0) + request(8, 1)), ("response", response(8)), ("response", response(7))]
     rows = columns(STATION, stream(pieces), ["frame.request_in", "tcp.transaction"], "-o", f"station.tcp_tcp:{PORT}")
     assert rows == [["", "7,8"], ["1", "8"], ["1", "7"]]
+
+
+def test_ports_of_the_spec_are_attached_until_the_preference_says_otherwise() -> None:
+    capture = stream([("request", struct.pack(">HHHBBHH", 7, 0, 6, 1, 3, 0, 1))], 502)
+    assert columns(STATION, capture, ["tcp.transaction"]) == [["7"]]
+    assert columns(STATION, capture, ["tcp.transaction"], "-o", f"station.tcp_tcp:{PORT}") == [[""]]
 
 
 def test_process_data_of_profinet_are_read_by_the_numbers_of_their_frames() -> None:

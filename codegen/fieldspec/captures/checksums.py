@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at
 from fieldspec.layout.checksums import checksum_bytes, crc_table, reflected
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import Checksum, checksum_named
 
 

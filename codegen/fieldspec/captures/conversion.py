@@ -53,7 +53,8 @@ class Conversion:
             links = [link.link for link in device.layout.links.values()]
             self.source = LogSource(file.readline, names, links, own)
         else:
-            self.source = PacketSource(file.read, names, ports, own)
+            usual = {port for link in device.links for port in device.layout.links[link].link.ports}
+            self.source = PacketSource(file.read, names, ports, own, usual)
         if state:
             self.decoder.restore(state["decoder"])
 

@@ -25,7 +25,8 @@ from fieldspec.classes import dataclass
 from fieldspec.explain.row import unwrapped
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError
-from fieldspec.layout.frame import PartLayout, original_parts
+from fieldspec.layout.frame import original_parts
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.subcodes import Subcode, subcode
 from fieldspec.model.link import ExceptionResponse
 

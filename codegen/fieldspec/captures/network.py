@@ -64,12 +64,13 @@ def concatenated(parts: Collection[Segments]) -> Segments:
 class Network:
     """Finds the payloads in packets. `skipped` counts the packets that carry none, by the reason.
 
-    `ports` are those of the devices; where there are none, the side with the lower port is the device. `names` are the
-    connections, the client first.
+    `ports` are those of the devices, and nothing between other ones is taken. Where there are none, the side with one
+    of the `usual` ports is the device, which are pairs of protocol and port; and where no side or both have one, that
+    with the lower port. `names` are the connections, the client first.
     """
 
-    def __init__(self, ports: Collection[int], names: Names) -> None:
-        self.ports, self.names = numbers(sorted(ports)), names
+    def __init__(self, ports: Collection[int], names: Names, usual: Collection[tuple[str, int]] = ()) -> None:
+        self.ports, self.names, self.usual = numbers(sorted(ports)), names, frozenset(usual)
         self.skipped: Counter[str] = Counter()
 
     def segments(self, packets: Packets, interfaces: list[Interface], first: int) -> Segments:
@@ -243,7 +244,9 @@ class Network:
         return streams[group.ravel()], directions[group.ravel()]
 
     def _stream(self, kind: int, left: tuple[object, int], right: tuple[object, int]) -> tuple[int, int]:
-        is_request = left[1] >= right[1]
+        protocol = "tcp" if kind == TCP else "udp"
+        is_usual = [(protocol, side[1]) in self.usual for side in (left, right)]
+        is_request = is_usual[1] if is_usual[0] != is_usual[1] else left[1] >= right[1]
         if len(self.ports):
             known = np.isin((left[1], right[1]), self.ports)
             if not known.any():
@@ -252,5 +255,5 @@ class Network:
                 is_request = bool(known[1])
         client, server = (left, right) if is_request else (right, left)
         texts = [f"[{host}]:{port}" if ":" in str(host) else f"{host}:{port}" for host, port in (client, server)]
-        name = f"{'tcp' if kind == TCP else 'udp'} {texts[0]} {texts[1]}"
+        name = f"{protocol} {texts[0]} {texts[1]}"
         return self.names.place(name), REQUEST if is_request else RESPONSE

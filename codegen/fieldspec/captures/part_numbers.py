@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.digits import digits_letters
 
 

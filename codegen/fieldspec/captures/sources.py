@@ -48,9 +48,16 @@ def is_capture(head: bytes) -> bool:
 class PacketSource:
     """A capture of packets."""
 
-    def __init__(self, read: Read, names: Names, ports: Collection[int], state: dict[str, Any] | None = None) -> None:
+    def __init__(
+        self,
+        read: Read,
+        names: Names,
+        ports: Collection[int],
+        state: dict[str, Any] | None = None,
+        usual: Collection[tuple[str, int]] = (),
+    ) -> None:
         self.reader = CaptureReader(read, state["reader"] if state else None)
-        self.network = Network(ports, names)
+        self.network = Network(ports, names, usual)
         self.order = StreamOrder(state["order"] if state else None)
         self.packets = state["packets"] if state else 0
         self.position = self.reader.position

@@ -140,6 +140,7 @@ _KEYS = {"sources": "source", "silence_sources": "silence", "scale_text": "scale
 _TEXTS_OF_LINKS: dict[str, Text] = {
     "unit_addresses": _of("unit_addresses", "rule", "notes", "sources"),
     "serial": _of("serial", "sources"),
+    "network": _of("network", "sources"),
     "exception_response": _of("exception_response", "sources"),
 }
 

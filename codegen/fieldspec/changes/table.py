@@ -14,6 +14,7 @@ from fieldspec.changes.rules.addresses import (
     stride_changed,
     table_moved,
 )
+from fieldspec.changes.rules.carriers import network_changed, serial_changed, timing_changed
 from fieldspec.changes.rules.enums import (
     aliases_changed,
     enum_changed,
@@ -49,8 +50,6 @@ from fieldspec.changes.rules.links import (
     framing_changed,
     role_changed,
     sending_changed,
-    serial_changed,
-    timing_changed,
 )
 from fieldspec.changes.rules.ranges import (
     access_changed,
@@ -109,6 +108,7 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("member_added", member_added, (_B, _D)),
     ("member_removed", member_removed, (_W, _D)),
     ("member_renumbered", member_renumbered, (_W,)),
+    ("network_changed", network_changed, (_B,)),
     ("number_changed", number_changed, (_W, _D)),
     ("openness_changed", openness_changed, (_S, _B)),
     ("polarity_changed", polarity_changed, (_W,)),

@@ -6,7 +6,8 @@ Why: a bit that no part has could be anything, and a frame with more data cannot
 Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
 
 Cure: Give every bit of the identifier to one part, a `const` or a `reserved` one where the manual says so. State longer
-data as several messages. A CAN bus has no delimiters, lengths, checksums, escapes and serial settings of its own.
+data as several messages. A CAN bus has no delimiters, escapes, serial settings and ports of its own. A length counts,
+and a checksum covers, parts of the data.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.sizes import RecordSizes, messages_on, part_size
 
 _CODE = "can_frames_complete"
-_FOREIGN = ("start", "end", "delimiters", "escape", "serial", "silence")
+_FOREIGN = ("start", "end", "delimiters", "escape", "serial", "network", "silence")
 _MOST_PARTS = 7
 """The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
 
@@ -72,8 +73,7 @@ def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
             text = f"{part.name} is a part of the identifier, but comes after {parts[behind].name}"
             yield finding(_CODE, part.place, "bits", text, "list the parts of the identifier first")
         if part.role in ("length", "checksum"):
-            text = f"{part.name} has the role {part.role}, but a CAN frame has its own {part.role}"
-            yield finding(_CODE, part.place, "role", text, "remove the part")
+            yield from _of_span(link, direction, part, behind)
     free = set(range(link.escape.bits))
     for part in parts[:behind]:
         first, last = part.bits or (0, 0)
@@ -97,6 +97,20 @@ def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
     if sum(map(part_size, parts[:behind])) > _MOST_PARTS:
         text = f"the parts of the identifier on {link.name} have more than {_MOST_PARTS} bytes"
         yield finding(_CODE, link.place, direction, text, "use narrower types, or join neighbouring parts")
+
+
+def _of_span(link: Link, direction: str, part: Part, behind: int) -> Iterator[Diagnostic]:
+    """A length or a checksum in the data says nothing of the identifier; the bus has a length and a checksum of it."""
+    span = link.span(direction, part)
+    if span is None or span[0] >= behind:
+        return
+    verb, key = ("counts", "counts") if part.role == "length" else ("covers", "covers")
+    parts = link.parts(direction)
+    own = [other.name for other in parts[behind:] if other is not part or part.role == "length"]
+    text = f"{part.name} {verb} {parts[span[0]].name}, whose bits are in the identifier"
+    help = f"begin with a part of the data, such as `{key}: {{from: {own[0] if own else part.name}}}`"
+    help += f"; remove {part.name} if it is the {part.role} that the bus itself has"
+    yield finding(_CODE, part.place, key, text, help)
 
 
 def _data(device: Device, link: Link) -> Iterator[Diagnostic]:

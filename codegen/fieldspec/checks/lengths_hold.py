@@ -82,9 +82,6 @@ def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Dia
 def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Frame]:
     """The frames with a length part, by what they contain."""
     for shape in shapes(device, direction):
-        part = next((part for part in shape.link.parts(direction) if part.role == "length"), None)
-        if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
-            continue
         data = [
             (f"{direction} of {message.name}", message.place, direction, getattr(message, direction))
             for message in messages_on(device, shape.link)
@@ -93,11 +90,14 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
         if direction == "response" and error is not None and error.record in device.records:
             name = f"exception response on {shape.link.name}"
             data.append((name, shape.link.place, "exception_response", device.records[error.record]))
-        for name, place, key, record in data:
-            both = sizes.bounds(record)
-            if both is not None:
-                least, most = (shape.span_size(part, size) for size in both)
-                yield _Frame(name, place, key, part, part.value, least, most)
+        for part in shape.link.parts(direction):
+            if part.role != "length" or part.value is None or part.value.type.kind is not Kind.INTEGER:
+                continue
+            for name, place, key, record in data:
+                both = sizes.bounds(record)
+                if both is not None:
+                    least, most = (shape.span_size(part, size) for size in both)
+                    yield _Frame(name, place, key, part, part.value, least, most)
 
 
 def _of_data(frame: _Frame) -> Iterator[Diagnostic]:

@@ -7,7 +7,7 @@ identified or its data has no place.
 Example: a link with two messages whose requests have no part with the role `code`.
 
 Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
-code, length and user fields come before the body; constants and reserved parts may be anywhere. A length
+code, lengths and user fields come before the body; constants and reserved parts may be anywhere. A length
 counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself; an
 escaped one covers no length that counts what is sent. If
 frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
@@ -97,24 +97,21 @@ def _frame(link: Link, direction: str) -> str:
     return f"the frame of {link.name}" if both else f"the {direction} of {link.name}"
 
 
-def _repeated_length(parts: list[Part]) -> str:
-    """What to write for a length that comes again: of one byte, it is the sum of itself."""
-    first, second = parts[0], parts[1]
-    if any(part.value is None or part.value.size != 1 for part in parts):
-        return "each role comes once: state one of them as a part without a `role`"
-    covers = f"covers: {{from: {first.name}, to: {first.name}}}"
-    copy = f"{{name: {second.name}, role: checksum, algorithm: sum8, {covers}}}"
-    return f"each role comes once; if {second.name} repeats {first.name}, write `{copy}`"
+_REPEATED = {
+    "unit_address": "keep the one with the address of the device; another address is a part without a `role`",
+    "code": "if they are neighbours, state one part as wide as all of them, such as `u16` for two bytes, and codes that"
+    " have the numbers of all; if the second comes right before the body, state it as the first field of each message,"
+    " with a `const`",
+    "body": "state the body once; what all messages have beside other data are fields of each",
+}
 
 
 def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
     roles = Counter(part.role for part in parts)
     for role in (*_NUMBERS, "body"):
-        if roles[role] > 1 or (role == "body" and not roles[role]):
+        if role != "length" and (roles[role] > 1 or (role == "body" and not roles[role])):
             text = f"{_frame(link, direction)} has {roles[role]} parts with the role {role}"
-            help = "each role comes once, and `body` must be there"
-            if role == "length":
-                help = _repeated_length([part for part in parts if part.role == role])
+            help = _REPEATED[role] if roles[role] else "add the part with `role: body`, for the data of the message"
             yield finding(_CODE, link.place, direction, text, help)
     for part in parts:
         yield from _of_type(device, part)
@@ -125,12 +122,12 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
                 yield from _of_span(link, direction, part)
         yield from _computable(link, direction)
     roles_in_order = [part.role for part in parts]
-    for role in _NUMBERS:
-        if role in roles_in_order and "body" in roles_in_order[: roles_in_order.index(role)]:
-            part = parts[roles_in_order.index(role)]
-            text = f"the {role.replace('_', ' ')} {part.name} comes after the body"
-            yield finding(_CODE, part.place, "name", text, "parts that tell how to read the body come before it")
     for part in parts[roles_in_order.index("body") :] if "body" in roles_in_order else ():
+        if part.role in _NUMBERS:
+            role = part.role.replace("_", " ")
+            text = f"the {role} {part.name} comes after the body"
+            help = f"list it before the body: no output can read a frame whose {role} comes behind the data"
+            yield finding(_CODE, part.place, "name", text, help)
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
             text = f"{part.name} comes after the body, but nothing states its value"
             help = "give it a `const` or `reserved: true`; parts that users supply come before the body"
@@ -206,12 +203,11 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
 def _of_sent_length(link: Link, direction: str) -> Iterator[Diagnostic]:
     """Whether no escaped checksum covers a length that counts what is sent, as each would depend on the other."""
     parts, escaped = link.parts(direction), link.escaped_span(direction) or (0, -1)
-    length = next((at for at, part in enumerate(parts) if part.role == "length"), None)
-    if length is None or escaped[0] <= length <= escaped[1]:
-        return
+    lengths = [at for at, part in enumerate(parts) if part.role == "length" and not escaped[0] <= at <= escaped[1]]
     for at, part in enumerate(parts):
         first, last = link.span(direction, part) or (0, -1)
-        if part.role == "checksum" and escaped[0] <= at <= escaped[1] and first <= length <= last:
+        length = next((at for at in lengths if first <= at <= last), None)
+        if part.role == "checksum" and escaped[0] <= at <= escaped[1] and length is not None:
             text = f"{part.name} is escaped and covers {parts[length].name}, which counts what is sent"
             there = label(parts[length].place, "name", "the length")
             help = "begin behind the length under `covers`, or escape both parts or neither of them"

@@ -32,6 +32,7 @@ _PARTS = frozenset(
         "data_words",
         "restated",
         "rows",
+        "network",
         "serial",
         "unit_addresses",
     )

@@ -75,7 +75,7 @@ def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str,
     if isinstance(fact, Parameter):
         return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
-        initial = checksum_named(fact.algorithm).initial if fact.algorithm else None
+        initial = checksum_named(fact.stated_algorithm).initial if fact.stated_algorithm else None
         return {"initial": initial, **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
         own = {"count": _length(fact.indices), "access": fact.access or None} if isinstance(fact, Subindex) else {}

@@ -75,6 +75,7 @@ from fieldspec.checks.parameter_messages_complete import parameter_messages_comp
 from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascending
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
 from fieldspec.checks.parameters_fit_messages import parameters_fit_messages
+from fieldspec.checks.ports_usable import ports_usable
 from fieldspec.checks.printed_names_match import printed_names_match
 from fieldspec.checks.printed_names_whole import printed_names_whole
 from fieldspec.checks.priorities_decide import priorities_decide
@@ -189,6 +190,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("parameter_numbers_ascending", parameter_numbers_ascending),
     ("parameter_numbers_within_range", parameter_numbers_within_range),
     ("parameters_fit_messages", parameters_fit_messages),
+    ("ports_usable", ports_usable),
     ("printed_names_match", printed_names_match),
     ("printed_names_whole", printed_names_whole),
     ("priorities_decide", priorities_decide),

@@ -25,7 +25,7 @@ from fieldspec.live.register_access import RegisterAccess
 from fieldspec.model.value import Value
 from fieldspec.reference.records import CodecError, encoded_value
 from fieldspec.simulator.parameters import count_field, part_of
-from fieldspec.simulator.simulation import can_objection, settings_of, usual_unit_address
+from fieldspec.simulator.simulation import can_objection, completed_place, settings_of, usual_unit_address
 
 if TYPE_CHECKING:
     from fieldspec.live.access import Access
@@ -128,12 +128,14 @@ def _refuse_open_identifier(link: LinkLayout) -> None:
 def _opened(link: LinkLayout, arguments: argparse.Namespace) -> Carrier:
     place = arguments.port
     if not place:
-        places = "/dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
+        places = ", ".join(f"{protocol}://HOST" for protocol, _ in link.link.ports)
+        places = places or "/dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
         raise UsageError(f"say where the device is: --port {places}")
     _refuse_open_identifier(link)
     wrong = can_objection(link, place)
     if wrong:
         raise UsageError(wrong)
+    place = completed_place(link, place)
     if place.startswith("can://"):
         from fieldspec.carriers.can_bus import CanBus
 

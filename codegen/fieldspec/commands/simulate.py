@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.carriers.carrier import CarrierError
+from fieldspec.carriers.carrier import CarrierError, LineSettings
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import list_files, specs
 from fieldspec.commands.usage import UsageError, unknown
@@ -22,7 +22,13 @@ from fieldspec.simulator.clock import SystemClock
 from fieldspec.simulator.control import CommandError, carried_out
 from fieldspec.simulator.faults import KINDS, Fault, FaultError, fault_of
 from fieldspec.simulator.server import Server
-from fieldspec.simulator.simulation import Simulation, can_objection, settings_of, usual_place, usual_unit_address
+from fieldspec.simulator.simulation import (
+    Simulation,
+    can_objection,
+    settings_of,
+    stated_place,
+    usual_unit_address,
+)
 
 if TYPE_CHECKING:
     from typing import Any, TextIO
@@ -60,7 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
             simulation.listeners.append(_Recorder(recording).write)
         for link, place in places:
             settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity)
-            name = simulation.serve(link, place, settings)
+            name = _served(simulation, link, place, settings, is_stated=bool(arguments.port))
             print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
         if arguments.websocket is not None:
             for link, name in _serve_browsers(simulation, arguments.websocket).items():
@@ -84,6 +90,17 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _served(simulation: Simulation, link: str, place: str, settings: LineSettings, is_stated: bool) -> str:
+    """Serves a link, and returns the place that others open. Raises UsageError and CarrierError."""
+    try:
+        return simulation.serve(link, place, settings)
+    except CarrierError as error:
+        if is_stated:
+            raise
+        host = place.rpartition(":")[0]
+        raise UsageError(f"{error}; name another place, such as --port {link}={host}:0 for a free port") from None
+
+
 def _serve_browsers(simulation: Simulation, port: int) -> dict[str, str]:
     """The addresses of the links. Raises UsageError and CarrierError."""
     try:
@@ -102,7 +119,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         if bus is not None and serial is None:
             raise UsageError(f"say on which bus {bus.name} is: --port {bus.name}=can://socketcan/can0")
         for link in [serial] if serial is not None else links:
-            yield link.name, usual_place(link)
+            yield link.name, stated_place(link)
         return
     for port in ports:
         name, mark, place = port.partition("=")
@@ -113,7 +130,8 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         wrong = can_objection(layout.links[name], place)
         if wrong:
             raise UsageError(wrong)
-        if place.startswith("udp://") and layout.links[name].link.serial is not None:
+        spoken = layout.links[name].link
+        if place.startswith("udp://") and spoken.serial is not None and "udp" not in dict(spoken.ports):
             raise UsageError(f"the link {name} is a serial line; use pty, a serial port, or tcp://HOST:PORT")
         yield name, place
 

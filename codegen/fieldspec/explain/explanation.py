@@ -28,7 +28,8 @@ from fieldspec.explain.spans import accessed, accessed_bits
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError, original_places
-from fieldspec.layout.frame import MessageLayout, PartLayout
+from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import Raw
 
@@ -183,10 +184,11 @@ class _Frame:
 
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
         """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
-        length, checks = self.shape.role("length"), self.shape.checksums
-        if self.shape.escape is not None:
-            length = None if length is None or length.escaped else length
-            checks = tuple(check for check in checks if not check.escaped)
+        lengths, checks = (
+            tuple(part for part in parts if self.shape.escape is None or not part.escaped)
+            for parts in (self.shape.lengths, self.shape.checksums)
+        )
+        length = next(iter(lengths), None)
         if length is None or not checks or not self.wrapped.whole:
             return data, b""
         number = length.read(data[length.offset : length.offset + length.size])

@@ -232,6 +232,7 @@ def _link(link: Link) -> Iterator[FactRow]:
             yield row("timing", f"{path}/silence/{name}", sources, **cells)
     yield from _unit_addresses(link)
     yield from _serial(link)
+    yield from _network(link)
     for direction in ("request", "response"):
         for part in link.parts(direction):
             yield from of_fact("frame_part", part, part.value, direction=direction)
@@ -245,6 +246,19 @@ def _unit_addresses(link: Link) -> Iterator[FactRow]:
     yield row("unit_address", path, sources, name="unit_addresses", **of_ranges(addresses.ranges))
     if addresses.broadcast is not None:
         yield row("unit_address", f"{path}/broadcast", sources, name="broadcast", code=addresses.broadcast)
+
+
+def _network(link: Link) -> Iterator[FactRow]:
+    network = link.network
+    if network is None:
+        return
+    standard = link.standard.get("network")
+    for protocol, port in network.ports:
+        cells: dict[str, Cell] = {"name": protocol, "ranges": str(port)}
+        if standard is not None and not network.sources:
+            cells.update(provenance=STANDARD, evidence=standard.text())
+        sources = network.sources or (() if standard is not None else link.sources)
+        yield row("network", f"{link.place.path}/network/{protocol}", sources, **cells)
 
 
 def _serial(link: Link) -> Iterator[FactRow]:

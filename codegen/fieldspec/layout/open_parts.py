@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import LinkLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.ranges import merged
 from fieldspec.model.value import Kind, Value
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import LinkLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.part import PartLayout
 
 
 def repeated_parts(link: LinkLayout) -> list[tuple[PartLayout, PartLayout]]:

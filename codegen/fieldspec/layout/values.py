@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.quantity import count_of, number_of, quantity_of

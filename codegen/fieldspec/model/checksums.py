@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 
 MOST_BITS = 64
 
@@ -114,6 +114,26 @@ def algorithm_name(checksum: Checksum) -> str:
     start = f"_from_{checksum.initial:x}" if checksum.initial else ""
     complement = f"_{checksum.complement}" if checksum.complement else ""
     return f"{checksum.method}{checksum.width}{unit}{start}{complement}"
+
+
+def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
+    """The algorithm whose result is that of some bytes behind a prefix: its computation begins where the prefix ends.
+
+    `order` is that of the bytes which a sum or an xor takes as one number; the prefix has whole numbers.
+    """
+    number = checksum.initial
+    if checksum.method == "crc":
+        highest = checksum.width - 1
+        for byte in prefix:
+            for bit in range(8) if checksum.reflect_in else reversed(range(8)):
+                feedback = number >> highest & 1 ^ byte >> bit & 1
+                number = (number << 1 & checksum.mask) ^ (checksum.polynomial if feedback else 0)
+        return replace(checksum, initial=number)
+    size = checksum.unit_size
+    for at in range(0, len(prefix), size):
+        unit = int.from_bytes(prefix[at : at + size], "little" if order == "little" else "big")
+        number = number + unit if checksum.method == "sum" else number ^ unit
+    return replace(checksum, initial=number & checksum.mask)
 
 
 DIGITS = {"decimal": 10, "upper_hex": 16, "lower_hex": 16}

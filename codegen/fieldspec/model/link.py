@@ -28,7 +28,8 @@ class Part(Fact):
     as characters where `digits` says which. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
-    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier.
+    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier. The
+    computation of `algorithm` begins behind the `prefix`; `stated_algorithm` is the one that the spec states.
     """
 
     role: str
@@ -42,6 +43,8 @@ class Part(Fact):
     digits: str = ""
     same_as: str = ""
     bits: tuple[int, int] | None = None
+    prefix: bytes = b""
+    stated_algorithm: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +114,21 @@ class Serial:
     sources: tuple[Citation, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Network:
+    """The ports on which the device listens, by protocol; None where the manual states none."""
+
+    tcp: int | None
+    udp: int | None
+    sources: tuple[Citation, ...]
+
+    @property
+    def ports(self) -> tuple[tuple[str, int], ...]:
+        """The stated ports: `("tcp", 502)`."""
+        each = (("tcp", self.tcp), ("udp", self.udp))
+        return tuple((protocol, port) for protocol, port in each if port is not None)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
@@ -140,6 +158,12 @@ class Link(Fact):
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
     escape: Escape | None = None
+    network: Network | None = None
+
+    @property
+    def ports(self) -> tuple[tuple[str, int], ...]:
+        """The ports of a network on which the device listens: `("tcp", 502)`."""
+        return self.network.ports if self.network is not None else ()
 
     @property
     def is_can(self) -> bool:

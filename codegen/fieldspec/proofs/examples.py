@@ -106,12 +106,12 @@ def _mend(code: str) -> str:
 
 def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str:
     """What to do about a wrong length: a right checksum proves the bytes, so that the spec describes them wrongly."""
-    length = frames.link.frame(example.direction).role("length")
-    of_part = length is not None and error.offset == length.offset
+    lengths = frames.link.frame(example.direction).lengths
+    length = next((part for part in lengths if part.offset == error.offset), None)
     if not frames.has_right_checksum(example.frame, example.direction):
-        cure = "state under `counts` what the length counts; " if of_part else ""
+        cure = "state under `counts` what the length counts; " if length is not None else ""
         return cure + _mend("length_byte_correct")
-    if not of_part or length is None:
+    if length is None:
         return "the checksum is correct, so the bytes are too: compare them with the message's fields"
     return (
         f"the checksum is correct, so the bytes are too: state under `counts` what {length.name} counts; if no"

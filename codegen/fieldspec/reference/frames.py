@@ -9,7 +9,8 @@ import construct
 
 from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.digits import digits_text
 from fieldspec.reference.checksums import checksum, checksum_digits
@@ -83,7 +84,7 @@ class FrameCodec:
         head.pop("_io", None)
         tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
         self._check_digits(shape.digits, {**head, **tail}, data)
-        self._check_length(shape, head, data, True)
+        self._check_lengths(shape, head, data, True)
         self._check_sum(shape, {**head, **tail}, data, True)
         for part in shape.constants:
             number = head[part.name] if part in shape.header else tail[part.name]
@@ -123,10 +124,9 @@ class FrameCodec:
             for part in shape.parts
             if not part.escaped
         }
-        length = shape.role("length")
-        if length is not None and length in shape.digits and not length.escaped:
-            self._check_digits((length,), sent, data)
-        self._check_length(shape, sent, data, False)
+        early = (part for part in shape.lengths if part in shape.digits and not part.escaped)
+        self._check_digits(early, sent, data)
+        self._check_lengths(shape, sent, data, False)
         self._check_sum(shape, sent, data, False)
         offset = len(shape.start) + start
         result = data[:start] + unescaped(shape.escape, data[start:stop], offset) + data[stop:]
@@ -143,16 +143,17 @@ class FrameCodec:
                 assert part.value is not None
                 raise CodecError("unknown_value", f"{part.name} is not {digits_text(part.value)}", part.at(len(data)))
 
-    def _check_length(self, shape: FrameLayout, head: Values, data: bytes, is_original: bool) -> None:
-        part = shape.role("length")
-        if part is None or _is_sent(shape, part) == is_original:
-            return
-        announced = head[part.name] * part.unit_size + part.base
-        if announced != len(data):
-            text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
-            if announced != head[part.name]:
-                text = f"{part.name} is {head[part.name]}, for a frame of {announced} bytes, but there are {len(data)}"
-            raise CodecError("wrong_length", text, part.offset)
+    def _check_lengths(self, shape: FrameLayout, head: Values, data: bytes, is_original: bool) -> None:
+        for part in shape.lengths:
+            if _is_sent(shape, part) == is_original:
+                continue
+            announced = head[part.name] * part.unit_size + part.base
+            if announced != len(data):
+                text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
+                if announced != head[part.name]:
+                    many = f"for a frame of {announced} bytes, but there are {len(data)}"
+                    text = f"{part.name} is {head[part.name]}, {many}"
+                raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes, is_original: bool) -> None:
         for part in shape.checksums:
@@ -249,18 +250,24 @@ class FrameCodec:
         coded = shape.role("code")
         if error and refusal and refusal.code is not None and coded and numbers[coded.name] != refusal.code:
             raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
-        length = shape.role("length")
-        total = shape.header_size + len(inner) + shape.trailer_size
-        if length is not None and _is_sent(shape, length):
-            total = len(self._joined(direction, numbers, inner, True))
-        if length is not None:
-            units = length.number(total)
-            if units is None:
-                raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
-            numbers[length.name] = units
-        for check in shape.checksums:
-            numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, _is_sent(shape, check)))
+        # What is escaped comes first: how many bytes are sent depends on all of its bytes.
+        self._complete(direction, numbers, inner, False)
+        self._complete(direction, numbers, inner, True)
         return self._marked(direction, self._joined(direction, numbers, inner, True))
+
+    def _complete(self, direction: str, numbers: Values, inner: bytes, is_sent: bool) -> None:
+        """Fills in the lengths and the checksums of the bytes that are sent, or those of the bytes before."""
+        shape = self.link.frame(direction)
+        for length in shape.lengths:
+            if _is_sent(shape, length) == is_sent:
+                total = len(self._joined(direction, numbers, inner, is_sent))
+                units = length.number(total)
+                if units is None:
+                    raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
+                numbers[length.name] = units
+        for check in shape.checksums:
+            if _is_sent(shape, check) == is_sent:
+                numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, is_sent))
 
     def _refuse_barred(self, shape: FrameLayout, message: MessageLayout, values: Mapping[str, Any]) -> None:
         """Refuses the broadcast address for a request that cannot be broadcast."""

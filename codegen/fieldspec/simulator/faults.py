@@ -11,7 +11,7 @@ from fieldspec.reference.records import CodecError
 if TYPE_CHECKING:
     from typing import Any
 
-    from fieldspec.layout.frame import PartLayout
+    from fieldspec.layout.part import PartLayout
     from fieldspec.simulator.server import Server
 
 KINDS: Mapping[str, str] = {

@@ -90,8 +90,10 @@ class Simulation:
     def serve(self, link: str, place: str, settings: LineSettings) -> str:
         """Serves a link at a place: `pty`, `tcp://HOST:PORT`, `udp://HOST:PORT`, a serial port, a CAN bus.
 
-        Returns the place that others open. Raises CarrierError.
+        An address without a port has the one that the spec states. Returns the place that others open. Raises
+        CarrierError.
         """
+        place = completed_place(self.layout.links[link], place)
         wrong = can_objection(self.layout.links[link], place)
         if wrong:
             raise CarrierError(wrong)
@@ -218,6 +220,22 @@ def can_objection(link: LinkLayout, place: str) -> str:
     if place.startswith("can://") and not link.link.is_can:
         return f"{link.name} is no CAN bus; use a serial port, tcp://HOST:PORT or udp://HOST:PORT"
     return ""
+
+
+def completed_place(layout: LinkLayout, place: str) -> str:
+    """A place whose address has no port, with the port that the spec states for the link, if it does."""
+    protocol, _, host = place.partition("://")
+    port = dict(layout.link.ports).get(protocol)
+    has_port = not host or host.rpartition("]")[2].rpartition(":")[1]
+    return place if port is None or has_port else f"{place.rstrip('/')}:{port}"
+
+
+def stated_place(layout: LinkLayout) -> str:
+    """Where a link is served on this machine: at the port that the spec states, or at the usual place."""
+    ports = layout.link.ports
+    if layout.link.serial is not None or not ports:
+        return usual_place(layout)
+    return f"{ports[0][0]}://127.0.0.1:{ports[0][1]}"
 
 
 def usual_place(layout: LinkLayout) -> str:

@@ -336,8 +336,17 @@ function encoded(context, shape, header, code, record, value, marks, alone = "")
       writePart(data, place(part.offset, size), part, partValue(context, part, header, code, marks));
     }
   }
+  // What is escaped comes first: how many bytes are sent depends on all of its bytes.
+  complete(shape, data, false);
+  if (shape.escape !== null) complete(shape, data, true);
+  return withDelimiters(context, shape, sentParts(shape, data));
+}
+
+/** Fills in the lengths and the checksums of the bytes that are sent, or those of the bytes before they are escaped. */
+function complete(shape, data, ofSent) {
   for (const part of shape.lengths) {
-    const total = isOfSent(shape, part) ? sentParts(shape, data).length : size;
+    if (isOfSent(shape, part) !== ofSent) continue;
+    const total = ofSent ? sentParts(shape, data).length : data.length;
     const units = (total - part.base) / part.unitSize;
     if (!Number.isInteger(units) || units < part.low || units > part.high) {
       throw new CodecError("wrong_length", `${part.name} cannot say that the frame has ${total} bytes`);
@@ -345,11 +354,11 @@ function encoded(context, shape, header, code, record, value, marks, alone = "")
     writePart(data, part.offset, part, units);
   }
   for (const part of shape.checksums) {
-    const covered = isOfSent(shape, part) ? sentParts(shape, data) : data;
+    if (isOfSent(shape, part) !== ofSent) continue;
+    const covered = ofSent ? sentParts(shape, data) : data;
     const [start, stop] = [place(part.start, covered.length), place(part.stop, covered.length)];
-    data.set(checksumBytes(part, covered, start, stop), place(part.offset, size));
+    data.set(checksumBytes(part, covered, start, stop), place(part.offset, data.length));
   }
-  return withDelimiters(context, shape, sentParts(shape, data));
 }
 
 function refuseBroadcast({ unitAddresses }, shape, header, message) {

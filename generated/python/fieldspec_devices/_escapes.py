@@ -156,11 +156,11 @@ class EscapedFrames(PartFrames):
             least = self.head_size + self.tail_size
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
         numbers = self._numbers(data)
-        if self.length in self.sent:
-            wrong = self._no_digits(data, numbers, self.digits.keys() & {self.length})
-            if wrong is not None:
-                raise wrong
-            self._compare_length(numbers[self.length][2], size)
+        early = [place for place, *_ in self.lengths if place in self.sent and place in self.digits]
+        wrong = self._no_digits(data, numbers, early)
+        if wrong is not None:
+            raise wrong
+        self._compare_lengths(numbers, size, self.sent)
         wrong = self._wrong_checksum(data, numbers, self.sent)
         if wrong is not None:
             raise wrong

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     Form = Literal["decimal", "upper_hex", "lower_hex"]
     Part = tuple[str, int, Order | Form, bool, int | None, bool]
     Check = tuple[int, Callable[[Data], int], int, int | None, str]
+    Length = tuple[int, int, str, int, int, int]
 
 
 _FORMS = ("decimal", "upper_hex", "lower_hex")
@@ -31,9 +32,10 @@ class PartFrames(Frames):
     is refused. In place of an order, a part that is sent as digits has their form. `checks` are the checksums in the
     order in which they are computed: the place in these rows, the function, the bounds of the bytes that it covers, and
     the digits of one that is sent as characters. A length of n means that the parts have `unit` * n + `base` bytes.
+    `lengths` are the other ones: the place, the offset, the name, the greatest number, the unit and the base.
     """
 
-    __slots__ = ("base", "checks", "digits", "rows", "tail", "unit")
+    __slots__ = ("base", "checks", "digits", "lengths", "rows", "tail", "unit")
 
     def __init__(
         self,
@@ -49,6 +51,7 @@ class PartFrames(Frames):
         longest: int = 0,
         unit: int = 1,
         base: int = 0,
+        lengths: tuple[Length, ...] = (),
         start: bytes = b"",
         end: bytes = b"",
         hexadecimal: bool = False,
@@ -67,6 +70,8 @@ class PartFrames(Frames):
             hexadecimal=hexadecimal,
         )
         self.rows, self.tail, self.checks, self.unit, self.base = head, tail, checks, unit, base
+        first = ((length, length_offset, length_name, longest, unit, base),) if length >= 0 else ()
+        self.lengths: tuple[Length, ...] = (*first, *lengths)
         self.head_size = sum(row[1] for row in head)
         self.tail_size = sum(row[1] for row in tail)
         rows = (*head, *tail)
@@ -149,8 +154,7 @@ class PartFrames(Frames):
         wrong = self._no_digits(data, numbers, self.digits)
         if wrong is not None:
             raise wrong
-        if self.length >= 0 and (self._own is None or self.length in self._own):
-            self._compare_length(numbers[self.length][2], size)
+        self._compare_lengths(numbers, size, self._own)
         wrong = self._wrong(data, numbers)
         if wrong is not None:
             raise wrong
@@ -166,31 +170,43 @@ class PartFrames(Frames):
         """What is sent for the bytes of the parts."""
         return data
 
-    def _compare_length(self, units: int, size: int) -> None:
-        extent = units * self.unit + self.base
-        if extent != size:
-            text = f"{self.length_name} is {units}, for a frame of {extent} bytes, but there are {size}"
-            raise CodecError("wrong_length", text, self.length_offset)
+    def _compare_lengths(self, numbers: list[tuple[Part, int, int]], size: int, places: frozenset[int] | None) -> None:
+        """Refuses the first wrong length, of all or of those at some places. Raises CodecError."""
+        for place, offset, name, _, unit, base in self.lengths:
+            units = numbers[place][2]
+            extent = units * unit + base
+            if extent != size and (places is None or place in places):
+                text = f"{name} is {units}, for a frame of {extent} bytes, but there are {size}"
+                raise CodecError("wrong_length", text, offset)
 
     def joined(self, head: list[int], body: bytes) -> bytes:
         """The whole frame of a header and a body; it fills in length and checksum. Raises CodecError."""
         numbers = [*head, *(row[4] or 0 for row in self.tail)]
-        own = self._own
-        if self.length >= 0:
-            total = self.head_size + len(body) + self.tail_size
-            if own is not None and self.length not in own:
-                total = len(self._sent(self._packed(numbers, body)))
-            units, over = divmod(total - self.base, self.unit)
-            if over or not 0 <= units <= self.longest:
-                raise CodecError("wrong_length", f"{self.length_name} cannot say that the frame has {total} bytes")
-            numbers[self.length] = units
-        for place, function, start, stop, form in self.checks:
-            _, size, order, _, _, _ = (*self.rows, *self.tail)[place]
-            data = self._packed(numbers, body)
-            if own is not None and place not in own:
-                data = self._sent(data)
-            numbers[place] = _number(function(data[start:stop]), size, _order(order), form)
+        # What is escaped comes first: how many bytes are sent depends on all of its bytes.
+        self._complete(numbers, body, False)
+        if self._own is not None:
+            self._complete(numbers, body, True)
         return self.marked(self._sent(self._packed(numbers, body)))
+
+    def _complete(self, numbers: list[int], body: bytes, of_sent: bool) -> None:
+        """Fills in the lengths and checksums of the bytes that are sent, or of those before they are escaped."""
+        own = self._own
+        for place, _, name, longest, unit, base in self.lengths:
+            if (own is not None and place not in own) == of_sent:
+                total = self.head_size + len(body) + self.tail_size
+                if of_sent:
+                    total = len(self._sent(self._packed(numbers, body)))
+                units, over = divmod(total - base, unit)
+                if over or not 0 <= units <= longest:
+                    raise CodecError("wrong_length", f"{name} cannot say that the frame has {total} bytes")
+                numbers[place] = units
+        for place, function, start, stop, form in self.checks:
+            if (own is not None and place not in own) == of_sent:
+                _, size, order, _, _, _ = (*self.rows, *self.tail)[place]
+                data = self._packed(numbers, body)
+                if of_sent:
+                    data = self._sent(data)
+                numbers[place] = _number(function(data[start:stop]), size, _order(order), form)
 
     def _packed(self, numbers: list[int], body: bytes) -> bytes:
         packed = [

@@ -23,7 +23,7 @@ from fieldspec.backends.c.statements import Evaluation, Statement
 from fieldspec.backends.c.values import access_name, store
 from fieldspec.layout.checksums import reflected
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import DIGITS, SIMPLE, Checksum, checksum_named
 
 _FORMS = "checksum_forms.h"

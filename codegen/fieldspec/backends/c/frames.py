@@ -57,7 +57,8 @@ from fieldspec.backends.c.values import (
     status_type,
 )
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 
 DIRECTIONS = ("request", "response")
 _SIZE_POINTER = Type("size_t", pointer=True)
@@ -185,10 +186,11 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
 
     Before bytes are turned into the original ones, only the lengths and checksums of what is sent are compared.
     """
-    length = frame.role("length")
-    is_early = length is not None and _is_sent(frame, length) and bool(length.form)
-    body = check_digits(naming, frame.digits if is_original else (length,) if length is not None and is_early else ())
-    if length is not None and _is_sent(frame, length) != is_original:
+    early = tuple(length for length in frame.lengths if _is_sent(frame, length) and length.form)
+    body = check_digits(naming, frame.digits if is_original else early)
+    for length in frame.lengths:
+        if _is_sent(frame, length) == is_original:
+            continue
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
         number, unrepresentable = length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
@@ -261,16 +263,16 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     if is_wrapped(link):
         body.append(Variable(SIZE_TYPE, "at"))
     body += _check_capacity(naming, width, around, delimiters)
-    length = frame.role("length")
-    sent_length = length if length is not None and _is_sent(frame, length) else None
+    sent_lengths = [part for part in frame.lengths if _is_sent(frame, part)]
     for part in frame.parts:
-        if part.role != "checksum" and part is not sent_length:
+        if part.role != "checksum" and part not in sent_lengths:
             body += write_part(naming, layout, link, frame, part)
     body += _store_checksums(naming, [part for part in frame.checksums if not _is_sent(frame, part)])
     if frame.escape is not None:
         room = add_size(CAPACITY, -delimiters)
         body += return_error(naming, escape_call(naming, link, frame, OUT, address_of(TOTAL), room))
-        body += write_part(naming, layout, link, frame, sent_length) if sent_length is not None else ()
+        for part in sent_lengths:
+            body += write_part(naming, layout, link, frame, part)
         body += _store_checksums(naming, [part for part in frame.checksums if _is_sent(frame, part)])
     if is_wrapped(link):
         body += wrap_frame(naming, link, direction)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal, TypeAlias
 
 from fieldspec.backends.c.expressions import Identifier, Local, Type
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.names import Name
 from fieldspec.reserved import C
 

@@ -41,7 +41,8 @@ from fieldspec.backends.c.values import (
     store_number,
 )
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 
 CODE, TOTAL = Identifier("code"), Identifier("total")
 

@@ -42,7 +42,8 @@ from fieldspec.backends.c.statements import If, Statement, Variable, Variables, 
 from fieldspec.backends.c.values import status_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError
-from fieldspec.layout.frame import LinkLayout, PartLayout, original_parts
+from fieldspec.layout.frame import LinkLayout, original_parts
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.device import Device

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import checksum_named
 
 _TEXTS = {
@@ -25,9 +25,15 @@ DIGITS = {
 
 def checksum_text(part: PartLayout) -> str:
     """`CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes`"""
-    if part.algorithm in _TEXTS:
-        return _TEXTS[part.algorithm]
-    kind = checksum_named(part.algorithm)
+    prefix = part.part.prefix.hex(" ").upper()
+    text = _algorithm_text(part.part.stated_algorithm)
+    return f"{text.removesuffix('all bytes')}the bytes {prefix} and all bytes" if prefix else text
+
+
+def _algorithm_text(algorithm: str) -> str:
+    if algorithm in _TEXTS:
+        return _TEXTS[algorithm]
+    kind = checksum_named(algorithm)
     if kind.method == "crc":
         order = {
             (True, True): ", reflected",

@@ -1,4 +1,4 @@
-"""The unit addresses and the serial settings of a link, as facts below its heading."""
+"""The unit addresses, the serial settings and the ports of a link, as facts below its heading."""
 
 from __future__ import annotations
 
@@ -45,3 +45,11 @@ def serial_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
     if serial.sources:
         yield "Source of the settings", (cited(serial.sources),)
+
+
+def network_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """The ports on which the device listens."""
+    for protocol, port in link.ports:
+        yield f"{protocol.upper()} port", ((text_piece(str(port)),),)
+    if link.network is not None and link.network.sources:
+        yield "Source of the ports", (cited(link.network.sources),)

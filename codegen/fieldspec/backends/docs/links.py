@@ -21,13 +21,14 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.backends.docs.link_settings import address_facts, serial_facts
+from fieldspec.backends.docs.link_settings import address_facts, network_facts, serial_facts
 from fieldspec.backends.docs.positions import Position, field_starts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import replace
 from fieldspec.explain.values import decimal_text
-from fieldspec.layout.frame import LinkLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link, Part
@@ -378,5 +379,6 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         )
     yield from address_facts(link)
     yield from serial_facts(link)
+    yield from network_facts(link)
     if link.sources:
         yield "Source", (cited(link.sources),)

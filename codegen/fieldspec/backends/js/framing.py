@@ -5,7 +5,8 @@ from __future__ import annotations
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.text import flag, literal, object_of
 from fieldspec.layout.first_bytes import first_bytes
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.link import ExceptionResponse
 

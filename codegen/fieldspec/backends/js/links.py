@@ -11,7 +11,8 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.framing import framer
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.link import ExceptionResponse
 from fieldspec.model.ranges import Ranges

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.address_space import WORD
@@ -273,12 +274,11 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
             continue
         shape, data = link.frame(direction), message.data(direction)
         whole = None if data.size is None else shape.header_size + data.size + shape.trailer_size
-        length = shape.role("length")
-        fixed = {
-            "code": message.message.code_of(direction),
-            "length": None if length is None or whole is None else length.number(whole),
-        }
-        values = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.header]
+        fixed: dict[str, int | None] = {part.name: part.number(whole) for part in shape.lengths if whole is not None}
+        coded = shape.role("code")
+        if coded is not None:
+            fixed[coded.name] = message.message.code_of(direction)
+        values = [of_part(part, part.offset, fixed.get(part.name)) for part in shape.header]
         values += of_record(data, shape.header_size)
         if whole is not None:
             values += [of_part(part, whole + part.offset, None) for part in shape.trailer]

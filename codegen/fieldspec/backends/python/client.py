@@ -118,6 +118,7 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
             [
                 f"A client of {head}",
                 *_CLIENT_DOC,
+                *_ports_doc(single),
                 *_choices_doc(own),
                 *(["Tasks without a method:", *missing] if missing else []),
             ],
@@ -176,6 +177,15 @@ def _choices_doc(links: Sequence[ClientLinkView]) -> list[str]:
     return [
         f"`{keyword}` is the value of this part in every request; each link whose requests have it needs it."
         for keyword, _, _, _ in _choices(links)
+    ]
+
+
+def _ports_doc(links: Sequence[LinkLayout]) -> list[str]:
+    """Where the device listens, as it is delivered."""
+    return [
+        f"On the link {literal(link.name)}, the device listens on {protocol.upper()} port {port}."
+        for link in links
+        for protocol, port in link.link.ports
     ]
 
 

@@ -12,7 +12,8 @@ from fieldspec.backends.python.text import chained, filled, literal, unpacked
 from fieldspec.backends.python.writing import greatest
 from fieldspec.classes import dataclass
 from fieldspec.layout.checksums import checksum
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 
 TABLES = 8
 _WORDS = "crc16_modbus"

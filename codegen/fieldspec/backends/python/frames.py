@@ -7,7 +7,8 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import SIMPLE, checksum_named
 from fieldspec.model.ranges import Ranges
 
@@ -95,6 +96,7 @@ def is_simple(frame: FrameLayout) -> bool:
     check, length = frame.checksum, frame.role("length")
     return (
         frame.escape is None
+        and len(frame.lengths) < 2
         and len({part.order for part in frame.header if part.size > 1}) <= 1
         and not any(part.reserved or part.form for part in frame.header)
         and frame.trailer == (() if check is None else (check,))
@@ -192,8 +194,7 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
         if part is not None:
             arguments += [f"{role}={frame.header.index(part)}", f"{role}_offset={part.offset}"]
             if role == "length":
-                longest = part.value.high if part.form and part.value is not None else 256**part.size - 1
-                arguments += [f"length_name={literal(part.name)}", f"longest={longest}"]
+                arguments += [f"length_name={literal(part.name)}", f"longest={_longest(part)}"]
     for name, mark in (("start", frame.start), ("end", frame.end)):
         if mark:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
@@ -221,7 +222,17 @@ def _part_arguments(frame: FrameLayout) -> list[str]:
     arguments = [part_rows(frame.header), part_rows(frame.trailer), check_rows(frame)]
     if length is not None:
         arguments += [f"unit={length.unit_size}", f"base={length.base}"]
-    return arguments
+    others = [
+        f"({frame.header.index(part)}, {part.offset}, {literal(part.name)}, {_longest(part)}, {part.unit_size},"
+        f" {part.base})"
+        for part in frame.lengths[1:]
+    ]
+    return [*arguments, *([f"lengths={tuple_of(others)}"] if others else [])]
+
+
+def _longest(part: PartLayout) -> int:
+    """The greatest number of a length."""
+    return part.value.high if part.form and part.value is not None else int(256**part.size) - 1
 
 
 def head_tests(link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None) -> list[str]:

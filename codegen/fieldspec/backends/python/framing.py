@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from fieldspec.backends.python.frames import is_simple
 from fieldspec.backends.python.text import docstring
 from fieldspec.layout.first_bytes import first_bytes
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 
 Carried = Sequence[tuple[str, int | None, RecordLayout]]

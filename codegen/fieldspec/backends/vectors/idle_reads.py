@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from fieldspec.classes import dataclass
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.read_plan import ReadBlock, read_plan
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.layout.values import Raw

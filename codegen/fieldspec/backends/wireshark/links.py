@@ -8,7 +8,8 @@ from fieldspec.backends.wireshark.values import errata_data, intervals, value_da
 from fieldspec.layout.checksums import reflected
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exception_mark import ExceptionMark
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.repeated_parts import repeated_parts
 from fieldspec.layout.subcodes import Subcode
 from fieldspec.model.checksums import checksum_named
@@ -40,6 +41,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "units": None
         if addresses is None
         else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
+        **({"ports": {protocol: str(port) for protocol, port in own.ports}} if own.ports else {}),
         **shapes,
     }
 

@@ -11,7 +11,7 @@ from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.changes.evidence import hexadecimal, value_text
 from fieldspec.changes.message_texts import access_text, segments_text
 from fieldspec.model.device import Detection, Device, Version, VersionLine
-from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
+from fieldspec.model.link import ExceptionResponse, Link, Part
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
@@ -75,10 +75,14 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Part):
-        old, new = pair.old.algorithm, pair.new.algorithm
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the algorithm', old, new)}"
-            yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
+        if pair.old.algorithm != pair.new.algorithm:
+            key, what = "algorithm", "the algorithm"
+            old, new = pair.old.stated_algorithm, pair.new.stated_algorithm
+            if old == new:
+                key, what = "prefix", "the prefix"
+                old, new = pair.old.prefix.hex(" ").upper(), pair.new.prefix.hex(" ").upper()
+            text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+            yield change("check_changed", Effect.WIRE, pair, key, text, old, new)
         if pair.old.digits != pair.new.digits:
             text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
             yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
@@ -277,47 +281,6 @@ def _answered_on(device: Device, message: Message) -> tuple[str, ...]:
 
 def _links(device: Device, message: Message) -> tuple[str, ...]:
     return message.links or tuple(device.links)
-
-
-_NONE = Serial((), None, (), (), (), None, ())
-_SERIAL_KEYS = ("baud", "default_baud", "data_bits", "parity", "stop_bits", "start_bits")
-
-
-def serial_changed(comparison: Comparison) -> Iterator[Change]:
-    """A serial line has other settings, or another default.
-
-    Why: two sides with different settings do not understand each other.
-
-    Example: `default_baud: 9600` that becomes `default_baud: 19200`.
-
-    Cure: Tell users the settings for their side.
-    """
-
-    for pair in comparison.of(Link):
-        before, after = pair.old.serial or _NONE, pair.new.serial or _NONE
-        for key in _SERIAL_KEYS:
-            old, new = getattr(before, key), getattr(after, key)
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text(key.replace('_', ' '), old, new)}"
-                yield change("serial_changed", Effect.BEHAVIOUR, pair, "serial", text, old, new)
-
-
-def timing_changed(comparison: Comparison) -> Iterator[Change]:
-    """The silence between frames is another one.
-
-    Why: if a program waits too short, the device takes two frames for one.
-
-    Example: `silence: {characters: 3.5}` that becomes `silence: {milliseconds: 50}`.
-
-    Cure: Tell users how long to wait.
-    """
-
-    for pair in comparison.of(Link):
-        for key, unit in (("silence_characters", "characters"), ("silence_milliseconds", "milliseconds")):
-            old, new = getattr(pair.old, key), getattr(pair.new, key)
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text('the silence between frames in ' + unit, old, new)}"
-                yield change("timing_changed", Effect.BEHAVIOUR, pair, "silence", text, old, new)
 
 
 def broadcast_changed(comparison: Comparison) -> Iterator[Change]:

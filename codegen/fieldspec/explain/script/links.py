@@ -5,7 +5,8 @@ from __future__ import annotations
 from fieldspec.explain.script.literals import Data
 from fieldspec.explain.script.values import fact_data, intervals, stated, value_data
 from fieldspec.layout.exception_mark import ExceptionMark
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.escape import Escape
 from fieldspec.model.link import ExceptionResponse

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.plc.routines.expressions import (
     BOOL,
     INT,
@@ -201,8 +202,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
         draft.add([Assignment(refused, Truth(False))])
     draft.refuse(compared(length, "<", number(least)), "incomplete")
     draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
-    length_part = shape.role("length")
-    if length_part is not None:
+    for length_part in shape.lengths:
         draft.refuse(_length_differs(world, shape, length_part, holder, length), "wrong_length")
     check = shape.checksum
     if check is not None:

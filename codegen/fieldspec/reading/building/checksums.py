@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.model.checksums import Checksum, algorithm_name, catalogue_name
+from fieldspec.model.checksums import Checksum, algorithm_name, catalogue_name, checksum_named, preceded
 from fieldspec.reading.building.context import Entry
 
 _CRC_KEYS = ("polynomial", "reflect_in", "reflect_out", "final_xor")
@@ -34,6 +34,19 @@ def algorithm_of(entry: Entry) -> str:
             help = "leave out the highest bit of the polynomial" if key == "polynomial" else "correct it or the width"
             parameters.refuse("wrong_form", key, text, help)
     return algorithm_name(_checksum(parameters, method, width))
+
+
+def preceded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
+    """The algorithm of a part whose computation begins behind its prefix."""
+    prefix = bytes.fromhex(entry.text("prefix"))
+    kind = checksum_named(algorithm)
+    if not prefix:
+        return algorithm
+    if kind.method != "crc" and len(prefix) % kind.unit_size:
+        text = f"the prefix has {len(prefix)} bytes, but the algorithm takes {kind.unit_size} at a time"
+        entry.refuse("wrong_form", "prefix", text, "state whole numbers")
+        return algorithm
+    return algorithm_name(preceded(kind, prefix, order))
 
 
 def _checksum(parameters: Entry, method: str, width: int) -> Checksum:

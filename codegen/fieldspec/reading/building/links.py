@@ -1,4 +1,4 @@
-"""Links: parts of frames, unit addresses, serial settings."""
+"""Links: parts of frames, unit addresses, serial settings, ports of a network."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from decimal import Decimal
 from fieldspec.classes import replace
 from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.escape import CAN_BITS, Escape
-from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.model.link import ExceptionResponse, Link, Network, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
-from fieldspec.reading.building.checksums import algorithm_of
+from fieldspec.reading.building.checksums import algorithm_of, preceded_algorithm
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.escapes import escape
 from fieldspec.reading.building.values import VALUE_KEYS, value
@@ -22,20 +22,21 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
-    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits"}),
+    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix"}),
     "plain": VALUE_KEYS
     - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "reserved", "same_as"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
     "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
     "counts": "move it to the part with `role: length`",
     "covers": "move it to the part with `role: checksum`",
+    "prefix": "move it to the part with `role: checksum`",
     "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
     "flags": "remove `flags`; only a part without a `role` is a word of bits",
@@ -76,6 +77,7 @@ def link(entry: Entry) -> Link:
         exception_response=_exception_response(exception) if exception else None,
         unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
+        network=_network(entry),
         silence_characters=_silence(silence, "characters"),
         silence_milliseconds=_silence(silence, "milliseconds"),
         silence_sources=silence.citations("source") if silence else (),
@@ -158,7 +160,9 @@ def _part(entry: Entry, link_order: str) -> Part:
         **entry.fact(),
         role=role,
         value=_value(entry, bits) if role in _VALUED else None,
-        algorithm=algorithm,
+        algorithm=preceded_algorithm(entry, algorithm, order) if role == "checksum" else algorithm,
+        stated_algorithm=algorithm,
+        prefix=bytes.fromhex(entry.text("prefix")) if role == "checksum" else b"",
         byte_order=order,
         span=PartSpan(span.text("from"), span.text("to")) if span is not None else PartSpan("", ""),
         unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
@@ -210,6 +214,16 @@ def _silence(silence: Entry | None, key: str) -> Decimal | None:
             "wrong_form", key, "no silence is between the frames", "state a time above 0, or remove `silence`"
         )
     return time
+
+
+def _network(entry: Entry) -> Network | None:
+    network = entry.entry("network")
+    if network is None:
+        return None
+    ports = {key: network.integer(key) for key in ("tcp", "udp")}
+    if not any(ports.values()):
+        entry.refuse("wrong_form", "network", "a network has no port", "add `tcp` or `udp`, or remove `network`")
+    return Network(**ports, sources=network.sources)
 
 
 def _serial(entry: Entry) -> Serial | None:

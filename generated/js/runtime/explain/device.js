@@ -106,7 +106,7 @@ function indexedFrame(frame) {
     escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
-    length: parts.find((part) => part.role === "length"),
+    lengths: parts.filter((part) => part.role === "length"),
     code: parts.find((part) => part.role === "code"),
     unitAddress: parts.find((part) => part.role === "unit_address"),
   };

@@ -170,15 +170,16 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
   const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
   const sent = () => sentBytes(shape, original());
-  const { length } = shape;
-  if (length) {
-    const total = (shape.escape && !length.escaped ? sent() : original()).length;
-    const units = lengthNumber(length, total);
-    if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
-    numbers.set(length.name, units);
-  }
-  for (const check of shape.checks) {
-    numbers.set(check.name, checksumOf(check, shape.escape && !check.escaped ? sent() : original()));
+  // What is escaped comes first: how many bytes are sent depends on all of its bytes.
+  for (const bytes of [original, sent]) {
+    const isOwn = (part) => (shape.escape && !part.escaped ? sent : original) === bytes;
+    for (const length of shape.lengths.filter(isOwn)) {
+      const total = bytes().length;
+      const units = lengthNumber(length, total);
+      if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
+      numbers.set(length.name, units);
+    }
+    for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;

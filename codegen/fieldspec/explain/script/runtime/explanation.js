@@ -131,11 +131,9 @@ class ExplainedFrame {
   /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
-    let { length, checks } = this.shape;
-    if (this.shape.escape) {
-      length = length?.escaped ? undefined : length;
-      checks = checks.filter(({ escaped }) => !escaped);
-    }
+    const ofSent = (part) => !this.shape.escape || !part.escaped;
+    const [length] = this.shape.lengths.filter(ofSent);
+    const checks = this.shape.checks.filter(ofSent);
     if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
     const number = Number(numberOf(length, data));
     const stated = number * (length.unitSize ?? 1) + (length.base ?? 0);
