@@ -174,7 +174,17 @@ def test_a_sentinel_may_be_written_to_a_register(run: CommandLine) -> None:
 def test_a_quantity_whose_count_is_a_sentinel_is_refused(run: CommandLine) -> None:
     result = run("encode", "widget", "set_everything", "station=3", "everything.half=655.35mm")
     assert (result.code, result.out) == (2, "")
-    assert "everything.half: `655.35mm` would be the count 65535, which stands for ignored" in result.err
+    assert "everything.half: `655.35mm` would be the count 65535, which stands for ignored; write " in result.err
+
+
+@pytest.mark.parametrize("quantity", ["9999mm", "9999.0001 mm", "999.9cm"])
+def test_a_quantity_that_is_sent_as_a_sentinel_is_refused(run: CommandLine, quantity: str) -> None:
+    others = ["sample.exact=too_far", "sample.pair=1,2", "sample.turned=1", "sample.widths=not_measured,2"]
+    direction = ["--direction", "response"]
+    result = run("encode", "probe", "measure", f"sample.distance={quantity}", *others, *direction)
+    assert (result.code, result.out) == (2, "")
+    assert f"`{quantity}` would be sent as 9999.0, which stands for too_far; write `too_far`" in result.err
+    assert run("encode", "probe", "measure", "sample.distance=too_far", *others, *direction).code == 0
 
 
 @pytest.mark.parametrize(

@@ -10282,4 +10282,55 @@ static inline const ck10_code_text *ck10_alarm_code_text(int64_t code)
 }
 #endif
 
+/* ---- Values that stand for a state ---- */
+
+#define CK10_POINT_COMMAND_ABSENT_IGNORED 65535u /**< point.command: ignored. The point has no command. */
+/** Whether point.command is no quantity: ignored. */
+static inline bool ck10_point_command_is_absent(uint16_t value)
+{
+    return value == 65535u;
+}
+
+#define CK10_POINT_JUMP_POINT_ABSENT_IGNORED 65535u /**< point.jump_point: ignored. The point table ends here. */
+/** Whether point.jump_point is no quantity: ignored. */
+static inline bool ck10_point_jump_point_is_absent(uint16_t value)
+{
+    return value == 65535u;
+}
+
+#define CK10_POINT_JUMP_POINT_OF_INPUT_0_ABSENT_IGNORED 65535u /**< point.jump_point_of_input_0: ignored. The input makes no jump. */
+/** Whether point.jump_point_of_input_0 is no quantity: ignored. */
+static inline bool ck10_point_jump_point_of_input_0_is_absent(uint16_t value)
+{
+    return value == 65535u;
+}
+
+#define CK10_POINT_JUMP_POINT_OF_INPUT_1_ABSENT_IGNORED 65535u /**< point.jump_point_of_input_1: ignored. The input makes no jump. */
+/** Whether point.jump_point_of_input_1 is no quantity: ignored. */
+static inline bool ck10_point_jump_point_of_input_1_is_absent(uint16_t value)
+{
+    return value == 65535u;
+}
+
+#define CK10_POINT_JUMP_POINT_OF_INPUT_2_ABSENT_IGNORED 65535u /**< point.jump_point_of_input_2: ignored. The input makes no jump. */
+/** Whether point.jump_point_of_input_2 is no quantity: ignored. */
+static inline bool ck10_point_jump_point_of_input_2_is_absent(uint16_t value)
+{
+    return value == 65535u;
+}
+
+#define CK10_POINT_CLEAR_LOOP_COUNTER_OF_ABSENT_IGNORED 65535u /**< point.clear_loop_counter_of: ignored. No loop counter is cleared. */
+/** Whether point.clear_loop_counter_of is no quantity: ignored. */
+static inline bool ck10_point_clear_loop_counter_of_is_absent(uint16_t value)
+{
+    return value == 65535u;
+}
+
+#define CK10_POINT_PUSH_MODE_ABSENT_STOP_MODE 0u /**< point.push_mode: stop_mode. The motor stops at the workpiece. */
+/** Whether point.push_mode is no quantity: stop_mode. */
+static inline bool ck10_point_push_mode_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
 #endif

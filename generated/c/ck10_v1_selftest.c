@@ -11023,6 +11023,60 @@ static void test_404(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-stop-all-request bytes");
 }
 
+static void test_405(void)
+{
+    expect(ck10_point_command_is_absent(CK10_POINT_COMMAND_ABSENT_IGNORED) == true, "ck10_point_command_is_absent ignored");
+    expect(ck10_point_command_is_absent(0u) == false, "ck10_point_command_is_absent 0");
+    expect(ck10_point_command_is_absent(1u) == false, "ck10_point_command_is_absent 1");
+    expect(ck10_point_command_is_absent(65534u) == false, "ck10_point_command_is_absent 65534");
+}
+
+static void test_406(void)
+{
+    expect(ck10_point_jump_point_is_absent(CK10_POINT_JUMP_POINT_ABSENT_IGNORED) == true, "ck10_point_jump_point_is_absent ignored");
+    expect(ck10_point_jump_point_is_absent(0u) == false, "ck10_point_jump_point_is_absent 0");
+    expect(ck10_point_jump_point_is_absent(1u) == false, "ck10_point_jump_point_is_absent 1");
+    expect(ck10_point_jump_point_is_absent(65534u) == false, "ck10_point_jump_point_is_absent 65534");
+}
+
+static void test_407(void)
+{
+    expect(ck10_point_jump_point_of_input_0_is_absent(CK10_POINT_JUMP_POINT_OF_INPUT_0_ABSENT_IGNORED) == true, "ck10_point_jump_point_of_input_0_is_absent ignored");
+    expect(ck10_point_jump_point_of_input_0_is_absent(0u) == false, "ck10_point_jump_point_of_input_0_is_absent 0");
+    expect(ck10_point_jump_point_of_input_0_is_absent(1u) == false, "ck10_point_jump_point_of_input_0_is_absent 1");
+    expect(ck10_point_jump_point_of_input_0_is_absent(65534u) == false, "ck10_point_jump_point_of_input_0_is_absent 65534");
+}
+
+static void test_408(void)
+{
+    expect(ck10_point_jump_point_of_input_1_is_absent(CK10_POINT_JUMP_POINT_OF_INPUT_1_ABSENT_IGNORED) == true, "ck10_point_jump_point_of_input_1_is_absent ignored");
+    expect(ck10_point_jump_point_of_input_1_is_absent(0u) == false, "ck10_point_jump_point_of_input_1_is_absent 0");
+    expect(ck10_point_jump_point_of_input_1_is_absent(1u) == false, "ck10_point_jump_point_of_input_1_is_absent 1");
+    expect(ck10_point_jump_point_of_input_1_is_absent(65534u) == false, "ck10_point_jump_point_of_input_1_is_absent 65534");
+}
+
+static void test_409(void)
+{
+    expect(ck10_point_jump_point_of_input_2_is_absent(CK10_POINT_JUMP_POINT_OF_INPUT_2_ABSENT_IGNORED) == true, "ck10_point_jump_point_of_input_2_is_absent ignored");
+    expect(ck10_point_jump_point_of_input_2_is_absent(0u) == false, "ck10_point_jump_point_of_input_2_is_absent 0");
+    expect(ck10_point_jump_point_of_input_2_is_absent(1u) == false, "ck10_point_jump_point_of_input_2_is_absent 1");
+    expect(ck10_point_jump_point_of_input_2_is_absent(65534u) == false, "ck10_point_jump_point_of_input_2_is_absent 65534");
+}
+
+static void test_410(void)
+{
+    expect(ck10_point_clear_loop_counter_of_is_absent(CK10_POINT_CLEAR_LOOP_COUNTER_OF_ABSENT_IGNORED) == true, "ck10_point_clear_loop_counter_of_is_absent ignored");
+    expect(ck10_point_clear_loop_counter_of_is_absent(0u) == false, "ck10_point_clear_loop_counter_of_is_absent 0");
+    expect(ck10_point_clear_loop_counter_of_is_absent(1u) == false, "ck10_point_clear_loop_counter_of_is_absent 1");
+    expect(ck10_point_clear_loop_counter_of_is_absent(65534u) == false, "ck10_point_clear_loop_counter_of_is_absent 65534");
+}
+
+static void test_411(void)
+{
+    expect(ck10_point_push_mode_is_absent(CK10_POINT_PUSH_MODE_ABSENT_STOP_MODE) == true, "ck10_point_push_mode_is_absent stop_mode");
+    expect(ck10_point_push_mode_is_absent(1u) == false, "ck10_point_push_mode_is_absent 1");
+}
+
 unsigned long ck10_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -11437,6 +11491,13 @@ unsigned long ck10_selftest(void (*tell)(const char *what))
     test_402();
     test_403();
     test_404();
+    test_405();
+    test_406();
+    test_407();
+    test_408();
+    test_409();
+    test_410();
+    test_411();
     return failed;
 }
 

@@ -11276,6 +11276,34 @@ static void test_402(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example telegram-750-sent-greatest bytes");
 }
 
+static void test_403(void)
+{
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_absent(HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TOLERANCE_ABSENT_AS_POSITIVE) == true, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_absent as_positive");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_absent(1u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_absent 1");
+}
+
+static void test_404(void)
+{
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_absent(HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TORQUE_ABSENT_AS_POSITIVE) == true, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_absent as_positive");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_absent(1u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_absent 1");
+}
+
+static void test_405(void)
+{
+    #ifndef HIWIN_E_WITHOUT_DOUBLE
+    uint32_t raw = 0;
+    double quantity = 0.0;
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_from_raw(0u, &quantity) == HIWIN_E_ERR_OUT_OF_RANGE, "servo_parameters.negative_fixed_stop_torque 0");
+    quantity = 0.0;
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_to_raw(quantity, &raw) == HIWIN_E_ERR_OUT_OF_RANGE, "servo_parameters.negative_fixed_stop_torque 0 back");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_from_raw(2147483647u, &quantity) == HIWIN_E_OK, "servo_parameters.negative_fixed_stop_torque 2147483647");
+    expect(quantity >= 2147483.6469978523, "servo_parameters.negative_fixed_stop_torque 2147483647");
+    expect(quantity <= 2147483.6470021475, "servo_parameters.negative_fixed_stop_torque 2147483647");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_to_raw(quantity, &raw) == HIWIN_E_OK, "servo_parameters.negative_fixed_stop_torque 2147483647 back");
+    expect(raw == 2147483647u, "servo_parameters.negative_fixed_stop_torque 2147483647 back");
+    #endif
+}
+
 unsigned long hiwin_e_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -11688,6 +11716,9 @@ unsigned long hiwin_e_selftest(void (*tell)(const char *what))
     test_400();
     test_401();
     test_402();
+    test_403();
+    test_404();
+    test_405();
     return failed;
 }
 

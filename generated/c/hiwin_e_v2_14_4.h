@@ -9662,4 +9662,63 @@ static inline const hiwin_e_code_text *hiwin_e_warning_code_text(int64_t code)
 }
 #endif
 
+/* ---- Values that stand for a state ---- */
+
+#define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TOLERANCE_ABSENT_AS_POSITIVE 0u /**< servo_parameters.negative_fixed_stop_tolerance: as_positive. Pt42B counts for both directions. */
+/** Whether servo_parameters.negative_fixed_stop_tolerance is no quantity: as_positive. */
+static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_absent(uint32_t value)
+{
+    return value == 0u;
+}
+
+#define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TORQUE_ABSENT_AS_POSITIVE 0u /**< servo_parameters.negative_fixed_stop_torque: as_positive. Pt42D counts for both directions. */
+/** Whether servo_parameters.negative_fixed_stop_torque is no quantity: as_positive. */
+static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_absent(uint32_t value)
+{
+    return value == 0u;
+}
+
+#ifndef HIWIN_E_WITHOUT_DOUBLE
+
+/**
+ * servo_parameters.negative_fixed_stop_torque as a quantity, in Nm or N; refused for a count that stands for
+ * as_positive.
+ */
+static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_stop_torque_from_raw(uint32_t raw,
+        double *quantity)
+{
+    if (raw == 0u) {
+        return HIWIN_E_ERR_OUT_OF_RANGE;
+    }
+    *quantity = (double)raw / 1000.0;
+    return HIWIN_E_OK;
+}
+
+/**
+ * The count of a quantity, the nearest one, of two equally near ones the even one; refused where it
+ * is not in 0..2147483647, and where it stands for as_positive.
+ */
+static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_stop_torque_to_raw(double quantity,
+        uint32_t *raw)
+{
+    double count, rest;
+    uint32_t whole;
+    count = quantity * 1000.0;
+    if (!(count > -1.0 / 2.0 && count < 4294967295.0 / 2.0)) {
+        return HIWIN_E_ERR_OUT_OF_RANGE;
+    }
+    whole = (uint32_t)count;
+    rest = count - (double)whole;
+    if (rest > 0.5 || (rest >= 0.5 && whole % 2u != 0u)) {
+        whole = (uint32_t)(whole + 1u);
+    }
+    if (whole == 0u) {
+        return HIWIN_E_ERR_OUT_OF_RANGE;
+    }
+    *raw = whole;
+    return HIWIN_E_OK;
+}
+
+#endif
+
 #endif

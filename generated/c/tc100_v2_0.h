@@ -5329,4 +5329,279 @@ static inline const tc100_code_text *tc100_fault_code_text(int64_t code)
 }
 #endif
 
+/* ---- Values that stand for a state ---- */
+
+#define TC100_POINT_SPEED_ABSENT_START_SPEED 0u /**< point.speed: start_speed. The start speed 0800H. */
+/** Whether point.speed is no quantity: start_speed. */
+static inline bool tc100_point_speed_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_POINT_NEXT_POINT_ABSENT_END (-1) /**< point.next_point: end. The program ends. */
+/** Whether point.next_point is no quantity: end. */
+static inline bool tc100_point_next_point_is_absent(int16_t value)
+{
+    return value == (-1);
+}
+
+#define TC100_REG_JOG_POSITIVE_INPUT_ABSENT_NOT_USED 0u /**< jog_positive_input: not_used. The function has no terminal. */
+/** Whether jog_positive_input is no quantity: not_used. */
+static inline bool tc100_reg_jog_positive_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_JOG_NEGATIVE_INPUT_ABSENT_NOT_USED 0u /**< jog_negative_input: not_used. The function has no terminal. */
+/** Whether jog_negative_input is no quantity: not_used. */
+static inline bool tc100_reg_jog_negative_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_MANUAL_MODE_INPUT_ABSENT_NOT_USED 0u /**< manual_mode_input: not_used. The function has no terminal. */
+/** Whether manual_mode_input is no quantity: not_used. */
+static inline bool tc100_reg_manual_mode_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_TEACH_INPUT_ABSENT_NOT_USED 0u /**< teach_input: not_used. The function has no terminal. */
+/** Whether teach_input is no quantity: not_used. */
+static inline bool tc100_reg_teach_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_LOCK_INPUT_ABSENT_NOT_USED 0u /**< lock_input: not_used. The function has no terminal. */
+/** Whether lock_input is no quantity: not_used. */
+static inline bool tc100_reg_lock_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_4_INPUT_ABSENT_NOT_USED 0u /**< point_select_bit_4_input: not_used. The function has no terminal. */
+/** Whether point_select_bit_4_input is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_4_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_5_INPUT_ABSENT_NOT_USED 0u /**< point_select_bit_5_input: not_used. The function has no terminal. */
+/** Whether point_select_bit_5_input is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_5_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_6_INPUT_ABSENT_NOT_USED 0u /**< point_select_bit_6_input: not_used. The function has no terminal. */
+/** Whether point_select_bit_6_input is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_6_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_HOMING_SENSOR_INPUT_ABSENT_NOT_USED 0u /**< homing_sensor_input: not_used. The function has no terminal. */
+/** Whether homing_sensor_input is no quantity: not_used. */
+static inline bool tc100_reg_homing_sensor_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_BRAKE_INPUT_ABSENT_NOT_USED 0u /**< brake_input: not_used. The function has no terminal. */
+/** Whether brake_input is no quantity: not_used. */
+static inline bool tc100_reg_brake_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_FULL_COUNT_INPUT_ABSENT_NOT_USED 0u /**< full_count_input: not_used. The function has no terminal. */
+/** Whether full_count_input is no quantity: not_used. */
+static inline bool tc100_reg_full_count_input_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_IN_POSITION_OUTPUT_ABSENT_NOT_USED 0u /**< in_position_output: not_used. The function has no terminal. */
+/** Whether in_position_output is no quantity: not_used. */
+static inline bool tc100_reg_in_position_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_ALARM_OUTPUT_ABSENT_NOT_USED 0u /**< alarm_output: not_used. The function has no terminal. */
+/** Whether alarm_output is no quantity: not_used. */
+static inline bool tc100_reg_alarm_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_READY_OUTPUT_ABSENT_NOT_USED 0u /**< ready_output: not_used. The function has no terminal. */
+/** Whether ready_output is no quantity: not_used. */
+static inline bool tc100_reg_ready_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_MOVING_OUTPUT_ABSENT_NOT_USED 0u /**< moving_output: not_used. The function has no terminal. */
+/** Whether moving_output is no quantity: not_used. */
+static inline bool tc100_reg_moving_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_SERVO_ON_OUTPUT_ABSENT_NOT_USED 0u /**< servo_on_output: not_used. The function has no terminal. */
+/** Whether servo_on_output is no quantity: not_used. */
+static inline bool tc100_reg_servo_on_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_0_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_0_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_0_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_1_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_1_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_1_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_2_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_2_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_2_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_3_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_3_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_3_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_4_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_4_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_4_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_5_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_5_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_5_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ABSENT_NOT_USED 0u /**< point_select_bit_6_output: not_used. The function has no terminal. */
+/** Whether point_select_bit_6_output is no quantity: not_used. */
+static inline bool tc100_reg_point_select_bit_6_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_TORQUE_LIMIT_OUTPUT_ABSENT_NOT_USED 0u /**< torque_limit_output: not_used. The function has no terminal. */
+/** Whether torque_limit_output is no quantity: not_used. */
+static inline bool tc100_reg_torque_limit_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_ERROR_BIT_0_OUTPUT_ABSENT_NOT_USED 0u /**< error_bit_0_output: not_used. The function has no terminal. */
+/** Whether error_bit_0_output is no quantity: not_used. */
+static inline bool tc100_reg_error_bit_0_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_ERROR_BIT_1_OUTPUT_ABSENT_NOT_USED 0u /**< error_bit_1_output: not_used. The function has no terminal. */
+/** Whether error_bit_1_output is no quantity: not_used. */
+static inline bool tc100_reg_error_bit_1_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_ERROR_BIT_2_OUTPUT_ABSENT_NOT_USED 0u /**< error_bit_2_output: not_used. The function has no terminal. */
+/** Whether error_bit_2_output is no quantity: not_used. */
+static inline bool tc100_reg_error_bit_2_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_ERROR_BIT_3_OUTPUT_ABSENT_NOT_USED 0u /**< error_bit_3_output: not_used. The function has no terminal. */
+/** Whether error_bit_3_output is no quantity: not_used. */
+static inline bool tc100_reg_error_bit_3_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_ZONE_OUTPUT_ABSENT_NOT_USED 0u /**< zone_output: not_used. The function has no terminal. */
+/** Whether zone_output is no quantity: not_used. */
+static inline bool tc100_reg_zone_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_NEAR_OUTPUT_ABSENT_NOT_USED 0u /**< near_output: not_used. The function has no terminal. */
+/** Whether near_output is no quantity: not_used. */
+static inline bool tc100_reg_near_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_SOFT_LIMIT_OUTPUT_ABSENT_NOT_USED 0u /**< soft_limit_output: not_used. The function has no terminal. */
+/** Whether soft_limit_output is no quantity: not_used. */
+static inline bool tc100_reg_soft_limit_output_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_MOTION_SPEED_ABSENT_START_SPEED 0u /**< motion_speed: start_speed. The start speed 0800H. */
+/** Whether motion_speed is no quantity: start_speed. */
+static inline bool tc100_reg_motion_speed_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_SOFT_LIMIT_POSITIVE_ABSENT_NO_LIMIT 0 /**< soft_limit_positive: no_limit. The soft limit is not active. */
+/** Whether soft_limit_positive is no quantity: no_limit. */
+static inline bool tc100_reg_soft_limit_positive_is_absent(int32_t value)
+{
+    return value == 0;
+}
+
+#define TC100_REG_SOFT_LIMIT_NEGATIVE_ABSENT_NO_LIMIT 0 /**< soft_limit_negative: no_limit. The soft limit is not active. */
+/** Whether soft_limit_negative is no quantity: no_limit. */
+static inline bool tc100_reg_soft_limit_negative_is_absent(int32_t value)
+{
+    return value == 0;
+}
+
+#define TC100_REG_HOMING_SPEED_ABSENT_START_SPEED 0u /**< homing_speed: start_speed. The start speed 0800H. */
+/** Whether homing_speed is no quantity: start_speed. */
+static inline bool tc100_reg_homing_speed_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_HOMING_OFFSET_SPEED_ABSENT_START_SPEED 0u /**< homing_offset_speed: start_speed. The start speed 0800H. */
+/** Whether homing_offset_speed is no quantity: start_speed. */
+static inline bool tc100_reg_homing_offset_speed_is_absent(uint16_t value)
+{
+    return value == 0u;
+}
+
+#define TC100_REG_EXECUTED_POINT_ABSENT_NONE (-1) /**< executed_point: none. No point was executed yet. */
+/** Whether executed_point is no quantity: none. */
+static inline bool tc100_reg_executed_point_is_absent(int16_t value)
+{
+    return value == (-1);
+}
+
 #endif

@@ -3096,6 +3096,246 @@ static void test_132(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-write-relative-distance bytes");
 }
 
+static void test_133(void)
+{
+    expect(tc100_point_speed_is_absent(TC100_POINT_SPEED_ABSENT_START_SPEED) == true, "tc100_point_speed_is_absent start_speed");
+    expect(tc100_point_speed_is_absent(1u) == false, "tc100_point_speed_is_absent 1");
+}
+
+static void test_134(void)
+{
+    expect(tc100_point_next_point_is_absent(TC100_POINT_NEXT_POINT_ABSENT_END) == true, "tc100_point_next_point_is_absent end");
+    expect(tc100_point_next_point_is_absent((-2)) == false, "tc100_point_next_point_is_absent -2");
+    expect(tc100_point_next_point_is_absent(0) == false, "tc100_point_next_point_is_absent 0");
+    expect(tc100_point_next_point_is_absent(1) == false, "tc100_point_next_point_is_absent 1");
+}
+
+static void test_135(void)
+{
+    expect(tc100_reg_jog_positive_input_is_absent(TC100_REG_JOG_POSITIVE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_jog_positive_input_is_absent not_used");
+    expect(tc100_reg_jog_positive_input_is_absent(1u) == false, "tc100_reg_jog_positive_input_is_absent 1");
+}
+
+static void test_136(void)
+{
+    expect(tc100_reg_jog_negative_input_is_absent(TC100_REG_JOG_NEGATIVE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_jog_negative_input_is_absent not_used");
+    expect(tc100_reg_jog_negative_input_is_absent(1u) == false, "tc100_reg_jog_negative_input_is_absent 1");
+}
+
+static void test_137(void)
+{
+    expect(tc100_reg_manual_mode_input_is_absent(TC100_REG_MANUAL_MODE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_manual_mode_input_is_absent not_used");
+    expect(tc100_reg_manual_mode_input_is_absent(1u) == false, "tc100_reg_manual_mode_input_is_absent 1");
+}
+
+static void test_138(void)
+{
+    expect(tc100_reg_teach_input_is_absent(TC100_REG_TEACH_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_teach_input_is_absent not_used");
+    expect(tc100_reg_teach_input_is_absent(1u) == false, "tc100_reg_teach_input_is_absent 1");
+}
+
+static void test_139(void)
+{
+    expect(tc100_reg_lock_input_is_absent(TC100_REG_LOCK_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_lock_input_is_absent not_used");
+    expect(tc100_reg_lock_input_is_absent(1u) == false, "tc100_reg_lock_input_is_absent 1");
+}
+
+static void test_140(void)
+{
+    expect(tc100_reg_point_select_bit_4_input_is_absent(TC100_REG_POINT_SELECT_BIT_4_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_4_input_is_absent not_used");
+    expect(tc100_reg_point_select_bit_4_input_is_absent(1u) == false, "tc100_reg_point_select_bit_4_input_is_absent 1");
+}
+
+static void test_141(void)
+{
+    expect(tc100_reg_point_select_bit_5_input_is_absent(TC100_REG_POINT_SELECT_BIT_5_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_5_input_is_absent not_used");
+    expect(tc100_reg_point_select_bit_5_input_is_absent(1u) == false, "tc100_reg_point_select_bit_5_input_is_absent 1");
+}
+
+static void test_142(void)
+{
+    expect(tc100_reg_point_select_bit_6_input_is_absent(TC100_REG_POINT_SELECT_BIT_6_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_6_input_is_absent not_used");
+    expect(tc100_reg_point_select_bit_6_input_is_absent(1u) == false, "tc100_reg_point_select_bit_6_input_is_absent 1");
+}
+
+static void test_143(void)
+{
+    expect(tc100_reg_homing_sensor_input_is_absent(TC100_REG_HOMING_SENSOR_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_homing_sensor_input_is_absent not_used");
+    expect(tc100_reg_homing_sensor_input_is_absent(1u) == false, "tc100_reg_homing_sensor_input_is_absent 1");
+}
+
+static void test_144(void)
+{
+    expect(tc100_reg_brake_input_is_absent(TC100_REG_BRAKE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_brake_input_is_absent not_used");
+    expect(tc100_reg_brake_input_is_absent(1u) == false, "tc100_reg_brake_input_is_absent 1");
+}
+
+static void test_145(void)
+{
+    expect(tc100_reg_full_count_input_is_absent(TC100_REG_FULL_COUNT_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_full_count_input_is_absent not_used");
+    expect(tc100_reg_full_count_input_is_absent(1u) == false, "tc100_reg_full_count_input_is_absent 1");
+}
+
+static void test_146(void)
+{
+    expect(tc100_reg_in_position_output_is_absent(TC100_REG_IN_POSITION_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_in_position_output_is_absent not_used");
+    expect(tc100_reg_in_position_output_is_absent(1u) == false, "tc100_reg_in_position_output_is_absent 1");
+}
+
+static void test_147(void)
+{
+    expect(tc100_reg_alarm_output_is_absent(TC100_REG_ALARM_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_alarm_output_is_absent not_used");
+    expect(tc100_reg_alarm_output_is_absent(1u) == false, "tc100_reg_alarm_output_is_absent 1");
+}
+
+static void test_148(void)
+{
+    expect(tc100_reg_ready_output_is_absent(TC100_REG_READY_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_ready_output_is_absent not_used");
+    expect(tc100_reg_ready_output_is_absent(1u) == false, "tc100_reg_ready_output_is_absent 1");
+}
+
+static void test_149(void)
+{
+    expect(tc100_reg_moving_output_is_absent(TC100_REG_MOVING_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_moving_output_is_absent not_used");
+    expect(tc100_reg_moving_output_is_absent(1u) == false, "tc100_reg_moving_output_is_absent 1");
+}
+
+static void test_150(void)
+{
+    expect(tc100_reg_servo_on_output_is_absent(TC100_REG_SERVO_ON_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_servo_on_output_is_absent not_used");
+    expect(tc100_reg_servo_on_output_is_absent(1u) == false, "tc100_reg_servo_on_output_is_absent 1");
+}
+
+static void test_151(void)
+{
+    expect(tc100_reg_point_select_bit_0_output_is_absent(TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_0_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_0_output_is_absent(1u) == false, "tc100_reg_point_select_bit_0_output_is_absent 1");
+}
+
+static void test_152(void)
+{
+    expect(tc100_reg_point_select_bit_1_output_is_absent(TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_1_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_1_output_is_absent(1u) == false, "tc100_reg_point_select_bit_1_output_is_absent 1");
+}
+
+static void test_153(void)
+{
+    expect(tc100_reg_point_select_bit_2_output_is_absent(TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_2_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_2_output_is_absent(1u) == false, "tc100_reg_point_select_bit_2_output_is_absent 1");
+}
+
+static void test_154(void)
+{
+    expect(tc100_reg_point_select_bit_3_output_is_absent(TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_3_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_3_output_is_absent(1u) == false, "tc100_reg_point_select_bit_3_output_is_absent 1");
+}
+
+static void test_155(void)
+{
+    expect(tc100_reg_point_select_bit_4_output_is_absent(TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_4_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_4_output_is_absent(1u) == false, "tc100_reg_point_select_bit_4_output_is_absent 1");
+}
+
+static void test_156(void)
+{
+    expect(tc100_reg_point_select_bit_5_output_is_absent(TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_5_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_5_output_is_absent(1u) == false, "tc100_reg_point_select_bit_5_output_is_absent 1");
+}
+
+static void test_157(void)
+{
+    expect(tc100_reg_point_select_bit_6_output_is_absent(TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_6_output_is_absent not_used");
+    expect(tc100_reg_point_select_bit_6_output_is_absent(1u) == false, "tc100_reg_point_select_bit_6_output_is_absent 1");
+}
+
+static void test_158(void)
+{
+    expect(tc100_reg_torque_limit_output_is_absent(TC100_REG_TORQUE_LIMIT_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_torque_limit_output_is_absent not_used");
+    expect(tc100_reg_torque_limit_output_is_absent(1u) == false, "tc100_reg_torque_limit_output_is_absent 1");
+}
+
+static void test_159(void)
+{
+    expect(tc100_reg_error_bit_0_output_is_absent(TC100_REG_ERROR_BIT_0_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_0_output_is_absent not_used");
+    expect(tc100_reg_error_bit_0_output_is_absent(1u) == false, "tc100_reg_error_bit_0_output_is_absent 1");
+}
+
+static void test_160(void)
+{
+    expect(tc100_reg_error_bit_1_output_is_absent(TC100_REG_ERROR_BIT_1_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_1_output_is_absent not_used");
+    expect(tc100_reg_error_bit_1_output_is_absent(1u) == false, "tc100_reg_error_bit_1_output_is_absent 1");
+}
+
+static void test_161(void)
+{
+    expect(tc100_reg_error_bit_2_output_is_absent(TC100_REG_ERROR_BIT_2_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_2_output_is_absent not_used");
+    expect(tc100_reg_error_bit_2_output_is_absent(1u) == false, "tc100_reg_error_bit_2_output_is_absent 1");
+}
+
+static void test_162(void)
+{
+    expect(tc100_reg_error_bit_3_output_is_absent(TC100_REG_ERROR_BIT_3_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_3_output_is_absent not_used");
+    expect(tc100_reg_error_bit_3_output_is_absent(1u) == false, "tc100_reg_error_bit_3_output_is_absent 1");
+}
+
+static void test_163(void)
+{
+    expect(tc100_reg_zone_output_is_absent(TC100_REG_ZONE_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_zone_output_is_absent not_used");
+    expect(tc100_reg_zone_output_is_absent(1u) == false, "tc100_reg_zone_output_is_absent 1");
+}
+
+static void test_164(void)
+{
+    expect(tc100_reg_near_output_is_absent(TC100_REG_NEAR_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_near_output_is_absent not_used");
+    expect(tc100_reg_near_output_is_absent(1u) == false, "tc100_reg_near_output_is_absent 1");
+}
+
+static void test_165(void)
+{
+    expect(tc100_reg_soft_limit_output_is_absent(TC100_REG_SOFT_LIMIT_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_soft_limit_output_is_absent not_used");
+    expect(tc100_reg_soft_limit_output_is_absent(1u) == false, "tc100_reg_soft_limit_output_is_absent 1");
+}
+
+static void test_166(void)
+{
+    expect(tc100_reg_motion_speed_is_absent(TC100_REG_MOTION_SPEED_ABSENT_START_SPEED) == true, "tc100_reg_motion_speed_is_absent start_speed");
+    expect(tc100_reg_motion_speed_is_absent(1u) == false, "tc100_reg_motion_speed_is_absent 1");
+}
+
+static void test_167(void)
+{
+    expect(tc100_reg_soft_limit_positive_is_absent(TC100_REG_SOFT_LIMIT_POSITIVE_ABSENT_NO_LIMIT) == true, "tc100_reg_soft_limit_positive_is_absent no_limit");
+    expect(tc100_reg_soft_limit_positive_is_absent((-1)) == false, "tc100_reg_soft_limit_positive_is_absent -1");
+    expect(tc100_reg_soft_limit_positive_is_absent(1) == false, "tc100_reg_soft_limit_positive_is_absent 1");
+}
+
+static void test_168(void)
+{
+    expect(tc100_reg_soft_limit_negative_is_absent(TC100_REG_SOFT_LIMIT_NEGATIVE_ABSENT_NO_LIMIT) == true, "tc100_reg_soft_limit_negative_is_absent no_limit");
+    expect(tc100_reg_soft_limit_negative_is_absent((-1)) == false, "tc100_reg_soft_limit_negative_is_absent -1");
+    expect(tc100_reg_soft_limit_negative_is_absent(1) == false, "tc100_reg_soft_limit_negative_is_absent 1");
+}
+
+static void test_169(void)
+{
+    expect(tc100_reg_homing_speed_is_absent(TC100_REG_HOMING_SPEED_ABSENT_START_SPEED) == true, "tc100_reg_homing_speed_is_absent start_speed");
+    expect(tc100_reg_homing_speed_is_absent(1u) == false, "tc100_reg_homing_speed_is_absent 1");
+}
+
+static void test_170(void)
+{
+    expect(tc100_reg_homing_offset_speed_is_absent(TC100_REG_HOMING_OFFSET_SPEED_ABSENT_START_SPEED) == true, "tc100_reg_homing_offset_speed_is_absent start_speed");
+    expect(tc100_reg_homing_offset_speed_is_absent(1u) == false, "tc100_reg_homing_offset_speed_is_absent 1");
+}
+
+static void test_171(void)
+{
+    expect(tc100_reg_executed_point_is_absent(TC100_REG_EXECUTED_POINT_ABSENT_NONE) == true, "tc100_reg_executed_point_is_absent none");
+    expect(tc100_reg_executed_point_is_absent((-2)) == false, "tc100_reg_executed_point_is_absent -2");
+    expect(tc100_reg_executed_point_is_absent(0) == false, "tc100_reg_executed_point_is_absent 0");
+    expect(tc100_reg_executed_point_is_absent(1) == false, "tc100_reg_executed_point_is_absent 1");
+}
+
 unsigned long tc100_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -3238,6 +3478,45 @@ unsigned long tc100_selftest(void (*tell)(const char *what))
     test_130();
     test_131();
     test_132();
+    test_133();
+    test_134();
+    test_135();
+    test_136();
+    test_137();
+    test_138();
+    test_139();
+    test_140();
+    test_141();
+    test_142();
+    test_143();
+    test_144();
+    test_145();
+    test_146();
+    test_147();
+    test_148();
+    test_149();
+    test_150();
+    test_151();
+    test_152();
+    test_153();
+    test_154();
+    test_155();
+    test_156();
+    test_157();
+    test_158();
+    test_159();
+    test_160();
+    test_161();
+    test_162();
+    test_163();
+    test_164();
+    test_165();
+    test_166();
+    test_167();
+    test_168();
+    test_169();
+    test_170();
+    test_171();
     return failed;
 }
 

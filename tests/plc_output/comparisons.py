@@ -12,6 +12,8 @@ from proving import Proof, without
 
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.value import Kind
+from fieldspec.plc.routines.absent import absent_values
 from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.wrapping import framed
 from fieldspec.reference import CodecError, codec
@@ -27,6 +29,24 @@ def compare_telegrams(prover: Proof, dice: random.Random, tries: int) -> None:
                 values = drawn_values(prover.world.layout, data, dice)
                 for unit in ("bytes", "words") if data.size and data.size % 2 == 0 else ("bytes",):
                     packed(prover, data, unit, values)
+
+
+def compare_absent(prover: Proof) -> None:
+    """Compares what tells states from quantities, on each sentinel and what is next to it. Raises AssertionError."""
+    for name, same in absent_values(prover.world.layout).items():
+        value = same[0].value
+        function = prover.world.routine(name, "is_absent")
+        parameter = next(
+            variable
+            for role, variable, _, _ in prover.machine.unit.functions[function.lower()].variables
+            if role == "VAR_INPUT"
+        )
+        for number in {sentinel.value + step for sentinel in value.sentinels for step in (-1, 0, 1)} | {0, 1}:
+            if value.type.kind is Kind.INTEGER and not value.type.low <= number <= value.type.high:
+                continue
+            result = prover.machine.call(function, **{parameter: number})
+            actual = result[0] if isinstance(result, tuple) else result
+            assert actual == (value.sentinel(number) is not None), (name, number, actual)
 
 
 def compare_requests(prover: Proof, dice: random.Random, tries: int) -> None:

@@ -15,6 +15,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from comparisons import compare_absent
 from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, judged, proof_by, words_in
 from proving import Proof, without
@@ -307,6 +308,14 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
             assert counts(prover, name, float(value.in_unit(bound) + by * value.scale))[0] == "out_of_range" or abs(
                 bound
             ) > (1 << 50)
+
+
+@pytest.mark.parametrize("way", COMPUTING)
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_numbers_that_stand_for_a_state_are_told_from_quantities(
+    root: Path, device: str, way: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    compare_absent(computing(root, device, way, tmp_path_factory))
 
 
 def counts(prover: Proof, name: str, quantity: float) -> tuple[str, int]:

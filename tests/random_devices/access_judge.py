@@ -12,6 +12,7 @@ import pytest
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.exponents import exponent_of
 from fieldspec.layout.record import RecordLayout, RegisterLayout
+from fieldspec.layout.values import number_of_sentinel
 from fieldspec.model.record import Message
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
@@ -66,9 +67,11 @@ class Access(Python):
             self._assert_table(table)
         for record in self.layout.records.values():
             self._assert_quantities(record)
+            self._assert_states(record)
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
+                self._assert_absent(query)
             if query.kind != "record" or query.values is not None or _has_characters(query.shape):
                 continue
             if query.shape.size and query.shape.selector is None:
@@ -174,6 +177,40 @@ class Access(Python):
                 quantity is not None and exact is not None and abs(quantity - exact) <= abs(exact) * 1e-12 + 1e-9
             )
             assert same, f"{query.path}: the count {count} is {quantity} in its unit, not {exact}"
+
+    def _assert_absent(self, query: Query) -> None:
+        """Each state has its name and its value, is no quantity, and is what becomes of None if there is no other."""
+        value: Value = query.shape[0]
+        holder = self._holder(query)
+        if value.const is not None or (getattr(holder, "subindices", ()) and holder.subindex(0) is not None):
+            return
+        absent = dict(holder.absent)
+        assert list(absent) == [sentinel.name for sentinel in value.sentinels], f"{query.path} has {absent}"
+        for sentinel in value.sentinels:
+            number = number_of_sentinel(value, sentinel)
+            assert holder.state_of(number) == sentinel.name, f"{query.path}: {number} is {holder.state_of(number)}"
+            assert holder.state_of(absent[sentinel.name]) == sentinel.name
+        if value.scale_by or value.enum or value.flags or value.type.kind not in (Kind.INTEGER, Kind.FLOAT):
+            return
+        if len(absent) == 1:
+            assert holder.state_of(holder.from_unit(None)) in absent, f"{query.path}: {holder.from_unit(None)}"
+        else:
+            with pytest.raises(self.error, match=".*".join(["None", *absent])):
+                holder.from_unit(None)
+        for sentinel in value.sentinels:
+            if sentinel.is_nan:
+                continue
+            with pytest.raises(self.error):
+                holder.from_unit(value.in_unit(sentinel.value))
+
+    def _assert_states(self, record: RecordLayout) -> None:
+        """A record has a constant for each state of its fields."""
+        for field in record.fields:
+            if field.value is None or field.field.reserved or field.value.const is not None:
+                continue
+            names = [(Name.of(field.name) + Name.of(sentinel.name)).upper() for sentinel in field.value.sentinels]
+            missing = [name for name in names if not hasattr(record_class(self.module, record), name)]
+            assert not missing, f"{record.name} has no {missing}"
 
     def _assert_quantities(self, record: RecordLayout) -> None:
         """A count of a field is exact in its unit, by an exponent in a field beside it or in a register."""

@@ -13,7 +13,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.quantity import count_of, number_of, quantity_of
 from fieldspec.model.texts import Example
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Kind, Sentinel, Value
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -135,13 +135,10 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
     if value.type.kind is Kind.FLOAT:
         named = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
         if named is not None:
-            if not named.is_nan:
-                return float(named.value)
-            nan: float = struct.unpack(f">{value.type.letter}", named.value.to_bytes(value.size, "big"))[0]
-            return nan
+            return number_of_sentinel(value, named)
         quantity = _in_unit_of(device, value, entered)
         if quantity is not None:
-            return float(quantity)
+            return _present(path, value, str(entered), float(quantity))
         number = entered if isinstance(entered, float) else number_of(str(entered))
         if number is None:
             raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
@@ -151,6 +148,32 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
     if isinstance(entered, str):
         return _text(device, path, value, entered)
     raise MeaningError(path, f"`{entered}` is no whole number of counts; with its unit it may be a fraction")
+
+
+def number_of_sentinel(value: Value, sentinel: Sentinel) -> int | float:
+    """The raw value of a sentinel: a count, or a floating-point number; that of a NaN has its bits."""
+    if value.type.kind is not Kind.FLOAT:
+        return sentinel.value
+    if not sentinel.is_nan:
+        return float(sentinel.value)
+    nan: float = struct.unpack(f">{value.type.letter}", sentinel.value.to_bytes(value.size, "big"))[0]
+    return nan
+
+
+def _present(path: str, value: Value, entered: str, number: float) -> float:
+    """A quantity as a number of the type of a value. Raises MeaningError for one that would be sent as a sentinel."""
+    try:
+        (sent,) = struct.unpack(f">{value.type.letter}", struct.pack(f">{value.type.letter}", number))
+    except OverflowError:
+        return number
+    absent = value.sentinel(sent)
+    if absent is not None:
+        raise MeaningError(path, f"`{entered}` would be sent as {sent!r}, {_meant(absent)}")
+    return number
+
+
+def _meant(absent: Sentinel) -> str:
+    return f"which stands for {absent.name}; write `{absent.name}` if you mean that"
 
 
 def _in_unit_of(device: Device, value: Value, entered: object) -> Fraction | None:
@@ -182,7 +205,7 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
             raise MeaningError(path, f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}")
         absent = value.sentinel(raw)
         if absent is not None:
-            raise MeaningError(path, f"`{entered}` would be the count {raw}, which stands for {absent.name}")
+            raise MeaningError(path, f"`{entered}` would be the count {raw}, {_meant(absent)}")
         return raw
     if value.enum:
         names = ", ".join(member.name for member in device.enums[value.enum].members)

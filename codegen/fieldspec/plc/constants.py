@@ -11,8 +11,9 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind, Value
 from fieldspec.plc.enums import available
-from fieldspec.plc.routines.expressions import BITS, LREAL, SIGNED, UINT, UNSIGNED, Elementary
+from fieldspec.plc.routines.expressions import BITS, LREAL, REAL, SIGNED, UINT, UNSIGNED, Elementary
 from fieldspec.plc.routines.remarks import cited, count_of, member_remark, printed
+from fieldspec.plc.routines.scaling import every_value
 from fieldspec.plc.routines.world import narrowest
 
 
@@ -204,6 +205,19 @@ def _narrow(name: str, fact: Fact, value: Value | None) -> Iterator[tuple[str, F
         yield name, fact, value
 
 
+def _absent(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
+    for quantity in every_value(layout):
+        value, fact = quantity.value, quantity.fact
+        name = quantity.name if quantity.owner == quantity.name else f"{quantity.owner}_{quantity.name}"
+        for sentinel in value.sentinels:
+            remark = cited(f"no quantity: {sentinel.doc or sentinel.name}", fact)
+            if value.type.kind is Kind.INTEGER:
+                kind = (SIGNED if value.type.signed else UNSIGNED)[value.size]
+                yield Draft(f"{name}_{sentinel.name}", kind, sentinel.value, remark, fact, derived=True)
+            elif value.type.kind is Kind.FLOAT and value.size == REAL.size and not sentinel.is_nan:
+                yield Draft(f"{name}_{sentinel.name}", REAL, Decimal(sentinel.value), remark, fact, derived=True)
+
+
 def _limits(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for limit in layout.device.limits:
         known = {"": limit.value, "min": limit.low, "max": limit.high}
@@ -228,6 +242,7 @@ LISTS: Mapping[str, tuple[str, str, _Make]] = {
     "masks": ("mask", "Masks of bits, and the lowest bits of fields of several bits", _masks),
     "codes": ("", "Numbers of what enums list", _codes),
     "ranges": ("range", "Least and greatest counts of values", _ranges),
+    "absent": ("absent", "Counts that stand for a state and are no quantity", _absent),
     "limits": ("limit", "Limits of the device", _limits),
 }
 """The lists of constants: the word in names that stand alone, if they need one, what the list is, and what makes it."""

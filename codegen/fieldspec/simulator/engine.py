@@ -10,7 +10,7 @@ from math import inf
 from fieldspec.behaviour.part import NONZERO, Behaviour, Part, Product
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.values import Raw
+from fieldspec.layout.values import Raw, number_of_sentinel
 from fieldspec.simulator.actions import ACTIONS
 from fieldspec.simulator.axis import LEAST_SECONDS, Axis, Limits
 from fieldspec.simulator.cells import BitCell, Cell, Cells
@@ -225,8 +225,8 @@ class Engine:
             if member is not None:
                 return member.value
             for sentinel in cell.value.sentinels if cell.value is not None else ():
-                if sentinel.name == value:
-                    return sentinel.value
+                if sentinel.name == value and cell.value is not None:
+                    return number_of_sentinel(cell.value, sentinel)
         number = self.number(value)
         return number if isinstance(number, int | float) else float(number)
 

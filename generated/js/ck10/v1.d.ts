@@ -2383,7 +2383,7 @@ export interface Point {
    */
   readonly pushMode: number;
 }
-export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly lowSpeed: Unit; readonly highSpeed: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitingTime: Unit; readonly triggerPosition: Unit; readonly triggerTime: Unit; readonly pushTorqueRatio: Unit; readonly pushSpeed: Unit; readonly pushPosition: Unit; readonly pushMode: Unit; }>;
+export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly lowSpeed: Unit; readonly highSpeed: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitingTime: Unit; readonly triggerPosition: Unit; readonly triggerTime: Unit; readonly pushTorqueRatio: Unit; readonly pushSpeed: Unit; readonly pushPosition: Unit; readonly pushMode: Unit; }, { readonly command: import("../runtime/index.js").AbsentValues; readonly jumpPoint: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput0: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput1: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput2: import("../runtime/index.js").AbsentValues; readonly clearLoopCounterOf: import("../runtime/index.js").AbsentValues; readonly pushMode: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read holding registers: the request.

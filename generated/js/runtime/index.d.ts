@@ -55,6 +55,14 @@ export interface Unit {
   fromUnit(quantity: Quantity): number | bigint;
 }
 
+/** The values that stand for a state and not for a quantity. */
+export interface AbsentValues {
+  /** The values by the names of their states. A NaN means any NaN. */
+  readonly values: Readonly<Record<string, number | bigint>>;
+  /** The name of the state that a value stands for; null for a quantity. */
+  nameOf(value: number | bigint): string | null;
+}
+
 /** The unit of counts whose scale is a power of ten, of which another register has the exponent. */
 export interface PowerUnit {
   readonly unit: string;
@@ -76,13 +84,15 @@ export interface Conversion {
 }
 
 /** A record: its values are plain objects. */
-export interface RecordCodec<T, U = object> {
+export interface RecordCodec<T, U = object, A = object> {
   readonly name: string;
   /** The bytes that it has at least and at most. */
   readonly least: number;
   readonly most: number;
   /** The quantities of its fields. */
   readonly units: U;
+  /** The values of its fields that stand for a state; of a field that another one decides, those of each type. */
+  readonly absent: A;
   /** The value of exactly these bytes. Throws CodecError. */
   decode(bytes: Uint8Array): T;
   /** The bytes of a value. Throws CodecError. */
@@ -174,6 +184,8 @@ export interface Register<T, U = Unit | null, W = T> {
   /** Writing starts an action. */
   readonly trigger: boolean;
   readonly units: U;
+  /** The values that stand for a state; null where none does. */
+  readonly absent: AbsentValues | null;
   /** The value of exactly all of its bytes. Throws CodecError. */
   decode(bytes: Uint8Array): T;
   /** The bytes of a value. Throws CodecError. */
@@ -226,6 +238,10 @@ export interface Parameter<T, U = Unit | null> {
   readonly default: number | string | null;
   readonly elements: number | null;
   readonly units: U;
+  /** The values that stand for a state; null where none does. */
+  readonly absent: AbsentValues | null;
+  /** The same of the element with an index. */
+  absentOf(subindex: number): AbsentValues | null;
   decode(bytes: Uint8Array): T;
   encode(value: T): Uint8Array;
   /** The value of a raw value in a message, for the element with an index. Throws CodecError. */

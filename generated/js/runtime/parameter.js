@@ -5,7 +5,7 @@ import { CodecError, printed } from "./error.js";
  * bytes; `places` are the places of these, the most significant one first.
  */
 export function parameter(name, number, base, access, read, write, more) {
-  const own = { name, size: more.size, signed: more.signed, kind: more.kind, places: more.places, read, write };
+  const own = { name, size: more.size, signed: more.signed, kind: more.kind, places: more.places, absent: more.absent ?? null, read, write };
   const subindices = more.subindices ?? [];
   const elementOf = (index) => subindices.find(({ indices }) => indices.some(([low, high]) => index >= low && index <= high)) ?? own;
   return Object.freeze({
@@ -14,6 +14,7 @@ export function parameter(name, number, base, access, read, write, more) {
     wireNumber: base + number,
     access,
     units: null,
+    absent: null,
     default: null,
     elements: null,
     printedName: String(number),
@@ -22,6 +23,10 @@ export function parameter(name, number, base, access, read, write, more) {
     /** Whether the element with an index can be read and written: ro, rw, wo, or empty where nothing says it. */
     accessOf(subindex) {
       return elementOf(subindex).access ?? access;
+    },
+    /** The values of the element with an index that stand for a state; null where none does. */
+    absentOf(subindex) {
+      return elementOf(subindex).absent ?? null;
     },
     /** The value of exactly all of its bytes. Throws CodecError. */
     decode(bytes) {

@@ -40,6 +40,32 @@ export function unit({ unit: symbol, factor, shift, divisor, absent, ranges, wid
 }
 
 /**
+ * The unit of a floating-point number of `size` bytes, which is in the unit already. `absent` are the numbers that stand
+ * for no quantity, NaN for any NaN; `ranges` are those that may be written, null for all.
+ */
+export function realUnit({ unit: symbol, absent, ranges, size }) {
+  const isAbsent = (number) => absent.some((other) => other === number || (Number.isNaN(other) && Number.isNaN(number)));
+  return Object.freeze({
+    unit: symbol,
+    /** The number; null for one that stands for no quantity. */
+    inUnit(number) {
+      return isAbsent(Number(number)) ? null : Number(number);
+    },
+    /** The nearest number that can be sent. Throws CodecError out of range, and for one that stands for no quantity. */
+    fromUnit(quantity) {
+      fraction(quantity);
+      const number = size === 4 ? Math.fround(Number(quantity)) : Number(quantity);
+      if (!Number.isFinite(number)) throw new CodecError("out_of_range", `${quantity} is more than ${8 * size} bits hold`);
+      if (isAbsent(number)) throw new CodecError("out_of_range", `${quantity} is sent as ${number}, which stands for no quantity`);
+      if (ranges !== null && !within(ranges, number)) {
+        throw new CodecError("out_of_range", `${quantity} is not in ${rangesText(ranges)}`);
+      }
+      return number;
+    },
+  });
+}
+
+/**
  * The unit of a whole number whose scale is a power of ten: quantity = count * 10 ** exponent. The exponent is in one of
  * the intervals `exponents`, or one of the numbers `unknown`, which stand for none; the rest is as in `unit`.
  */

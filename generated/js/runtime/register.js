@@ -16,6 +16,7 @@ export function register(name, address, words, access, read, write, more = {}) {
     trigger: false,
     unitSize: 2,
     units: null,
+    absent: null,
     ...more,
     /** The value of exactly all of its bytes. Throws CodecError. */
     decode(bytes) {

@@ -2,6 +2,9 @@ import { decodedText, textBytes, textFault } from "./encodings.js";
 import { CodecError, printed, refusedList } from "./error.js";
 
 const FLOAT = new DataView(new ArrayBuffer(8));
+/** The bits of NaN. Engines choose others at will, also while a program runs. */
+const QUIET_NAN = 0x7fc00000;
+const QUIET_DOUBLE_NAN = 0x7ff8000000000000n;
 
 /** The floating-point number of 32 bits, given as a whole number. */
 export function floatOf(bits) {
@@ -18,6 +21,7 @@ export function bitsOf(name, value, ranges, others) {
   if (Math.abs(value) !== Infinity && Math.abs(Math.fround(value)) === Infinity) {
     throw new CodecError("out_of_range", `${name} is ${value}, which 32 bits do not hold`);
   }
+  if (Number.isNaN(value)) return QUIET_NAN;
   FLOAT.setFloat32(0, value);
   return FLOAT.getUint32(0);
 }
@@ -31,6 +35,7 @@ export function doubleOf(bits) {
 /** The 64 bits of a number, as a bigint. Throws CodecError like `bitsOf`. */
 export function doubleBitsOf(name, value, ranges, others) {
   checkFloat(name, value, ranges, others);
+  if (Number.isNaN(value)) return QUIET_DOUBLE_NAN;
   FLOAT.setFloat64(0, value);
   return FLOAT.getBigUint64(0);
 }

@@ -1410,7 +1410,7 @@ export interface Point {
    */
   readonly nextPoint: number;
 }
-export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly speed: Unit; readonly torqueLimit: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitTime: Unit; }>;
+export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly speed: Unit; readonly torqueLimit: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitTime: Unit; }, { readonly speed: import("../runtime/index.js").AbsentValues; readonly nextPoint: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read holding registers: the request.

@@ -68,8 +68,8 @@ class RegisterClient(BlockingClient):
         """
         self._run(self._registers.write(register, value))
 
-    def write_in_unit(self, register: Register[Any], quantity: Quantity) -> None:
-        """Writes a register by a value in its unit. Raises DeviceError as `write` does."""
+    def write_in_unit(self, register: Register[Any], quantity: Quantity | None) -> None:
+        """Writes a register by a value in its unit, None for the only absent one. Raises as `write` does."""
         self._run(self._registers.write_in_unit(register, quantity))
 
 
@@ -97,8 +97,8 @@ class ParameterClient(BlockingClient):
         """
         self._run(self._parameters.write(parameter, value, subindex))
 
-    def write_parameter_in_unit(self, parameter: Parameter[Any], quantity: Quantity, subindex: int = 0) -> None:
-        """Writes a parameter by a value in its unit. Raises DeviceError as `write_parameter` does."""
+    def write_parameter_in_unit(self, parameter: Parameter[Any], quantity: Quantity | None, subindex: int = 0) -> None:
+        """Writes a parameter by a value in its unit, None for the only absent one. Raises as `write_parameter` does."""
         self._run(self._parameters.write_in_unit(parameter, quantity, subindex))
 
 

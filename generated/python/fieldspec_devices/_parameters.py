@@ -5,6 +5,7 @@ from __future__ import annotations
 from struct import Struct
 from struct import error as StructError
 
+from ._absent import state_of
 from ._carried import Unknown
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
@@ -135,13 +136,23 @@ class Parameter(Generic[T]):
         """A count in the unit of the element with an index; None for one that stands for an absent value."""
         return self._element(subindex)[0].in_unit(count)
 
-    def from_unit(self, value: Quantity, subindex: int = 0) -> int:
+    def from_unit(self, value: Quantity | None, subindex: int = 0) -> T:
         """The count that is nearest to a value in the unit of the element with an index, of two the even one.
 
-        Raises CodecError out of range, and where that count stands for an absent value.
+        None becomes the only absent value. Raises CodecError as `from_unit` of a register does.
         """
         own, title = self._element(subindex)
-        return own.from_unit(title, value)
+        count: T = own.from_unit(title, value)
+        return count
+
+    @property
+    def absent(self) -> dict[str, float]:
+        """The values that stand for a state and are no quantity, by the names of their states."""
+        return dict(self.value.absent)
+
+    def state_of(self, value: float, subindex: int = 0) -> str | None:
+        """The name of the state that a value of the element with an index stands for; None for a quantity."""
+        return state_of(value, self._element(subindex)[0].absent)
 
     def subindex(self, index: int) -> Subindex | None:
         """The description of the element with an index; None where all elements are alike."""

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from struct import Struct
 
+from ._absent import absent_number, state_of
 from ._conversions import Integer, counts, text, turned
 from ._digits import Digits, digits, no_digits
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
 from ._refusals import (
-    is_among,
     refused_bytes,
-    refused_double,
     refused_flags,
-    refused_float,
     refused_number,
     refused_text,
 )
@@ -48,11 +46,12 @@ class Value(Generic[T]):
     The letters of a number that no Struct has are the order and the type: `>u24`. Those of digits: see `Digits`.
 
     `limits` is the letter of a narrower type that fills a word. `ranges` are in counts. The scale, if
-    there is one, is (a, b, c) of unit = (count * a + b) / c. `others` are the counts that stand for an absent value:
-    they may be outside the ranges, and are no quantity.
+    there is one, is (a, b, c) of unit = (count * a + b) / c. `absent` are the states
+    that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and are no
+    quantity.
     """
 
-    __slots__ = ("high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")
+    __slots__ = ("absent", "high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")
 
     def __init__(
         self,
@@ -62,7 +61,7 @@ class Value(Generic[T]):
         ranges: tuple[tuple[int, int], ...] = (),
         unit: str = "",
         ratio: tuple[int, int, int] = (1, 0, 1),
-        others: tuple[float, ...] = (),
+        absent: tuple[tuple[str, float], ...] = (),
         limits: str = "",
     ) -> None:
         self.struct: Struct | Integer | Digits
@@ -75,7 +74,8 @@ class Value(Generic[T]):
             self.low, self.high = self.struct.low, self.struct.high
         else:
             self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
-        self.ranges, self.unit, self.ratio, self.others = ranges, unit, ratio, others
+        self.ranges, self.unit, self.ratio = ranges, unit, ratio
+        self.absent, self.others = absent, tuple([value for _, value in absent])
 
     def decode(self, name: str, data: Data) -> T:
         """The value in exactly `size` bytes. Raises CodecError."""
@@ -120,14 +120,19 @@ class Value(Generic[T]):
         a, b, c = ratio or self.ratio
         return (count * a + b) / c
 
-    def from_unit(self, name: str, value: Quantity, ratio: tuple[int, int, int] | None = None) -> int:
+    def from_unit(self, name: str, value: Quantity | None, ratio: tuple[int, int, int] | None = None) -> Any:
         """The count that is nearest to a value in the unit, of two the even one; `ratio` as in `in_unit`.
 
-        Raises CodecError out of range, and where that count stands for an absent value.
+        None becomes the only absent value. Raises CodecError out of range, where that count stands for an absent value,
+        and for None where several do, which it names.
         """
+        if value is None:
+            return absent_number(name, self.absent)
         count = counts(name, value, ratio or self.ratio, self.ranges or ((self.low, self.high),))
         if count in self.others:
-            raise CodecError("out_of_range", f"{name} is {value}, whose count {count} stands for an absent value")
+            raise CodecError(
+                "out_of_range", f"{name} is {value}, whose count {count} stands for {state_of(count, self.absent)}"
+            )
         return count
 
     def refused(self, name: str, value: Any) -> CodecError | None:
@@ -224,10 +229,10 @@ class Open(Value["E | int"], Generic[E]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
-        others: tuple[int, ...] = (),
+        absent: tuple[tuple[str, float], ...] = (),
         closed: bool = False,
     ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges, others=others)
+        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent)
         self.enum, self.members, self.closed = enum, members, closed
 
     def of_raw(self, name: str, raw: int) -> E | int:
@@ -256,9 +261,9 @@ class Trigger(Open[E]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
-        others: tuple[int, ...] = (),
+        absent: tuple[tuple[str, float], ...] = (),
     ) -> None:
-        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, others=others, closed=True)
+        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True)
 
     def of_raw(self, name: str, raw: int) -> E | int:
         return self.members.get(raw, raw)
@@ -302,49 +307,6 @@ class Boolean(Value[bool]):
 
     def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_number(name, value, 0, 1)
-
-
-class Float(Value[float]):
-    """A floating-point number of 32 bits."""
-
-    __slots__ = ()
-
-    def __init__(
-        self,
-        letters: str,
-        *,
-        swapped: bool = False,
-        ranges: tuple[tuple[float, float], ...] = (),
-        unit: str = "",
-        others: tuple[float, ...] = (),
-    ) -> None:
-        super().__init__(letters, swapped=swapped, unit=unit, others=others)
-        self.ranges = ranges  # type: ignore[assignment]  # those of other values are whole numbers
-
-    def of_carried(self, name: str, raw: Any) -> float:
-        """The number that a message carries. Raises CodecError."""
-        if not isinstance(raw, (int, float)):
-            raise CodecError("wrong_type", f"{name} is a number, not {raw!r}")
-        return float(raw)
-
-    def of_raw(self, name: str, raw: float) -> float:
-        return raw
-
-    def refused(self, name: str, value: Any) -> CodecError | None:
-        return refused_float(name, value, self.ranges, self.others)
-
-    def in_unit(self, count: float, ratio: tuple[int, int, int] | None = None) -> float | None:
-        """The number itself, which is in the unit; None for one that stands for an absent value."""
-        return None if is_among(count, self.others) else float(count)
-
-
-class Double(Float):
-    """A floating-point number of 64 bits."""
-
-    __slots__ = ()
-
-    def refused(self, name: str, value: Any) -> CodecError | None:
-        return refused_double(name, value, self.ranges, self.others)
 
 
 class Text(Value[str]):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from fieldspec.backends.c.absent import absent_values, declare_absent
 from fieldspec.backends.c.checksums import checksum_parts, declare_checksums
 from fieldspec.backends.c.conversions import declare_conversion
 from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
@@ -16,7 +17,7 @@ from fieldspec.backends.c.messages import declare_messages
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.parameters import declare_parameters
 from fieldspec.backends.c.printer import Printer
-from fieldspec.backends.c.quantities import declare_quantity, scaled_values
+from fieldspec.backends.c.quantities import declare_fixed_quantity, declare_quantity, fixed_values, scaled_values
 from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
@@ -79,7 +80,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
             naming,
             algorithms,
             bool(code_tables(device)),
-            bool(device.conversions or scaled_values(layout)),
+            bool(device.conversions or scaled_values(layout) or fixed_values(layout)),
         ),
         sections=_print_sections(naming, layout),
     )
@@ -124,6 +125,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
             ),
         ),
         ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
+        ("Values that stand for a state", _absent_values(naming, layout)),
     )
 
 
@@ -159,6 +161,16 @@ def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         if scaled:
             yield [copy_runtime(naming, "powers.h")]
         yield from (declare_quantity(naming, value) for value in scaled)
+        yield [Directive("endif")]
+
+
+def _absent_values(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
+    """What tells absent values from quantities; then the conversions of those with a scale, which refuse them."""
+    yield from (declare_absent(naming, absent) for absent in absent_values(layout))
+    fixed = fixed_values(layout)
+    if fixed:
+        yield [Directive("ifndef", naming.own_macro("without_double"))]
+        yield from (declare_fixed_quantity(naming, absent) for absent in fixed)
         yield [Directive("endif")]
 
 

@@ -1,7 +1,10 @@
-"""Conversions of counts to quantities and back, in double, for registers and fields whose scale is elsewhere."""
+"""Conversions of counts to quantities and back, in double: of values whose scale is elsewhere, or with sentinels."""
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+from fieldspec.backends.c.absent import AbsentValue, absent_values
 from fieldspec.backends.c.conversions import COUNT, RAW, count_of_share
 from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.backends.c.expressions import (
@@ -10,7 +13,9 @@ from fieldspec.backends.c.expressions import (
     Expression,
     Group,
     Identifier,
+    Operation,
     Type,
+    add,
     all_of,
     any_of,
     at_least,
@@ -18,7 +23,10 @@ from fieldspec.backends.c.expressions import (
     dereference,
     equal,
     integer,
+    multiply,
     negate,
+    subtract,
+    whole_double,
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.statements import Body, Variable, assign
@@ -27,7 +35,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exponents import ExponentLayout, exponent_of
 from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _DOUBLE = Type("double")
 _QUANTITY, _EXPONENT = Identifier("quantity"), Identifier("exponent")
@@ -118,6 +126,81 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
             ),
         ),
     ]
+
+
+def fixed_values(layout: DeviceLayout) -> list[AbsentValue]:
+    """The values with sentinels whose counts have a fixed scale."""
+    return [
+        absent
+        for absent in absent_values(layout)
+        if absent.value.type.kind is Kind.INTEGER
+        and absent.value.scaled
+        and not (absent.value.scale_by or absent.value.enum or absent.value.flags or absent.value.const is not None)
+    ]
+
+
+def declare_fixed_quantity(naming: Naming, absent: AbsentValue) -> list[Declaration]:
+    """The functions from the count of a value with sentinels to its quantity and back.
+
+    `codec_status reg_voltage_from_raw(int16_t raw, double *quantity)`, `reg_voltage_to_raw(...)`
+    """
+    value = absent.value
+    kind, ranges = Type(type_name(value)), _writable(value)
+    scale, offset = Fraction(value.scale), Fraction(value.offset)
+    quantity = _plus(_times(Cast("double", RAW), scale), offset)
+    count = _times(_QUANTITY if not offset else Group(_plus(_QUANTITY, -offset)), 1 / scale)
+    unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
+    return [
+        comment(
+            f"{absent.title} as a quantity{unit}; refused for a count that stands for {_states(value)}.",
+        ),
+        Function(
+            status_type(naming),
+            naming.function(absent.noun, *absent.names, "from_raw"),
+            (Variable(kind, "raw"), Variable(Type("double", pointer=True), "quantity")),
+            (
+                *_refuse_absent(naming, value, RAW),
+                assign(dereference(_QUANTITY), quantity),
+                return_ok(naming),
+            ),
+        ),
+        BLANK,
+        comment(
+            "The count of a quantity, the nearest one, of two equally near ones the even one; refused where it",
+            f"is not in {ranges.text()}, and where it stands for {_states(value)}.",
+        ),
+        Function(
+            status_type(naming),
+            naming.function(absent.noun, *absent.names, "to_raw"),
+            (Variable(_DOUBLE, "quantity"), Variable(Type(kind.name, pointer=True), "raw")),
+            count_of_share(
+                naming,
+                value.type,
+                (ranges.low, ranges.high),
+                (assign(COUNT, count),),
+                lambda whole: (*_refuse_gaps(naming, value, whole), *_refuse_absent(naming, value, whole)),
+            ),
+        ),
+    ]
+
+
+def _states(value: Value) -> str:
+    return " or ".join(sentinel.name for sentinel in value.sentinels)
+
+
+def _times(number: Expression, ratio: Fraction) -> Expression:
+    """`number * 3.0 / 7.0`: by whole numbers, which rounds less than by a decimal factor."""
+    product = number if ratio.numerator == 1 else multiply(number, whole_double(ratio.numerator))
+    return product if ratio.denominator == 1 else Operation("/", (product, whole_double(ratio.denominator)))
+
+
+def _plus(number: Expression, more: Fraction) -> Expression:
+    """`number + 1.0 / 2.0`"""
+    if not more:
+        return number
+    whole = whole_double(abs(more.numerator))
+    term = whole if more.denominator == 1 else Operation("/", (whole, whole_double(more.denominator)))
+    return add(number, term) if more > 0 else subtract(number, term)
 
 
 def _writable(value: Value) -> Ranges:

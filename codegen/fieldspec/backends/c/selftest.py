@@ -46,7 +46,7 @@ from fieldspec.backends.c.sample_values import (
     record_value,
 )
 from fieldspec.backends.c.selftest_examples import test_example
-from fieldspec.backends.c.selftest_quantities import test_quantities
+from fieldspec.backends.c.selftest_quantities import test_absent, test_quantities
 from fieldspec.backends.c.selftest_values import test_constants, test_conversions, test_values
 from fieldspec.backends.c.statements import Statement, Variable, Variables, assign, call
 from fieldspec.backends.templates import fill, text
@@ -74,6 +74,7 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         test_conversions(layout, naming),
         test_quantities(layout, naming),
         (test_example(layout, naming, example) for example in layout.device.examples.values()),
+        test_absent(layout, naming),
     )
     printer = Printer()
     tests = [_print_test(printer, number, body) for number, body in enumerate(bodies)]

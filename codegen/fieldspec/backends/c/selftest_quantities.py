@@ -1,11 +1,14 @@
-"""What self-tests expect of quantities whose scale is read from the device."""
+"""What self-tests expect of absent values, and of quantities that may be absent or have their scale elsewhere."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.backends.c.absent import AbsentValue, absent_values
 from fieldspec.backends.c.assertions import expect, expect_equal
 from fieldspec.backends.c.expressions import (
+    FALSE,
+    TRUE,
     ZERO,
     Call,
     Expression,
@@ -16,21 +19,25 @@ from fieldspec.backends.c.expressions import (
     at_most,
     double,
     integer,
+    real,
     whole_double,
 )
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.quantities import ScaledValue, scaled_values
+from fieldspec.backends.c.quantities import ScaledValue, fixed_values, scaled_values
 from fieldspec.backends.c.sample_values import legal_numbers
-from fieldspec.backends.c.statements import CompileIf, Statement, Variable
+from fieldspec.backends.c.statements import CompileIf, Statement, Variable, assign
 from fieldspec.backends.c.values import type_name
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _GREATEST = 1e38
 """What a double can be on machines where it has 32 bits."""
 
 _EXACT_BYTES = 6
 """A double has 53 bits, of which a conversion there and back may lose one or two: a count of 56 bits is rounded."""
+
+_WHOLE_FLOATS = 1 << 24
+"""Below it, a float has every whole number."""
 
 _RAW, _QUANTITY = Identifier("raw"), Identifier("quantity")
 
@@ -40,6 +47,60 @@ def test_quantities(layout: DeviceLayout, naming: Naming) -> Iterator[list[State
     for scaled in scaled_values(layout):
         numbers = sorted(set(legal_numbers(layout.device, scaled.value)))
         yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(_of_value(naming, scaled, numbers)))]
+
+
+def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """Each sentinel is told apart, and what is next to it is not; no sentinel becomes a quantity."""
+    for absent in absent_values(layout):
+        value, function = absent.value, absent.function(naming)
+        numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
+        near = sorted({number + step for number in (0, *numbers) for step in (-1, 0, 1)} - set(numbers))
+        is_float = value.type.kind is Kind.FLOAT
+        yield [
+            *(
+                expect_equal(f"{function} {sentinel.name}", Call(function, (constant,)), TRUE)
+                for sentinel in value.sentinels
+                if (constant := Identifier(absent.constant(naming, sentinel)))
+            ),
+            *(
+                expect_equal(f"{function} {number}", Call(function, (literal,)), FALSE)
+                for number in near
+                if (abs(number) < _WHOLE_FLOATS if is_float else value.type.low <= number <= value.type.high)
+                if (literal := real(number, value.size) if is_float else _literal(value, number))
+            ),
+        ]
+    for absent in fixed_values(layout):
+        numbers = sorted(set(legal_numbers(layout.device, absent.value)))
+        yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(_of_fixed(naming, absent, numbers)))]
+
+
+def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterator[Statement]:
+    """Each count by its scale and back; a sentinel is refused in both directions."""
+    value, names = absent.value, absent.names
+    from_raw, to_raw = (naming.function(absent.noun, *names, end) for end in ("from_raw", "to_raw"))
+    ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
+    exact = value.type.size <= _EXACT_BYTES
+    yield Variable(Type(type_name(value)), "raw", value=ZERO)
+    yield Variable(Type("double"), "quantity", value=whole_double(0))
+    for number in numbers:
+        what, wanted = f"{absent.title} {number}", float(value.in_unit(number))
+        reading = Call(from_raw, (_literal(value, number), address_of(_QUANTITY)))
+        if abs(wanted) > _GREATEST:
+            continue
+        writing = Call(to_raw, (_QUANTITY, address_of(_RAW)))
+        if value.sentinel(number) is not None:
+            yield expect_equal(what, reading, out_of_range)
+            if exact:
+                yield assign(_QUANTITY, double(wanted))
+                yield expect_equal(f"{what} back", writing, out_of_range)
+            continue
+        yield expect_equal(what, reading, ok)
+        near = abs(wanted) * 1e-12
+        yield expect(at_least(_QUANTITY, double(wanted - near)), what)
+        yield expect(at_most(_QUANTITY, double(wanted + near)), what)
+        if exact and not value.offset:
+            yield expect_equal(f"{what} back", writing, ok)
+            yield expect_equal(f"{what} back", _RAW, _literal(value, number))
 
 
 def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterator[Statement]:

@@ -15,6 +15,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, version_word
 
 RUNTIME = (
+    "absent",
     "delimiters",
     "end_framer",
     "firmware",

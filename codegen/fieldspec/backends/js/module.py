@@ -20,6 +20,7 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.names import Name
 
 IMPORTS = {
+    "absent": ("absentValues",),
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "digits": ("bcdOf", "digitsOf", "putBcd", "putDigits"),
     "end_framer": ("endFramer",),
@@ -28,7 +29,7 @@ IMPORTS = {
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),
-    "quantity": ("conversion", "powerUnit", "unit"),
+    "quantity": ("conversion", "powerUnit", "realUnit", "unit"),
     "record": ("checkSize", "record"),
     "register": ("readRequestsOf", "register", "registerArray", "table", "valueOf", "writeRequestsOf"),
     "values": (

@@ -7,7 +7,7 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
-from fieldspec.backends.js.units import unit_of
+from fieldspec.backends.js.units import absent_of, unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders
@@ -71,6 +71,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str
         "default": "" if default is None else literal(default) if isinstance(default, str) else str(default),
         "elements": "" if row.elements is None else str(row.elements),
         "units": unit_of(row.value, row.value.size),
+        "absent": absent_of(row.value, row.value.size),
         "subindices": ", ".join(_subindex(row, subindex, names) for subindex in row.subindices),
         "printedName": literal(row.printed_name or parameter_set.number_text(row.number)) if row.count == 1 else "",
     }
@@ -85,6 +86,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str
 def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
     """The object of an element, or of a run of them, with a meaning of its own."""
     read, write = _functions(f"{row.name}.{subindex.name}", subindex.value, row.trigger, names)
+    absent = absent_of(subindex.value, subindex.value.size)
     return object_of(
         {
             "name": literal(subindex.name),
@@ -94,6 +96,7 @@ def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
             "places": _places(subindex.value, names),
             "kind": _kind(subindex.value),
             **({"access": literal(subindex.access)} if subindex.access else {}),
+            **({"absent": absent} if absent else {}),
             "read": read,
             "write": write,
         }

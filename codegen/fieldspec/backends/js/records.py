@@ -11,7 +11,7 @@ from fieldspec.backends.js.members import Member, members_of, most_bytes
 from fieldspec.backends.js.record_reading import checked_read, read_functions
 from fieldspec.backends.js.record_writing import write_functions
 from fieldspec.backends.js.text import comment, literal, object_of
-from fieldspec.backends.js.units import POWER_UNIT, power_unit_of, unit_of
+from fieldspec.backends.js.units import ABSENT_VALUES, POWER_UNIT, absent_of, power_unit_of, unit_of
 from fieldspec.backends.js.widths import width_table
 from fieldspec.layout.exponents import exponent_of
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -23,6 +23,7 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
     """The codec of a record, `name`, and the interface of its values; `head` begins its documentation."""
     members = [member for member in members_of(record) if member.key]
     units = {member.key: unit for member in members if (unit := _unit(record, member.field, names)) is not None}
+    absent = {member.key: table for member in members if (table := _absent(member.field)) is not None}
     code = [
         *width_table(record, name),
         *list_table(record, name),
@@ -38,11 +39,15 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
         f"  size: {'null' if record.size is not None else f'size{name}'},",
         f"  keys: {{ __proto__: null{''.join(f', {member.key}: 0' for member in members)} }},",
         f"  units: {object_of({key: call for key, (call, _) in units.items()})},",
+        *([f"  absent: {object_of({key: table for key, (table, _) in absent.items()})},"] if absent else []),
         "});",
         "",
     ]
     unit_types = " ".join(f"readonly {key}: {kind};" for key, (_, kind) in units.items())
     unit_type = f"{{ {unit_types} }}" if units else "Record<string, never>"
+    if absent:
+        absent_types = " ".join(f"readonly {key}: {kind};" for key, (_, kind) in absent.items())
+        unit_type += f", {{ {absent_types} }}"
     types = [
         *comment([head, sentence(record.record.doc), cited(record.record.sources)]),
         f"export interface {name} {{",
@@ -63,6 +68,16 @@ def _unit(record: RecordLayout, field: FieldLayout, names: Names) -> tuple[str, 
         return power_unit_of(field.value, exponent.value, field.size), POWER_UNIT
     call = unit_of(field.value, field.size)
     return (call, "Unit") if call else None
+
+
+def _absent(field: FieldLayout) -> tuple[str, str] | None:
+    """The values of a field that stand for a state, and their type; by the name of the type where it has several."""
+    if field.value is not None:
+        table = absent_of(field.value, field.size)
+        return (table, ABSENT_VALUES) if table else None
+    tables = {case.name: table for case in field.cases if (table := absent_of(case.value, case.value.size))}
+    kinds = " ".join(f"readonly {name}: {ABSENT_VALUES};" for name in tables)
+    return (object_of(tables), f"{{ {kinds} }}") if tables else None
 
 
 def _property(member: Member, names: Names) -> Iterator[str]:

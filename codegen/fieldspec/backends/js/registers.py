@@ -10,7 +10,7 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.links import carries
 from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.text import comment, flag, literal, object_of
-from fieldspec.backends.js.units import POWER_UNIT, power_unit_of, unit_of
+from fieldspec.backends.js.units import POWER_UNIT, absent_of, power_unit_of, unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
@@ -42,6 +42,8 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     else:
         units, unit_type = unit_of(register.value, size), "Unit"
     more += [f"units: {units}"] if units else []
+    absent = absent_of(register.value, size)
+    more += [f"absent: {absent}"] if absent else []
     arguments = [
         literal(layout.name),
         f"0x{layout.address:04X}",

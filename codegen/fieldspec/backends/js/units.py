@@ -6,15 +6,20 @@ from fractions import Fraction
 
 from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.text import comment, literal
-from fieldspec.model.value import Conversion, Kind, Value
+from fieldspec.model.value import Conversion, Kind, Sentinel, Value
 from fieldspec.names import Name
 
 POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
 """The type of units with an exponent, which few modules need."""
 
+ABSENT_VALUES = 'import("../runtime/index.js").AbsentValues'
+"""The type of the values that stand for a state, by name."""
+
 
 def unit_of(value: Value, size: int) -> str:
     """The call that makes the `Unit` of a value in `size` bytes; empty where its counts have neither scale nor unit."""
+    if value.type.kind is Kind.FLOAT:
+        return _real_unit(value) if value.sentinels else ""
     if value.type.kind is not Kind.INTEGER or not (value.unit or value.scaled) or value.flags or value.enum:
         return ""
     scale, offset = Fraction(value.scale), Fraction(value.offset)
@@ -31,6 +36,31 @@ def unit_of(value: Value, size: int) -> str:
         f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
     ]
     return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
+
+
+def _real_unit(value: Value) -> str:
+    """The call that makes the `Unit` of a floating-point number that may stand for a state."""
+    ranges = value.writable_ranges
+    rows = [
+        f"unit: {literal(value.unit)}",
+        f"absent: [{', '.join(_number(value, sentinel) for sentinel in value.sentinels)}]",
+        f"ranges: {'null' if ranges is None else [list(interval) for interval in ranges.intervals]}",
+        f"size: {value.size}",
+    ]
+    return f"/* @__PURE__ */ realUnit({{ {', '.join(rows)} }})"
+
+
+def absent_of(value: Value, size: int) -> str:
+    """The call that makes the `AbsentValues` of a value in `size` bytes; empty where no value stands for a state."""
+    if not value.sentinels:
+        return ""
+    wide = value.type.kind is Kind.INTEGER and value.number_size(size) > 6
+    rows = [f"{s.name}: {_number(value, s)}{'n' if wide else ''}" for s in value.sentinels]
+    return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }})"
+
+
+def _number(value: Value, sentinel: Sentinel) -> str:
+    return "NaN" if sentinel.is_nan else str(sentinel.value)
 
 
 def power_unit_of(value: Value, exponent: Value, size: int) -> str:

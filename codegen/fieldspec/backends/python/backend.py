@@ -21,6 +21,7 @@ PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("client", "for_firmware", "latest")
 RUNTIME = (
     "__init__",
+    "_absent",
     "_bits",
     "_checks",
     "_carried",
@@ -47,6 +48,7 @@ RUNTIME = (
     "_parameters",
     "_part_frames",
     "_quantities",
+    "_reals",
     "_record",
     "_refusals",
     "_registers",

@@ -34,12 +34,23 @@ def constructor_view(stored: list[Slots], scaled: list[ScaledView]) -> Construct
     if first == len(stored):
         return ConstructorView([], _signature(map(_raw, stored)), [])
     optional = [f"{field.name}: {field.accepted} | None = None" for field in stored[first:]]
-    keywords = [f"{view.name}: {view.accepted} | None = None" for view in scaled]
+    keywords = [_optional(view) for view in scaled]
     return ConstructorView(
         overloads=[_signature(arguments, ": ...") for arguments in _overloads(stored, first, quantities)],
         head=_signature([*map(_raw, stored[:first]), *optional, *keywords]),
         by_quantity=_by_quantity(stored, first, quantities),
     )
+
+
+def _optional(view: ScaledView) -> str:
+    """The argument of a quantity that may be left out, which None does not say where it is an absent value."""
+    if view.takes_none:
+        return f"{view.name}: {view.accepted} | _LeftOut = _LEFT_OUT"
+    return f"{view.name}: {view.accepted} | None = None"
+
+
+def _left_out(view: ScaledView) -> str:
+    return "_LEFT_OUT" if view.takes_none else "None"
 
 
 def _raw(field: Slots) -> str:
@@ -66,7 +77,7 @@ def _overloads(stored: list[Slots], first: int, quantities: dict[str, ScaledView
             else:
                 mixed += [
                     f"{field.name}: {field.accepted} | None = None",
-                    f"{view.name}: {view.accepted} | None = None",
+                    _optional(view),
                 ]
         yield mixed
         return
@@ -85,9 +96,12 @@ def _overloads(stored: list[Slots], first: int, quantities: dict[str, ScaledView
 def _by_quantity(stored: list[Slots], first: int, quantities: dict[str, ScaledView]) -> list[str]:
     """One test before the raw values are stored; `Record._set_fields` handles every other call."""
     tests = [f"{field.name} is None" for field in stored[first:]]
-    tests += [f"{view.name} is not None" for view in quantities.values()]
+    tests += [f"{view.name} is not {_left_out(view)}" for view in quantities.values()]
     *lines, last = chained("if ", tests, "or", "", 9)
     arguments = [field.name for field in stored]
-    arguments += [f"{name}=({literal(view.name)}, {view.name})" for name, view in quantities.items()]
+    arguments += [
+        f"{name}=({literal(view.name)}, {view.name}{', _LEFT_OUT' * view.takes_none})"
+        for name, view in quantities.items()
+    ]
     call = [f"    {line}" for line in filled("self._set_fields(", arguments, ")", 12)]
     return [*lines, f"{last}:", *call, "    return"]

@@ -53,6 +53,7 @@ _STANDARD = (
     ("_StructError", "struct", "error"),
 )
 _SHARED = {
+    "_absent": "LEFT_OUT LeftOut counts_or_absent real_or_absent state_of",
     "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_checksums": "Crc Sum Xor",
@@ -74,6 +75,7 @@ _SHARED = {
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",
     "_quantities": "Conversion PowerUnit",
+    "_reals": "Double Float",
     "_record": "Record",
     "_refusals": (
         "refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float refused_list"
@@ -82,7 +84,7 @@ _SHARED = {
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",
     "_texts": "FormedText text_form",
-    "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
+    "_values": "Boolean Bytes Closed Constant Number Open Setting Text Trigger Word",
     "_widths": "Widths",
 }
 _CLIENT = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.backends.fact_texts import described, sentence, unit_word
 from fieldspec.backends.python.naming import Scope
-from fieldspec.backends.python.registers import value_expression
+from fieldspec.backends.python.registers import absent_states, value_expression
 from fieldspec.backends.python.scaling import in_unit, ratio
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import docstring, literal
@@ -22,7 +22,8 @@ from fieldspec.names import Name
 class ScaledView:
     """A property in the unit: the expressions that read and set it, and its docstring.
 
-    `type` is the type when it is read, `accepted` the type that it can be set to.
+    `type` is the type when it is read, `accepted` the type that it can be set to. `takes_none`:
+    None is a value of its own.
     """
 
     name: str
@@ -31,6 +32,17 @@ class ScaledView:
     read: str
     write: str
     field: str
+    doc: list[str]
+    takes_none: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class StateView:
+    """A property with the name of the state that a field stands for."""
+
+    name: str
+    type: str
+    read: str
     doc: list[str]
 
 
@@ -64,15 +76,46 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
     tests = [f"{raw} == {number}" for number in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
     read = f"None if {' or '.join(tests)} else {raw}"
     unit = f" in {field.value.unit}" if field.value.unit else ""
+    item, ranges = "item" if field.is_list else "value", pairs(field.ranges) or "()"
+    write = f'_real_or_absent("{field.title}", {item}, {field.value.size}, {ranges}, {absent_states(field.value)})'
+    text = f"`{field.name}`{unit}. It is None where the number stands for an absent value. {_of_none(field)}"
     return ScaledView(
         name,
         "list[float | None]" if field.is_list else "float | None",
-        "list[float]" if field.is_list else "float",
+        "_Sequence[_Quantity | None]" if field.is_list else "_Quantity | None",
         f"[{read} for item in self.{field.name}]" if field.is_list else read,
-        "value",
+        f"[{write} for item in value]" if field.is_list else write,
         field.name,
-        docstring([f"`{field.name}`{unit}. It is None where the number stands for an absent value."], 8),
+        docstring([f"{text} Raises CodecError out of range."], 8),
+        not field.is_list,
     )
+
+
+def _of_none(field: Slots) -> str:
+    """What becomes of None, as a sentence."""
+    names = [sentinel.name for sentinel in field.value.sentinels]
+    if len(names) == 1:
+        return f"None sets {names[0]}."
+    return f"None is refused: set `{field.name}` to that of {' or '.join(names)}."
+
+
+def state_views(stored: list[Slots], scope: Scope) -> list[StateView]:
+    """The properties with the names of states, of all fields with sentinels."""
+    views = []
+    for field in stored:
+        if field.field.value is None or not field.value.sentinels:
+            continue
+        states = absent_states(field.value)
+        read = f"_state_of({'item' if field.is_list else f'self.{field.name}'}, {states})"
+        views.append(
+            StateView(
+                scope.take(f"{field.title}_state"),
+                "list[str | None]" if field.is_list else "str | None",
+                f"[{read} for item in self.{field.name}]" if field.is_list else read,
+                docstring([f"The name of the state that `{field.name}` stands for; None for a quantity."], 8),
+            )
+        )
+    return views
 
 
 def quantities(value: Value) -> list[tuple[int, int]]:
@@ -99,7 +142,11 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
         scale = ratio(field.value)
         name = scope.take(f"{field.title}_{unit_word(field.value.unit)}")
         limits = pairs(Ranges(tuple(quantities(field.value))))
-        write = f'_counts("{field.title}", {"item" if field.is_list else "value"}, {scale}, {limits})'
+        function, item = "_counts", "item" if field.is_list else "value"
+        arguments = f'"{field.title}", {item}, {scale}, {limits}'
+        if field.sentinels:
+            function, arguments = "_counts_or_absent", f"{arguments}, {absent_states(field.value)}"
+        write = f"{function}({arguments})"
         raw = "item" if field.is_list else f"self.{field.name}"
         read = in_unit(raw, scale)
         kind = "float"
@@ -107,17 +154,19 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
             absent = within(raw, Ranges(tuple((count, count) for count in field.sentinels)))
             read, kind = f"None if {absent} else {read}", "float | None"
         unit = f" in {field.value.unit}" if field.value.unit else ""
-        ends = "It is None where the count stands for an absent value. " if field.sentinels else ""
+        ends = f"It is None where the count stands for an absent value. {_of_none(field)} " if field.sentinels else ""
+        accepted = "_Quantity | None" if field.sentinels else "_Quantity"
         ends += "Setting it stores the nearest count, of two the even one. Raises CodecError out of range."
         views.append(
             ScaledView(
                 name,
                 f"list[{kind}]" if field.is_list else kind,
-                "_Sequence[_Quantity]" if field.is_list else "_Quantity",
+                f"_Sequence[{accepted}]" if field.is_list else accepted,
                 f"[{read} for item in self.{field.name}]" if field.is_list else read,
                 f"[{write} for item in value]" if field.is_list else write,
                 field.name,
                 docstring([f"`{field.name}`{unit}. {ends}"], 8),
+                bool(field.sentinels) and not field.is_list,
             )
         )
     return views
@@ -161,11 +210,13 @@ def power_views(
         symbol = field.value.quantity_unit
         text = f"`{field.name}`{f' in {symbol}' if symbol else ''}, by the exponent in `{beside.name}`."
         ends = "It is None where either stands for an absent value. Setting it stores the nearest count."
+        ends += f" {_of_none(field)}" if field.sentinels else ""
+        accepted = "_Quantity | None" if field.sentinels else "_Quantity"
         views.append(
             ScaledView(
                 scope.take(f"{field.title}_{unit_word(symbol)}"),
                 f"list[{kind}]" if field.is_list else kind,
-                "_Sequence[_Quantity]" if field.is_list else "_Quantity",
+                f"_Sequence[{accepted}]" if field.is_list else accepted,
                 f"[{read} for item in self.{field.name}]" if field.is_list else read,
                 f"[{write} for item in value]" if field.is_list else write,
                 field.name,

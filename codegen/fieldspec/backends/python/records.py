@@ -8,9 +8,11 @@ from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
 from fieldspec.backends.python.quantities import (
     ConstantView,
     ScaledView,
+    StateView,
     power_views,
     scaled_views,
     sentinel_views,
+    state_views,
 )
 from fieldspec.backends.python.reading import (
     CASE,
@@ -105,6 +107,7 @@ class RecordView:
     fields: list[FieldView]
     constants: list[ConstantView]
     scaled: list[ScaledView]
+    states: list[StateView]
     read: list[str]
     make: list[str]
     bind: list[str]
@@ -154,6 +157,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         ],
         constants=[*sentinels, *units],
         scaled=[*scaled, *powers],
+        states=state_views(stored, scope),
         read=read,
         make=[*taken, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,

@@ -52,10 +52,8 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         return _call("_Boolean", letters, more)
     if value.type.kind is Kind.FLOAT:
         more += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
-        others = [repr(float("nan")) if sentinel.is_nan else str(sentinel.value) for sentinel in value.sentinels]
-        others = ['float("nan")' if text == "nan" else text for text in others]
-        more += [f"others={tuple_of(others)}"] if others else []
-        more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
+        more += [f"absent={absent_states(value)}"] if value.sentinels else []
+        more += [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
         return _call("_Float" if value.size == 4 else "_Double", letters, more)
     if value.const is not None:
         if not any_answer:
@@ -68,7 +66,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if value.flags:
         return _call("_Word", letters, [words.flags[value.flags], *more])
     if value.sentinels:
-        more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
+        more.append(f"absent={absent_states(value)}")
     if value.enum:
         enum = words.enums[value.enum]
         if any_answer and not enum.open:
@@ -85,6 +83,14 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if narrow:
         more.append(f'limits="{value.type.letter}"')
     return _call("_Number", letters, more)
+
+
+def absent_states(value: Value) -> str:
+    """The sentinels as a tuple of names and numbers: `(("not_measured", 65535),)`"""
+    return tuple_of(
+        f"({literal(sentinel.name)}, {'float(' + literal('nan') + ')' if sentinel.is_nan else sentinel.value})"
+        for sentinel in value.sentinels
+    )
 
 
 def _call(name: str, letters: str, more: list[str]) -> str:

@@ -29,6 +29,7 @@ _TYPES = {
     "ULINT": "ULInt",
     "LINT": "LInt",
     "LWORD": "LWord",
+    "REAL": "Real",
     "LREAL": "LReal",
 }
 """How TIA Portal writes the names of types in its tables."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.plc.routines.absent import absent_routines
 from fieldspec.plc.routines.blocks.device import Blocks, device_blocks
 from fieldspec.plc.routines.checksums import checksum
 from fieldspec.plc.routines.enums import enum_routines
@@ -39,6 +40,7 @@ def _all(world: World) -> Iterator[Routine]:
         yield from enum_routines(world, enum)
     yield from real_routines(world)
     yield from scaling_routines(world)
+    yield from absent_routines(world)
     yield from table_routines(world)
     yield from group_routines(world)
     yield from telegram_routines(world)

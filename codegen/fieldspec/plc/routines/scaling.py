@@ -39,7 +39,10 @@ _ZERO = Fraction("0.0")
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A value that has another number in its unit. `owner` is what it belongs to, `fact` what states it."""
+    """A value with another number in its unit, or with numbers that stand for states.
+
+    `owner` is what it belongs to, `fact` what states it.
+    """
 
     owner: str
     name: str
@@ -55,15 +58,24 @@ class Quantity:
     def key(self) -> tuple[object, ...]:
         """What makes two quantities of one name the same."""
         value = self.value
-        sentinels = tuple(sentinel.value for sentinel in value.sentinels)
+        sentinels = tuple((sentinel.value, sentinel.name) for sentinel in value.sentinels)
         ranges = value.ranges, value.write_ranges
         return value.type.name, value.scale, value.offset, value.unit, *ranges, sentinels
 
 
 def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
     """The values that have a scale, by the names under which they get functions; those that share one are together."""
+    return by_name(quantity for quantity in every_value(layout) if _has_scale(quantity.value))
+
+
+def _has_scale(value: Value) -> bool:
+    return value.scaled and value.type.kind is Kind.INTEGER and bool(_intervals(value))
+
+
+def by_name(quantities: Iterable[Quantity]) -> dict[str, list[Quantity]]:
+    """Values by names that differ; those of one name that mean the same are together."""
     groups: dict[tuple[object, ...], list[Quantity]] = {}
-    for quantity in _scaled(layout):
+    for quantity in quantities:
         groups.setdefault((quantity.name, *quantity.key), []).append(quantity)
     named: dict[str, list[Quantity]] = {}
     for same in groups.values():
@@ -77,7 +89,8 @@ def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
     return named
 
 
-def _scaled(layout: DeviceLayout) -> Iterator[Quantity]:
+def every_value(layout: DeviceLayout) -> Iterator[Quantity]:
+    """The values of signals, registers, fields and parameters."""
     device = layout.device
     every_value: list[tuple[str, str, Value | None, Fact]] = [
         (signal.name, signal.name, signal.value, signal) for signal in device.signals.values()
@@ -95,7 +108,7 @@ def _scaled(layout: DeviceLayout) -> Iterator[Quantity]:
                 (parameter.name, inner.name, inner.value, inner) for inner in parameter.subindices if not inner.reserved
             ]
     for owner, name, value, fact in every_value:
-        if value is not None and value.scaled and value.type.kind is Kind.INTEGER and _intervals(value):
+        if value is not None:
             yield Quantity(owner, name, value, fact)
 
 

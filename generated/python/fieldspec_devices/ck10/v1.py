@@ -18,6 +18,7 @@ from struct import Struct as _Struct
 from operator import index as _index
 from struct import error as _StructError
 
+from .._absent import state_of as _state_of
 from .._checks import BYTES as _BYTES
 from .._checks import CRC_EXCHANGED as _CRC_EXCHANGED
 from .._conversions import Repeated as _Repeated
@@ -3529,6 +3530,41 @@ class Point(_Record):
             or _refused_number("push_position", self.push_position, -2147483648, 2147483647)
             or _refused_number("push_mode", self.push_mode, 0, 65535, ((0, 10000),), (0,))
         )
+
+    @property
+    def command_state(self) -> str | None:
+        """The name of the state that `command` stands for; None for a quantity."""
+        return _state_of(self.command, (("ignored", 65535),))
+
+    @property
+    def jump_point_state(self) -> str | None:
+        """The name of the state that `jump_point` stands for; None for a quantity."""
+        return _state_of(self.jump_point, (("ignored", 65535),))
+
+    @property
+    def jump_point_of_input_0_state(self) -> str | None:
+        """The name of the state that `jump_point_of_input_0` stands for; None for a quantity."""
+        return _state_of(self.jump_point_of_input_0, (("ignored", 65535),))
+
+    @property
+    def jump_point_of_input_1_state(self) -> str | None:
+        """The name of the state that `jump_point_of_input_1` stands for; None for a quantity."""
+        return _state_of(self.jump_point_of_input_1, (("ignored", 65535),))
+
+    @property
+    def jump_point_of_input_2_state(self) -> str | None:
+        """The name of the state that `jump_point_of_input_2` stands for; None for a quantity."""
+        return _state_of(self.jump_point_of_input_2, (("ignored", 65535),))
+
+    @property
+    def clear_loop_counter_of_state(self) -> str | None:
+        """The name of the state that `clear_loop_counter_of` stands for; None for a quantity."""
+        return _state_of(self.clear_loop_counter_of, (("ignored", 65535),))
+
+    @property
+    def push_mode_state(self) -> str | None:
+        """The name of the state that `push_mode` stands for; None for a quantity."""
+        return _state_of(self.push_mode, (("stop_mode", 0),))
 
 
 _READ_REGISTERS_RESPONSE_STRUCT = _Repeated(">B", "H")

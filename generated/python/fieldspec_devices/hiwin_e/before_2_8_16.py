@@ -44,13 +44,13 @@ from .._parameters import Subindex as _Subindex
 from .._parameters import selected as _selected
 from .._parameters import single as _single
 from .._quantities import Conversion as _Conversion
+from .._reals import Float as _Float
 from .._record import Record as _Record
 from .._refusals import refused_flags as _refused_flags
 from .._refusals import refused_number as _refused_number
 from .._refusals import unfit as _unfit
 from .._values import Boolean as _Boolean
 from .._values import Closed as _Closed
-from .._values import Float as _Float
 from .._values import Number as _Number
 from .._values import Open as _Open
 from .._values import Setting as _Setting

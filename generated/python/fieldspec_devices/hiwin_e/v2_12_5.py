@@ -44,13 +44,13 @@ from .._parameters import Subindex as _Subindex
 from .._parameters import selected as _selected
 from .._parameters import single as _single
 from .._quantities import Conversion as _Conversion
+from .._reals import Float as _Float
 from .._record import Record as _Record
 from .._refusals import refused_flags as _refused_flags
 from .._refusals import refused_number as _refused_number
 from .._refusals import unfit as _unfit
 from .._values import Boolean as _Boolean
 from .._values import Closed as _Closed
-from .._values import Float as _Float
 from .._values import Number as _Number
 from .._values import Open as _Open
 from .._values import Setting as _Setting
@@ -11428,8 +11428,8 @@ def _servo_parameters_rows() -> dict[str, _Any]:
         ),
         "NEGATIVE_FIXED_STOP_TOLERANCE": _Parameter(
             "negative_fixed_stop_tolerance", 0x42C,
-            _Number(">I", ranges=((0, 2147483647),), others=(0,), unit="control unit"), "", type="u32",
-            printed_name="Pt42C", default=0, restart=False, messages=("telegram_111",),
+            _Number(">I", ranges=((0, 2147483647),), absent=(("as_positive", 0),), unit="control unit"),
+            "", type="u32", printed_name="Pt42C", default=0, restart=False, messages=("telegram_111",),
             source="6.12 L1912-1915", set="servo_parameters", base=0x2000,
         ),
         "POSITIVE_FIXED_STOP_TORQUE": _Parameter(
@@ -11440,9 +11440,9 @@ def _servo_parameters_rows() -> dict[str, _Any]:
         ),
         "NEGATIVE_FIXED_STOP_TORQUE": _Parameter(
             "negative_fixed_stop_torque", 0x42E,
-            _Number(">I", ranges=((0, 2147483647),), others=(0,), unit="Nm or N", ratio=(1, 0, 1000)), "",
-            type="u32", printed_name="Pt42E", default=1000000, restart=False, messages=("telegram_111",),
-            source="6.12 L1922-1925", set="servo_parameters", base=0x2000,
+            _Number(">I", ranges=((0, 2147483647),), absent=(("as_positive", 0),), unit="Nm or N", ratio=(1, 0, 1000)),
+            "", type="u32", printed_name="Pt42E", default=1000000, restart=False,
+            messages=("telegram_111",), source="6.12 L1922-1925", set="servo_parameters", base=0x2000,
         ),
         "FIXED_STOP_FOLLOWING_ERROR": _Parameter(
             "fixed_stop_following_error", 0x42F,

@@ -19,6 +19,7 @@ from struct import Struct as _Struct
 from operator import index as _index
 from struct import error as _StructError
 
+from .._absent import state_of as _state_of
 from .._checks import BYTES as _BYTES
 from .._checks import CRC_EXCHANGED as _CRC_EXCHANGED
 from .._conversions import Repeated as _Repeated
@@ -2029,6 +2030,16 @@ class Point(_Record):
     def torque_limit_percent(self, value: _Quantity) -> None:
         self.torque_limit = _counts("torque_limit", value, (1, 0, 10), ((0, 1000),))
 
+    @property
+    def speed_state(self) -> str | None:
+        """The name of the state that `speed` stands for; None for a quantity."""
+        return _state_of(self.speed, (("start_speed", 0),))
+
+    @property
+    def next_point_state(self) -> str | None:
+        """The name of the state that `next_point` stands for; None for a quantity."""
+        return _state_of(self.next_point, (("end", -1),))
+
 
 _READ_REGISTERS_RESPONSE_STRUCT = _Repeated(">B", "H")
 
@@ -3032,7 +3043,7 @@ class AsciiLink:
 ascii: _Final = AsciiLink()
 
 
-JOG_POSITIVE_INPUT: _Final = _Register("jog_positive_input", 0x0601, 1, _Number(">H", others=(0,)), "rw")
+JOG_POSITIVE_INPUT: _Final = _Register("jog_positive_input", 0x0601, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Jog positive input (JOG+, + JOG 移動).
 
 Jogs in the positive direction while MANUAL is on.
@@ -3051,7 +3062,7 @@ the table.
 
 Source: 5.4 L1193.
 """
-JOG_NEGATIVE_INPUT: _Final = _Register("jog_negative_input", 0x0602, 1, _Number(">H", others=(0,)), "rw")
+JOG_NEGATIVE_INPUT: _Final = _Register("jog_negative_input", 0x0602, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Jog negative input (JOG-, - JOG 移動).
 
 Jogs in the negative direction while MANUAL is on.
@@ -3070,7 +3081,7 @@ the table.
 
 Source: 5.4 L1194.
 """
-MANUAL_MODE_INPUT: _Final = _Register("manual_mode_input", 0x0603, 1, _Number(">H", others=(0,)), "rw")
+MANUAL_MODE_INPUT: _Final = _Register("manual_mode_input", 0x0603, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Manual mode input (MANUAL, 手動模式).
 
 0x0603, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3087,7 +3098,7 @@ the table.
 
 Source: 5.4 L1195.
 """
-TEACH_INPUT: _Final = _Register("teach_input", 0x0604, 1, _Number(">H", others=(0,)), "rw")
+TEACH_INPUT: _Final = _Register("teach_input", 0x0604, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Teach input (TEACH, 點位置存入).
 
 Stores the present position in the selected point while MANUAL is on.
@@ -3106,7 +3117,7 @@ the table.
 
 Source: 5.4 L1196.
 """
-LOCK_INPUT: _Final = _Register("lock_input", 0x0607, 1, _Number(">H", others=(0,)), "rw")
+LOCK_INPUT: _Final = _Register("lock_input", 0x0607, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Lock input (LOCK, 暫停 / 聯鎖).
 
 Pause, interlock.
@@ -3125,7 +3136,7 @@ the table.
 
 Source: 5.4 L1197.
 """
-POINT_SELECT_BIT_4_INPUT: _Final = _Register("point_select_bit_4_input", 0x060E, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_4_INPUT: _Final = _Register("point_select_bit_4_input", 0x060E, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 4 input (PRGSEL4, 程式選擇 No.0~127 Bit4).
 
 0x060E, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3142,7 +3153,7 @@ the table.
 
 Source: 5.4 L1198.
 """
-POINT_SELECT_BIT_5_INPUT: _Final = _Register("point_select_bit_5_input", 0x060F, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_5_INPUT: _Final = _Register("point_select_bit_5_input", 0x060F, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 5 input (PRGSEL5, 程式選擇 No.0~127 Bit5).
 
 0x060F, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3159,7 +3170,7 @@ the table.
 
 Source: 5.4 L1199.
 """
-POINT_SELECT_BIT_6_INPUT: _Final = _Register("point_select_bit_6_input", 0x0610, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_6_INPUT: _Final = _Register("point_select_bit_6_input", 0x0610, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 6 input (PRGSEL6, 程式選擇 No.0~127 Bit6).
 
 0x0610, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3176,7 +3187,7 @@ the table.
 
 Source: 5.4 L1200.
 """
-HOMING_SENSOR_INPUT: _Final = _Register("homing_sensor_input", 0x0611, 1, _Number(">H", others=(0,)), "rw")
+HOMING_SENSOR_INPUT: _Final = _Register("homing_sensor_input", 0x0611, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Homing sensor input (ORG_SIG, 原點復歸用檢出信號).
 
 0x0611, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3193,7 +3204,7 @@ the table.
 
 Source: 5.4 L1201.
 """
-BRAKE_INPUT: _Final = _Register("brake_input", 0x0612, 1, _Number(">H", others=(0,)), "rw")
+BRAKE_INPUT: _Final = _Register("brake_input", 0x0612, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Brake input (BK_OFF, 制動 ON/OFF 信號).
 
 Switches the brake while the servo is off.
@@ -3212,7 +3223,7 @@ the table.
 
 Source: 5.4 L1202.
 """
-FULL_COUNT_INPUT: _Final = _Register("full_count_input", 0x0613, 1, _Number(">H", others=(0,)), "rw")
+FULL_COUNT_INPUT: _Final = _Register("full_count_input", 0x0613, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Full count input (FULL_COUNT, 切換 FULL-COUNT 判斷).
 
 Switches the detection of full count, which is active initially.
@@ -3231,7 +3242,7 @@ the table.
 
 Source: 5.4 L1203.
 """
-IN_POSITION_OUTPUT: _Final = _Register("in_position_output", 0x0700, 1, _Number(">H", others=(0,)), "rw")
+IN_POSITION_OUTPUT: _Final = _Register("in_position_output", 0x0700, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """In position output (INPOSITION, Inposition 到位信號).
 
 0x0700, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3248,7 +3259,7 @@ the table.
 
 Source: 5.5 L1209.
 """
-ALARM_OUTPUT: _Final = _Register("alarm_output", 0x0701, 1, _Number(">H", others=(0,)), "rw")
+ALARM_OUTPUT: _Final = _Register("alarm_output", 0x0701, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Alarm output (ALARM, 錯誤信號).
 
 0x0701, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3265,7 +3276,7 @@ the table.
 
 Source: 5.5 L1210.
 """
-READY_OUTPUT: _Final = _Register("ready_output", 0x0702, 1, _Number(">H", others=(0,)), "rw")
+READY_OUTPUT: _Final = _Register("ready_output", 0x0702, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Ready output (READY, 準備完成，可執行下一點位).
 
 Ready for the next point.
@@ -3284,7 +3295,7 @@ the table.
 
 Source: 5.5 L1211.
 """
-MOVING_OUTPUT: _Final = _Register("moving_output", 0x0703, 1, _Number(">H", others=(0,)), "rw")
+MOVING_OUTPUT: _Final = _Register("moving_output", 0x0703, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Moving output (MOVE, 移動中).
 
 0x0703, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3301,7 +3312,7 @@ the table.
 
 Source: 5.5 L1212.
 """
-SERVO_ON_OUTPUT: _Final = _Register("servo_on_output", 0x0705, 1, _Number(">H", others=(0,)), "rw")
+SERVO_ON_OUTPUT: _Final = _Register("servo_on_output", 0x0705, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Servo on output (SERVO-S, SERVO ON 狀態).
 
 0x0705, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3318,7 +3329,7 @@ the table.
 
 Source: 5.5 L1213.
 """
-POINT_SELECT_BIT_0_OUTPUT: _Final = _Register("point_select_bit_0_output", 0x0706, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_0_OUTPUT: _Final = _Register("point_select_bit_0_output", 0x0706, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 0 output (PRGSEL0-S, 程式選擇 No.0~127 Bit0).
 
 0x0706, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3335,7 +3346,7 @@ the table.
 
 Source: 5.5 L1214.
 """
-POINT_SELECT_BIT_1_OUTPUT: _Final = _Register("point_select_bit_1_output", 0x0707, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_1_OUTPUT: _Final = _Register("point_select_bit_1_output", 0x0707, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 1 output (PRGSEL1-S, 程式選擇 No.0~127 Bit1).
 
 0x0707, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3352,7 +3363,7 @@ the table.
 
 Source: 5.5 L1215.
 """
-POINT_SELECT_BIT_2_OUTPUT: _Final = _Register("point_select_bit_2_output", 0x0708, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_2_OUTPUT: _Final = _Register("point_select_bit_2_output", 0x0708, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 2 output (PRGSEL2-S, 程式選擇 No.0~127 Bit2).
 
 0x0708, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3369,7 +3380,7 @@ the table.
 
 Source: 5.5 L1216.
 """
-POINT_SELECT_BIT_3_OUTPUT: _Final = _Register("point_select_bit_3_output", 0x0709, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_3_OUTPUT: _Final = _Register("point_select_bit_3_output", 0x0709, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 3 output (PRGSEL3-S, 程式選擇 No.0~127 Bit3).
 
 0x0709, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3386,7 +3397,7 @@ the table.
 
 Source: 5.5 L1217.
 """
-POINT_SELECT_BIT_4_OUTPUT: _Final = _Register("point_select_bit_4_output", 0x070A, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_4_OUTPUT: _Final = _Register("point_select_bit_4_output", 0x070A, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 4 output (PRGSEL4-S, 程式選擇 No.0~127 Bit4).
 
 0x070A, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3403,7 +3414,7 @@ the table.
 
 Source: 5.5 L1218.
 """
-POINT_SELECT_BIT_5_OUTPUT: _Final = _Register("point_select_bit_5_output", 0x070B, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_5_OUTPUT: _Final = _Register("point_select_bit_5_output", 0x070B, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 5 output (PRGSEL5-S, 程式選擇 No.0~127 Bit5).
 
 0x070B, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3420,7 +3431,7 @@ the table.
 
 Source: 5.5 L1219.
 """
-POINT_SELECT_BIT_6_OUTPUT: _Final = _Register("point_select_bit_6_output", 0x070C, 1, _Number(">H", others=(0,)), "rw")
+POINT_SELECT_BIT_6_OUTPUT: _Final = _Register("point_select_bit_6_output", 0x070C, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Point select bit 6 output (PRGSEL6-S, 程式選擇 No.0~127 Bit6).
 
 0x070C, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3437,7 +3448,7 @@ the table.
 
 Source: 5.5 L1220.
 """
-TORQUE_LIMIT_OUTPUT: _Final = _Register("torque_limit_output", 0x070D, 1, _Number(">H", others=(0,)), "rw")
+TORQUE_LIMIT_OUTPUT: _Final = _Register("torque_limit_output", 0x070D, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Torque limit output (TRQ_LMT, 扭力極限).
 
 Called TRQLIM in 6.2 and 7.5.
@@ -3456,7 +3467,7 @@ the table.
 
 Source: 5.5 L1221.
 """
-ERROR_BIT_0_OUTPUT: _Final = _Register("error_bit_0_output", 0x070E, 1, _Number(">H", others=(0,)), "rw")
+ERROR_BIT_0_OUTPUT: _Final = _Register("error_bit_0_output", 0x070E, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Error bit 0 output (ERR0, 錯誤編碼 Bit0).
 
 0x070E, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3476,7 +3487,7 @@ the table.
 
 Source: 5.5 L1222.
 """
-ERROR_BIT_1_OUTPUT: _Final = _Register("error_bit_1_output", 0x070F, 1, _Number(">H", others=(0,)), "rw")
+ERROR_BIT_1_OUTPUT: _Final = _Register("error_bit_1_output", 0x070F, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Error bit 1 output (ERR1, 錯誤編碼 Bit1).
 
 0x070F, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3493,7 +3504,7 @@ the table.
 
 Source: 5.5 L1223.
 """
-ERROR_BIT_2_OUTPUT: _Final = _Register("error_bit_2_output", 0x0710, 1, _Number(">H", others=(0,)), "rw")
+ERROR_BIT_2_OUTPUT: _Final = _Register("error_bit_2_output", 0x0710, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Error bit 2 output (ERR2, 錯誤編碼 Bit2).
 
 0x0710, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3510,7 +3521,7 @@ the table.
 
 Source: 5.5 L1224.
 """
-ERROR_BIT_3_OUTPUT: _Final = _Register("error_bit_3_output", 0x0711, 1, _Number(">H", others=(0,)), "rw")
+ERROR_BIT_3_OUTPUT: _Final = _Register("error_bit_3_output", 0x0711, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Error bit 3 output (ERR3, 錯誤編碼 Bit3).
 
 0x0711, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3527,7 +3538,7 @@ the table.
 
 Source: 5.5 L1225.
 """
-ZONE_OUTPUT: _Final = _Register("zone_output", 0x0712, 1, _Number(">H", others=(0,)), "rw")
+ZONE_OUTPUT: _Final = _Register("zone_output", 0x0712, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Zone output (INRANGE, 區間設定範圍內輸出).
 
 On while the position is inside the zone of the point.
@@ -3546,7 +3557,7 @@ the table.
 
 Source: 5.5 L1226.
 """
-NEAR_OUTPUT: _Final = _Register("near_output", 0x0713, 1, _Number(">H", others=(0,)), "rw")
+NEAR_OUTPUT: _Final = _Register("near_output", 0x0713, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Near output (NEAR, 當移動至目標位置的範圍內時輸出).
 
 On near the target, see 011DH; the target is that of a point in mode ABS or INC.
@@ -3565,7 +3576,7 @@ the table.
 
 Source: 5.5 L1227.
 """
-SOFT_LIMIT_OUTPUT: _Final = _Register("soft_limit_output", 0x0714, 1, _Number(">H", others=(0,)), "rw")
+SOFT_LIMIT_OUTPUT: _Final = _Register("soft_limit_output", 0x0714, 1, _Number(">H", absent=(("not_used", 0),)), "rw")
 """Soft limit output (SOFTLMT, 軟體極限輸出燈號).
 
 On when the position has reached a soft limit.
@@ -3661,7 +3672,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1622.
 """
-MOTION_SPEED: _Final = _Register("motion_speed", 0x2014, 1, _Number(">H", ranges=((0, 100),), others=(0,), unit="%"), "rw")
+MOTION_SPEED: _Final = _Register("motion_speed", 0x2014, 1, _Number(">H", ranges=((0, 100),), absent=(("start_speed", 0),), unit="%"), "rw")
 """Motion speed (MovSpeedSet, 位置 / 扭力控制動作速度設定).
 
 The speed of relative and absolute moves and of jogging by 201EH, a percentage of the maximum speed
@@ -4189,7 +4200,7 @@ nothing printed can be negative.
 
 Source: 5.6 L1245.
 """
-SOFT_LIMIT_POSITIVE: _Final = _Register("soft_limit_positive", 0x0813, 2, _Number(">i", others=(0,)), "rw")
+SOFT_LIMIT_POSITIVE: _Final = _Register("soft_limit_positive", 0x0813, 2, _Number(">i", absent=(("no_limit", 0),)), "rw")
 """Soft limit positive (PlusSoftLimit, + 方向的軟體極限).
 
 The soft limit in the positive direction.
@@ -4205,7 +4216,7 @@ Inferred (type): A position; the positions of points are signed.
 
 Source: 5.6 L1246.
 """
-SOFT_LIMIT_NEGATIVE: _Final = _Register("soft_limit_negative", 0x0815, 2, _Number(">i", others=(0,)), "rw")
+SOFT_LIMIT_NEGATIVE: _Final = _Register("soft_limit_negative", 0x0815, 2, _Number(">i", absent=(("no_limit", 0),)), "rw")
 """Soft limit negative (MinusSoftLimit, - 方向的軟體極限).
 
 The soft limit in the negative direction.
@@ -4236,7 +4247,7 @@ nothing printed can be negative.
 
 Source: 5.7 L1253.
 """
-HOMING_SPEED: _Final = _Register("homing_speed", 0x0901, 1, _Number(">H", ranges=((0, 100),), others=(0,), unit="%"), "rw")
+HOMING_SPEED: _Final = _Register("homing_speed", 0x0901, 1, _Number(">H", ranges=((0, 100),), absent=(("start_speed", 0),), unit="%"), "rw")
 """Homing speed (OrgSpeed, 原點復歸速度).
 
 A percentage of the maximum speed 0802H. For homing by torque, 20 or less is advised.
@@ -4269,7 +4280,7 @@ either way.
 
 Source: 5.7 L1255.
 """
-HOMING_OFFSET_SPEED: _Final = _Register("homing_offset_speed", 0x0904, 1, _Number(">H", ranges=((0, 100),), others=(0,), unit="%"), "rw")
+HOMING_OFFSET_SPEED: _Final = _Register("homing_offset_speed", 0x0904, 1, _Number(">H", ranges=((0, 100),), absent=(("start_speed", 0),), unit="%"), "rw")
 """Homing offset speed (OrgOffsetSpeed, 原點復歸偏移量 移動速度).
 
 The speed of the move by the offset, back from where the torque was detected; a percentage of the
@@ -4586,7 +4597,7 @@ nothing printed can be negative.
 
 Source: 8.2 L1515.
 """
-EXECUTED_POINT: _Final = _Register("executed_point", 0x100E, 1, _Number(">h", ranges=((-1, 127),), others=(-1,)), "ro")
+EXECUTED_POINT: _Final = _Register("executed_point", 0x100E, 1, _Number(">h", ranges=((-1, 127),), absent=(("none", -1),)), "ro")
 """Executed point (StepNo, 程序選擇號碼).
 
 The number of the point that was executed last.

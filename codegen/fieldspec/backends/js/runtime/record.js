@@ -2,9 +2,10 @@ import { CodecError, printed, wrongSize } from "./error.js";
 
 /**
  * A record. `read(bytes, start, end)` and `write(value, bytes, start)` are its generated functions; `size(value)`
- * counts the bytes of a value where they vary. `keys` are the names of its fields, `units` their quantities.
+ * counts the bytes of a value where they vary. `keys` are the names of its fields, `units` their quantities, `absent`
+ * the values that stand for a state.
  */
-export function record({ name, least, most, read, write, size, keys, units }) {
+export function record({ name, least, most, read, write, size, keys, units, absent = {} }) {
   return Object.freeze({
     name,
     least,
@@ -13,6 +14,7 @@ export function record({ name, least, most, read, write, size, keys, units }) {
     write,
     size,
     units,
+    absent,
     /** The value of exactly these bytes. Throws CodecError. */
     decode(bytes) {
       return read(bytes, 0, bytes.length);

@@ -6,9 +6,10 @@ from struct import Struct
 
 from ._conversions import Repeated
 from ._error import CodecError, wrong_length
+from ._reals import Double, Float
 from ._refusals import refused_list
 from ._typing import TYPE_CHECKING
-from ._values import Double, Float, Number, Value
+from ._values import Number, Value
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

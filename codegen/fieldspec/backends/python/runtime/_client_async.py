@@ -66,8 +66,8 @@ class AsyncRegisterClient(AsyncBaseClient):
         """
         await self._run(self._registers.write(register, value))
 
-    async def write_in_unit(self, register: Register[Any], quantity: Quantity) -> None:
-        """Writes a register by a value in its unit. Raises DeviceError as `write` does."""
+    async def write_in_unit(self, register: Register[Any], quantity: Quantity | None) -> None:
+        """Writes a register by a value in its unit, None for the only absent one. Raises as `write` does."""
         await self._run(self._registers.write_in_unit(register, quantity))
 
 
@@ -95,8 +95,10 @@ class AsyncParameterClient(AsyncBaseClient):
         """
         await self._run(self._parameters.write(parameter, value, subindex))
 
-    async def write_parameter_in_unit(self, parameter: Parameter[Any], quantity: Quantity, subindex: int = 0) -> None:
-        """Writes a parameter by a value in its unit. Raises DeviceError as `write_parameter` does."""
+    async def write_parameter_in_unit(
+        self, parameter: Parameter[Any], quantity: Quantity | None, subindex: int = 0
+    ) -> None:
+        """Writes a parameter by a value in its unit, None for the only absent one. Raises as `write_parameter` does."""
         await self._run(self._parameters.write_in_unit(parameter, quantity, subindex))
 
 

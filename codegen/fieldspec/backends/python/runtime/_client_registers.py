@@ -129,13 +129,15 @@ class RegisterWork:
         """Writes a register; the value is encoded at once."""
         return self._sent(_encoded(_function(self.codec, "write_requests", register.name), register, value))
 
-    def write_in_unit(self, register: Register[Any], quantity: Quantity) -> Work[None]:
+    def write_in_unit(self, register: Register[Any], quantity: Quantity | None) -> Work[None]:
         """Writes a register by a value in its unit; it is encoded at once, or by the exponent that the device has."""
         if register.scale_by is not None:
             return self._write_by_exponent(register, register.scale_by, quantity)
         return self.write(register, _encoded(register.from_unit, quantity))
 
-    def _write_by_exponent(self, register: Register[Any], scale_by: Register[int], quantity: Quantity) -> Work[None]:
+    def _write_by_exponent(
+        self, register: Register[Any], scale_by: Register[int], quantity: Quantity | None
+    ) -> Work[None]:
         exponent = yield from self.read(scale_by)
         yield from self.write(register, _encoded(register.from_unit, quantity, exponent))
 
@@ -252,7 +254,7 @@ class ParameterWork:
         """The value of a parameter, or of one element, in its unit."""
         return parameter.in_unit((yield from self.read(parameter, subindex)), subindex)
 
-    def write_in_unit(self, parameter: Parameter[Any], quantity: Quantity, subindex: int = 0) -> Work[None]:
+    def write_in_unit(self, parameter: Parameter[Any], quantity: Quantity | None, subindex: int = 0) -> Work[None]:
         """Writes a parameter, or one element, by a value in its unit; it is encoded at once."""
         return self.write(parameter, _encoded(parameter.from_unit, quantity, subindex), subindex)
 

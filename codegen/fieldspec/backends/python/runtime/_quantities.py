@@ -95,12 +95,14 @@ class PowerUnit:
             return None
         return self._value.in_unit(count, self._power(exponent))
 
-    def from_unit(self, quantity: Quantity, exponent: int | None) -> int:
-        """The count that is nearest to a quantity, of two the even one.
+    def from_unit(self, quantity: Quantity | None, exponent: int | None) -> int:
+        """The count that is nearest to a quantity, of two the even one; for None the only absent value.
 
-        Raises CodecError out of range, where that count stands for an absent value, and for an exponent that is none.
+        Raises CodecError out of range, where that count stands for an absent value, for None where several do, and for
+        an exponent that is none.
         """
-        return self._value.from_unit(self.name, quantity, self._power(exponent))
+        count: int = self._value.from_unit(self.name, quantity, self._power(exponent))
+        return count
 
     def _power(self, exponent: int | None) -> Ratio:
         return power_of_ten(self.name, self.exponent, self._exponents.ranges, exponent)

@@ -14,19 +14,21 @@ class Record:
     __slots__ = ()
     __match_args__: tuple[str, ...] = ()
 
-    def _set_fields(self, /, *values: Any, **quantities: tuple[str, Any]) -> None:
+    def _set_fields(self, /, *values: Any, **quantities: tuple[Any, ...]) -> None:
         """Sets every field by its raw value or by its quantity; an argument that is missing is None.
 
-        `quantities` has, by the name of the field, the name of the argument in its unit and the quantity. Raises
-        TypeError where a field has neither or both, and CodecError as setting the quantity does.
+        `quantities` has, by the name of the field, the name of the argument in its unit, the quantity, and what a
+        missing one is, if not None. Raises TypeError where a field has neither or both, and CodecError as setting the
+        quantity does.
         """
         for name, value in zip(self.__match_args__, values, strict=True):
-            keyword, quantity = quantities.get(name, ("", None))
-            if (value is None) == (quantity is None):
+            keyword, quantity, *marks = quantities.get(name, ("", None))
+            left_out = marks[0] if marks else None
+            if (value is None) == (quantity is left_out):
                 arguments = f"{name!r} or {keyword!r}" if keyword else repr(name)
                 problem = "is missing" if value is None else "takes only one of"
                 raise TypeError(f"{self.__class__.__name__}() {problem} {arguments}")
-            if quantity is None:
+            if quantity is left_out:
                 setattr(self, name, value)
             else:
                 setattr(self, keyword, quantity)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from struct import pack, unpack
 
+from ._absent import state_of
 from ._carried import RecordValue
 from ._error import CodecError
 from ._quantities import Ratio, power_of_ten
@@ -88,6 +89,15 @@ class Register(Generic[T]):
         return self.value.unit
 
     @property
+    def absent(self) -> dict[str, float]:
+        """The values that stand for a state and are no quantity, by the names of their states."""
+        return dict(self.value.absent)
+
+    def state_of(self, value: float) -> str | None:
+        """The name of the state that a value stands for; None for a quantity."""
+        return state_of(value, self.value.absent)
+
+    @property
     def scale(self) -> float:
         """The value of one count in the unit, before the power of ten that `scale_by` has the exponent of."""
         return self.value.ratio[0] / self.value.ratio[2]
@@ -127,17 +137,19 @@ class Register(Generic[T]):
             return None
         return self.value.in_unit(count, self._power(exponent))
 
-    def from_unit(self, value: Quantity, exponent: int | None = None) -> int:
-        """The count that is nearest to a value in the unit, of two the even one.
+    def from_unit(self, value: Quantity | None, exponent: int | None = None) -> T:
+        """The count that is nearest to a value in the unit, of two the even one; for None the only absent value.
 
         Where `scale_by` is a register, `exponent` is its value. Raises CodecError out of range, where that count stands
-        for an absent value, and for an exponent that is none, or missing.
+        for an absent value, for None where several do, and for an exponent that is none, or missing.
         """
         if self.scale_by is None:
             if exponent is not None:
                 raise self._exponent_error(exponent)
-            return self.value.from_unit(self.name, value)
-        return self.value.from_unit(self.name, value, self._power(exponent))
+            own: T = self.value.from_unit(self.name, value)
+            return own
+        count: T = self.value.from_unit(self.name, value, self._power(exponent))
+        return count
 
     def _power(self, exponent: int | None) -> Ratio:
         """The scale of a power of ten as a `Value` has it. Raises CodecError."""

@@ -93,10 +93,19 @@ function floatEntry(name, value, text) {
   const sentinel = value.sentinels?.find((other) => other.name === text);
   if (sentinel) return sentinel.nan ? NaN : Number(sentinel.value);
   const [, quantity, unit] = QUANTITY.exec(text) ?? [];
-  if (unit !== undefined && unit === value.unit) return Number(quantity);
+  if (unit !== undefined && unit === value.unit) {
+    const sent = value.size === 4 ? Math.fround(Number(quantity)) : Number(quantity);
+    const absent = sentinelOf(value, sent);
+    if (absent) throw new CodecError("out_of_range", `${name}: \`${text}\` would be sent as ${floatText(sent, value.size)}, ${meantBy(absent)}`);
+    return Number(quantity);
+  }
   if (text in LETTERS.float) return LETTERS.float[text];
   if (!NUMBER.test(text)) throw new CodecError("wrong_type", `${name}: \`${text}\` is no number; write it as \`0.5\` or \`2.5e-3\``);
   return Number(text);
+}
+
+function meantBy({ name }) {
+  return `which stands for ${name}; write \`${name}\` if you mean that`;
 }
 
 /** The raw value of a count, a member's name, a sentinel's name, or a quantity with its unit. */
@@ -125,7 +134,7 @@ function quantityEntry(name, value, text, quantity) {
   }
   const count = narrowed(nearestCount(exact));
   const absent = sentinelOf(value, count);
-  if (absent) throw new CodecError("out_of_range", `${name}: \`${text}\` would be the count ${count}, which stands for ${absent.name}`);
+  if (absent) throw new CodecError("out_of_range", `${name}: \`${text}\` would be the count ${count}, ${meantBy(absent)}`);
   return count;
 }
 

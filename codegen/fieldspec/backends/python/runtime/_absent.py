@@ -1,0 +1,91 @@
+"""Values that stand for a state and not for a quantity, by the names of their states."""
+
+from __future__ import annotations
+
+from struct import Struct
+
+from ._conversions import counts
+from ._error import CodecError
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    from ._typing import Quantity
+
+    N = TypeVar("N", int, float)
+else:
+    N = None
+
+_REALS = {4: Struct(">f"), 8: Struct(">d")}
+
+
+class LeftOut:
+    """The type of `LEFT_OUT`."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return "LEFT_OUT"
+
+
+LEFT_OUT = LeftOut()
+"""Stands for an argument that a call leaves out, where None is an absent value."""
+
+
+def state_of(value: float, absent: tuple[tuple[str, float], ...]) -> str | None:
+    """The name of the state that a value stands for, None for a quantity. Every NaN is the same."""
+    for name, other in absent:
+        if value == other or (value != value and other != other):
+            return name
+    return None
+
+
+def absent_number(name: str, absent: tuple[tuple[str, N], ...]) -> N:
+    """The value for None: the only absent one. Raises CodecError where there are several, or none."""
+    numbers = [number for _, number in absent]
+    if not numbers:
+        raise CodecError("wrong_type", f"{name} is a number, not None")
+    if len(numbers) > 1:
+        states = " or ".join(f"{state} ({other})" for state, other in absent)
+        raise CodecError("wrong_type", f"None is no single value of {name}: write {states}")
+    return numbers[0]
+
+
+def counts_or_absent(
+    name: str,
+    value: Quantity | None,
+    ratio: tuple[int, int, int],
+    ranges: tuple[tuple[int, int], ...],
+    absent: tuple[tuple[str, int], ...],
+) -> int:
+    """The count that is nearest to a value in the unit, as `counts` gives it; for None the only absent one."""
+    return absent_number(name, absent) if value is None else counts(name, value, ratio, ranges)
+
+
+def real_or_absent(
+    name: str,
+    value: Quantity | None,
+    size: int,
+    ranges: tuple[tuple[float, float], ...],
+    absent: tuple[tuple[str, float], ...],
+) -> float:
+    """The number of `size` bytes that is nearest to a value in the unit; for None the only absent one.
+
+    Raises CodecError out of range, for a number that stands for a state, and for what is no number.
+    """
+    if value is None:
+        return absent_number(name, absent)
+    try:
+        number: float = _REALS[size].unpack(_REALS[size].pack(float(value)))[0]
+    except OverflowError:
+        raise CodecError("out_of_range", f"{name} is {value}, more than {8 * size} bits can hold") from None
+    except (TypeError, ValueError):
+        raise CodecError("wrong_type", f"{name} is a number, not {value!r}") from None
+    state = state_of(number, absent)
+    if state is not None:
+        raise CodecError("out_of_range", f"{name} is {value}, which is sent as {number} and stands for {state}")
+    if number != number or (ranges and not any(low <= number <= high for low, high in ranges)):
+        allowed = ", ".join(f"{low}..{high}" for low, high in ranges) or "the numbers of its type"
+        raise CodecError("out_of_range", f"{name} is {value}, not in {allowed}")
+    return number
