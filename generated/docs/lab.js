@@ -136,6 +136,11 @@ function refusedNumber(name, value, low, high, allowed) {
   return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
+/** The error of a word with a field of bits that is out of its range. */
+function refusedBits(name, bits, allowed) {
+  return new CodecError("out_of_range", `${bits} of ${name} is not in ${allowed}`);
+}
+
 /** The error of a value that a closed enum does not list; `wide` where its numbers are bigints. */
 function refusedMember(name, value, enumName, wide) {
   return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
@@ -1287,6 +1292,8 @@ function decodedWhole(device, value, number) {
   if (!result.reason && value.ranges !== undefined && !isWithin(value.ranges, number)) {
     result = judged(result, false, rangeInUnit(value, value.ranges), "out_of_range");
   }
+  const bit = !result.reason && value.flags && refusedBitOf(device.flags.get(value.flags), number);
+  if (bit) result = judged(result, false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
   return result;
 }
 
@@ -1336,6 +1343,12 @@ function setBitsOf(device, word, number) {
 /** The bits of a field of bits in its word. */
 function bitMask({ first, width }) {
   return ((1n << BigInt(width)) - 1n) << BigInt(first);
+}
+
+/** The first field of bits whose number in a word is not in its range. */
+function refusedBitOf(word, number) {
+  const raw = BigInt.asUintN(8 * word.size, BigInt(number));
+  return word.bits?.find((bit) => bit.ranges && !isWithin(bit.ranges, bitsNumber(bit, raw)));
 }
 
 /** The number of a field of bits in a word. */
@@ -3526,7 +3539,12 @@ function checkedNumber(device, name, value, raw) {
       throw new CodecError("unknown_value", `${name} is ${raw}, which ${value.enum} does not list`);
     }
   }
-  return inRange(name, value, raw);
+  const number = inRange(name, value, raw);
+  const bit = value.flags && refusedBitOf(device.flags.get(value.flags), number);
+  if (bit && !sentinelOf(value, number)) {
+    throw new CodecError("out_of_range", `${bit.name} of ${name} is not in ${intervalsText(bit.ranges)}`);
+  }
+  return number;
 }
 
 function inRange(name, value, number) {

@@ -64,7 +64,8 @@ def _integer(draft: Draft, keys: Spec, place: str) -> None:
     if form == "enum":
         _enum(draft, keys, low, high)
     elif form == "flags":
-        fitting = [name for name, kind in draft.flags.items() if kind == keys["type"]]
+        barred = draft.ranged if place == "part" else set()
+        fitting = [name for name, kind in draft.flags.items() if kind == keys["type"] and name not in barred]
         if fitting:
             keys["flags"] = draft.pick(fitting)
     elif form == "const" and (place in ("field", "register", "parameter") or draft.chance(5)):

@@ -11,6 +11,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
+from fieldspec.model.enums import Flags
 from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.structs import record_struct
@@ -277,7 +278,18 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
         raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
     if value.enum and not _is_known(device, value, int(raw_value)):
         raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
-    return _in_range(name, value, int(raw_value))
+    number = _in_range(name, value, int(raw_value))
+    if value.flags:
+        _check_bits(name, device.flags[value.flags], value, number)
+    return number
+
+
+def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
+    """Refuses a word with a field of bits that is out of its range, unless the word stands for a state."""
+    bit = word.refused_bit(number)
+    if bit is not None and bit.ranges is not None and value.sentinel(number) is None:
+        text = f"{bit.name} of {name} is {bit.number_in(number)}, not in {bit.ranges.text()}"
+        raise CodecError("out_of_range", text)
 
 
 def _bytes(name: str, data: Any) -> bytes:
