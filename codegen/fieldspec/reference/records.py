@@ -66,7 +66,11 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
     except WidthError as error:
         raise CodecError(error.reason, _width_text(error), offset + error.at) from None
     try:
-        return decoded(record.image, image, device)
+        values = decoded(record.image, image, device)
+        for span, extent in zip(record.spans, fields, strict=True):
+            if span.count is not None:
+                values[record.spans[span.count].name] = extent.stop - extent.start + span.plus
+        return values
     except CodecError as error:
         at = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
         raise CodecError(error.reason, error.detail, at) from None
@@ -88,7 +92,11 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
 
 
 def _width_text(error: WidthError) -> str:
-    texts = {"incomplete": "has no end", "wrong_length": "is followed by more bytes"}
+    texts = {
+        "incomplete": "has no end",
+        "wrong_length": "is followed by more bytes",
+        "wrong_measure": "is no number of bytes",
+    }
     return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
 
 
