@@ -82,6 +82,8 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
     elif value.ranges is not None:
         options += [st.integers(a, b) for a, b in value.ranges.intervals] * 6
         options.append(st.sampled_from([n + by for a, b in value.ranges.intervals for n, by in ((a, -1), (b, 1))]))
+    elif value.flags:
+        options += [st.integers(low, high).map(layout.device.flags[value.flags].nearest)] * 6
     else:
         options += [st.integers(low, high)] * 6
     options += [st.sampled_from([sentinel.value for sentinel in value.sentinels])] if value.sentinels else []

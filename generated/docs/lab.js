@@ -136,6 +136,11 @@ function refusedNumber(name, value, low, high, allowed) {
   return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
+/** The error of a word with a field of bits that is out of its range. */
+function refusedBits(name, bits, allowed) {
+  return new CodecError("out_of_range", `${bits} of ${name} is not in ${allowed}`);
+}
+
 /** The error of a value that a closed enum does not list; `wide` where its numbers are bigints. */
 function refusedMember(name, value, enumName, wide) {
   return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
@@ -615,9 +620,27 @@ function widenedBytes(field, bytes) {
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 
+/** The bytes of a text that another field counts; undefined for a number that the text cannot have. */
+function countedText({ count, plus, little, most }, bytes, extents) {
+  const sent = bytes.slice(extents[count].start, extents[count].stop);
+  const number = (little ? sent.reverse() : sent).reduce((sum, byte) => 256 * sum + byte, 0) - plus;
+  return number >= 0 && number <= most ? number : undefined;
+}
+
+/** A number in one byte or in two. */
+function countBytes(number, size, little) {
+  if (size === 1) return Uint8Array.of(number);
+  return Uint8Array.from(little ? [number & 255, number >> 8] : [number >> 8, number & 255]);
+}
+
 /** Where a field ends that begins at a byte; undefined where its bytes, or its end, are missing. */
-function stopOf({ size, most, end }, bytes, at) {
+function stopOf(field, bytes, at, extents) {
+  const { size, most, end } = field;
   if (most === undefined) return at + size <= bytes.length ? at + size : undefined;
+  if (field.count !== undefined) {
+    const number = countedText(field, bytes, extents);
+    return number !== undefined && at + number <= bytes.length ? at + number : undefined;
+  }
   if (end === undefined) return bytes.length;
   const stop = bytes.indexOf(end, at);
   return stop < 0 ? undefined : stop;
@@ -631,10 +654,14 @@ function extentsOf(fields, bytes) {
   const extents = [];
   let start = 0;
   for (const field of fields) {
-    const stop = stopOf(field, bytes, start);
+    const stop = stopOf(field, bytes, start, extents);
     if (stop === undefined) return extents;
     const piece = bytes.subarray(start, stop);
     extents.push({ start, stop, image: field.most === undefined ? piece : widenedBytes(field, piece) });
+    if (field.count !== undefined) {
+      const count = extents[field.count];
+      count.image = countBytes(field.size + field.plus, count.stop - count.start, field.little);
+    }
     start = stop;
   }
   return extents;
@@ -646,6 +673,10 @@ function readImage(fields, read, bytes, offset, end) {
   const extents = extentsOf(fields, data);
   const unfit = extents.findIndex(({ image }) => image === null);
   if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
+  const { count } = fields[extents.length] ?? {};
+  if (count !== undefined && countedText(fields[extents.length], data, extents) === undefined) {
+    throw new CodecError("wrong_measure", `${fields[count].name} is no number of bytes`, offset + extents[count].start);
+  }
   if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
   const stop = extents.at(-1).stop;
   if (stop < data.length) throw new CodecError("wrong_length", `${fields.at(-1).name} is followed by more bytes`, offset + stop);
@@ -671,13 +702,19 @@ function placeInData(fields, extents, at) {
 /** What is sent of an image. Throws CodecError for a text that has the byte which would end it. */
 function narrowedImage(fields, image) {
   const pieces = [];
+  const starts = [];
   let at = 0;
   for (const field of fields) {
     const piece = image.subarray(at, at + field.size);
     at += field.size;
+    starts.push(pieces.length);
     const bytes = field.most === undefined ? piece : narrowedBytes(field, piece);
     if (field.most !== undefined && field.end !== undefined && bytes.includes(field.end)) {
       throw new CodecError("unknown_value", `${field.name} has the character that ends it`);
+    }
+    if (field.count !== undefined) {
+      const count = countBytes(bytes.length + field.plus, fields[field.count].size, field.little);
+      pieces.splice(starts[field.count], count.length, ...count);
     }
     pieces.push(...bytes);
   }
@@ -1287,6 +1324,8 @@ function decodedWhole(device, value, number) {
   if (!result.reason && value.ranges !== undefined && !isWithin(value.ranges, number)) {
     result = judged(result, false, rangeInUnit(value, value.ranges), "out_of_range");
   }
+  const bit = !result.reason && value.flags && refusedBitOf(device.flags.get(value.flags), number);
+  if (bit) result = judged(result, false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
   return result;
 }
 
@@ -1336,6 +1375,12 @@ function setBitsOf(device, word, number) {
 /** The bits of a field of bits in its word. */
 function bitMask({ first, width }) {
   return ((1n << BigInt(width)) - 1n) << BigInt(first);
+}
+
+/** The first field of bits whose number in a word is not in its range. */
+function refusedBitOf(word, number) {
+  const raw = BigInt.asUintN(8 * word.size, BigInt(number));
+  return word.bits?.find((bit) => bit.ranges && !isWithin(bit.ranges, bitsNumber(bit, raw)));
 }
 
 /** The number of a field of bits in a word. */
@@ -2216,8 +2261,19 @@ class ExplainedBody {
       at = this.start + stop;
     }
     const missing = fields[extents.length];
-    if (missing) this.rows.push(this.wrongRow(missing, at, "incomplete", `${missing.name} has no end`));
+    if (missing) this.rows.push(this.wrongRow(missing, at, ...this.endless(spans[extents.length], at)));
     else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
+  endless(span, at) {
+    if (span.count === undefined) return ["incomplete", `${span.name} has no end`];
+    const { name } = this.record.spans[span.count];
+    const number = Number(this.values.get(name)) - span.plus;
+    if (number >= 0 && number <= span.most) {
+      return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
+    }
+    return ["wrong_measure", `${name} is no number of bytes of ${span.name}`];
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -2323,6 +2379,11 @@ class ExplainedBody {
     const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
+    const text = this.record.spans?.find((span) => span.name === name && span.count !== undefined);
+    if (text) {
+      const isRight = read.number >= plus && read.number <= text.most + plus;
+      return judged(read, isRight, isRight ? read.number : `${plus} to ${text.most + plus}`, "wrong_measure");
+    }
     if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
@@ -3533,7 +3594,12 @@ function checkedNumber(device, name, value, raw) {
       throw new CodecError("unknown_value", `${name} is ${raw}, which ${value.enum} does not list`);
     }
   }
-  return inRange(name, value, raw);
+  const number = inRange(name, value, raw);
+  const bit = value.flags && refusedBitOf(device.flags.get(value.flags), number);
+  if (bit && !sentinelOf(value, number)) {
+    throw new CodecError("out_of_range", `${bit.name} of ${name} is not in ${intervalsText(bit.ranges)}`);
+  }
+  return number;
 }
 
 function inRange(name, value, number) {

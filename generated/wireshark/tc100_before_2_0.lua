@@ -4332,6 +4332,16 @@ local function bits_number(ordered, bit)
     return number
 end
 
+-- The reason and the details where a field of bits of a word is out of its range; nil where none is.
+local function judged_bits(word, ordered)
+    for _, bit in ipairs(device.words[word]) do
+        if bit.ranges and not is_within(bits_number(ordered, bit), bit.ranges, bit) then
+            return "out_of_range", bit.name .. " should be " .. ranges_text(bit.ranges) .. (bit.scale and " counts" or "")
+        end
+    end
+    return nil, nil
+end
+
 -- The items of the bits of a word.
 local function show_bits(item, range, word, prefix, ordered)
     for _, bit in ipairs(device.words[word]) do
@@ -4414,7 +4424,11 @@ function values.show(tree, entry, range, bytes, options)
         inner:set_generated()
     end
     if value.word then
-        show_bits(item, range, value.word, entry.bits, numbers.significant(bytes, value))
+        local ordered = numbers.significant(bytes, value)
+        show_bits(item, range, value.word, entry.bits, ordered)
+        if not reason and not value.const then
+            reason, detail = judged_bits(value.word, ordered)
+        end
     end
     if reason and options.reason then
         reason = options.reason

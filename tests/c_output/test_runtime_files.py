@@ -58,12 +58,22 @@ PROGRAMS = {
     ),
     "widths.h": (
         ["status.h"],
-        "const device_width fields[2] = {{6u, 5u, 0x2Cu, 0u, 1u, true}, {1u, 0u, 0x100u, 0u, 0u, false}};"
+        "const device_width fields[2] = {{6u, 5u, 0x2Cu, 0u, 1u, true, 0u, 0u, 0u, 0u, false},"
+        " {1u, 0u, 0x100u, 0u, 0u, false, 0u, 0u, 0u, 0u, false}};"
+        " const device_width texts[2] = {{2u, 0u, 0x100u, 0u, 0u, false, 2u, 3u, 2u, 1u, true},"
+        " {3u, 3u, 0x100u, 1u, 0u, false, 0u, 2u, 2u, 1u, true}};"
         ' uint8_t image[7], out[7]; size_t length = 0; const uint8_t *line = (const uint8_t *)"-12.5,";'
         " if (device_widen_fields(fields, 2, line, 6, image) != DEVICE_OK) return 1;"
         ' if (memcmp(image, "-012.5,", 7) != 0) return 1;'
         " if (device_narrow_fields(fields, 2, image, out, 7, &length) != DEVICE_OK || length != 6) return 1;"
-        " if (memcmp(out, line, 6) != 0) return 1;",
+        " if (memcmp(out, line, 6) != 0) return 1;"
+        ' line = (const uint8_t *)"\\3\\0AB"; if (device_widen_fields(texts, 2, line, 4, image) != DEVICE_OK) return 1;'
+        ' if (memcmp(image, "\\4\\0AB", 5) != 0) return 1;'
+        " if (device_narrow_fields(texts, 2, image, out, 7, &length) != DEVICE_OK || length != 4) return 1;"
+        " if (memcmp(out, line, 4) != 0) return 1;"
+        " if (device_widen_fields(texts, 2, line, 3, image) != DEVICE_ERR_INCOMPLETE) return 1;"
+        ' line = (const uint8_t *)"\\5\\0AB";'
+        " if (device_widen_fields(texts, 2, line, 4, image) != DEVICE_ERR_WRONG_MEASURE) return 1;",
     ),
     "inner_lists.h": (
         ["machine.h", "status.h"],

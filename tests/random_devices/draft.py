@@ -94,6 +94,8 @@ class Draft:
     spec: Spec = field(default_factory=dict)
     enums: list[EnumDraft] = field(default_factory=list)
     flags: dict[str, str] = field(default_factory=dict)
+    ranged: set[str] = field(default_factory=set)
+    """The words with a field of bits that has a range, which parts of frames do not have."""
     records: list[RecordDraft] = field(default_factory=list)
     tails: list[str] = field(default_factory=list)
     """The records that end with a list which they count."""

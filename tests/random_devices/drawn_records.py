@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import Draft, RecordDraft, Spec
-from random_devices.drawn_values import size_of, value, varying_value
+from random_devices.drawn_values import size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
@@ -96,13 +96,13 @@ def add_exponent(draft: Draft, fields: list[Spec], kind: str) -> int:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists"))
-    if form == "empty":
-        return []
-    if form == "short":
-        return [_short_field(draft) for _ in range(draft.number(1, 3))]
-    if form == "line":
-        return _line(draft)
+    form = draft.pick(
+        ("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists", "texts")
+    )
+    if form in ("empty", "short"):
+        return [_short_field(draft) for _ in range(draft.number(1, 3) if form == "short" else 0)]
+    if form in ("line", "texts"):
+        return _line(draft) if form == "line" else _texts_with_sizes(draft)
     fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
     if form in ("fixed", "repeat") and draft.chance(20):
         add_exponent(draft, fields, draft.pick(("i8", "i16")))
@@ -142,6 +142,27 @@ def _line(draft: Draft) -> list[Spec]:
         fields.append(draft.fact(type="u8", const=0x0D))
         fields += [fixed_field(draft)[0] for _ in range(draft.number(0, 2))]
     return fields
+
+
+def _texts_with_sizes(draft: Draft) -> list[Spec]:
+    """Texts, each behind the field with its number of bytes; now and then a value with an end of its own is last."""
+    counts: list[Spec] = []
+    rest: list[Spec] = []
+    for _ in range(draft.number(1, 3)):
+        text = draft.fact(**varying_text(draft))
+        plus = {"plus": draft.number(1, 9)} if draft.chance(25) else {}
+        count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": text["name"], **plus})
+        if draft.chance(25):
+            count["byte_order"] = draft.pick(("big", "little"))
+        if draft.chance(15):
+            count["range"] = f"{plus.get('plus', 0)}..{text['length'] + plus.get('plus', 0)}"
+        (counts if draft.chance(25) else rest).append(count)
+        rest += [fixed_field(draft)[0] for _ in range(draft.number(0, 1))] if draft.chance(30) else []
+        rest.append(text)
+        rest += [fixed_field(draft)[0]] if draft.chance(40) else []
+    if draft.chance(20):
+        rest.append(draft.fact(**varying_value(draft)))
+    return [*counts, *rest]
 
 
 def _limits(draft: Draft) -> str:

@@ -64,7 +64,8 @@ def _integer(draft: Draft, keys: Spec, place: str) -> None:
     if form == "enum":
         _enum(draft, keys, low, high)
     elif form == "flags":
-        fitting = [name for name, kind in draft.flags.items() if kind == keys["type"]]
+        barred = draft.ranged if place == "part" else set()
+        fitting = [name for name, kind in draft.flags.items() if kind == keys["type"] and name not in barred]
         if fitting:
             keys["flags"] = draft.pick(fitting)
     elif form == "const" and (place in ("field", "register", "parameter") or draft.chance(5)):
@@ -164,11 +165,16 @@ def _digits(draft: Draft, place: str) -> Spec:
     return keys
 
 
+def varying_text(draft: Draft) -> Spec:
+    """A text of as many bytes as it needs."""
+    encoding = {"encoding": draft.pick(("ascii", "latin_1", "utf_8"))} if draft.chance(60) else {}
+    return {"type": "text", "length": draft.number(1, 9), "varies": True, **encoding}
+
+
 def varying_value(draft: Draft) -> Spec:
     """A text, or a number of digits, of as many bytes as it needs."""
     if draft.chance(25):
-        encoding = {"encoding": draft.pick(("ascii", "latin_1", "utf_8"))} if draft.chance(60) else {}
-        return {"type": "text", "length": draft.number(1, 9), "varies": True, **encoding}
+        return varying_text(draft)
     form = draft.pick(("decimal", "decimal", "decimal", "upper_hex", "lower_hex"))
     size = draft.number(1, 9)
     places = draft.number(1, 3) if form == "decimal" and size > 2 and draft.chance(50) else 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from random_devices.draft import SIZES, Draft, EnumDraft, Spec, bounds
+from random_devices.draft import SIZES, Draft, EnumDraft, Spec, bounds, range_text
 from random_devices.drawn_values import value
 
 
@@ -60,6 +60,8 @@ def _flags(draft: Draft) -> Spec:
     if len(single) > 1 and draft.chance(25):
         word["states"] = [draft.fact(set=single[:1], clear=single[1:2]), draft.fact(set=single[1:2], clear=single[:1])]
     draft.flags[word["name"]] = kind
+    if any({"range", "unit_range"} & set(bit) for bit in word["bits"]):
+        draft.ranged.add(word["name"])
     return word
 
 
@@ -71,6 +73,8 @@ def _bit(draft: Draft, at: int, most: int) -> tuple[Spec, int]:
         fitting = [e for e in draft.enums if all(0 <= n < 1 << width for n in e.members.values())]
         if fitting and draft.chance(40):
             bit["enum"] = draft.pick(fitting).name
+        elif draft.chance(60):
+            _number(draft, bit, width)
         return bit, width
     bit["bit"] = at
     if draft.chance(15):
@@ -82,6 +86,19 @@ def _bit(draft: Draft, at: int, most: int) -> tuple[Spec, int]:
     if draft.chance(8):
         bit["reserved"] = True
     return bit, 1
+
+
+def _number(draft: Draft, bit: Spec, width: int) -> None:
+    """A sign, a scale and a range for a field of bits."""
+    if draft.chance(50):
+        bit["signed"] = True
+    high = (1 << (width - ("signed" in bit))) - 1
+    intervals = draft.intervals(-high - 1 if "signed" in bit else 0, high)
+    if draft.chance(30):
+        bit |= {"scale": 0.5, "unit": "mm"}
+        bit["unit_range"] = ", ".join(f"{low / 2}..{high / 2}" for low, high in intervals)
+    else:
+        bit["range"] = range_text(intervals)
 
 
 def signals(draft: Draft, most: int = 4) -> list[Spec]:

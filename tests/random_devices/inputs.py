@@ -93,6 +93,8 @@ def _whole_number(layout: DeviceLayout, value: Value, dice: random.Random) -> in
     if value.ranges is not None and dice.random() < 0.93:
         first, last = dice.choice((value.writable_ranges or value.ranges).intervals)
         return dice.choice((first, last, dice.randint(first, last)))
+    if value.flags and dice.random() < 0.8:
+        return layout.device.flags[value.flags].nearest(dice.randint(low, high))
     near = dice.choice(value.ranges.intervals[0] if value.ranges is not None else (low, high))
     if dice.random() < 0.2:
         return near + dice.choice((-1, 1))

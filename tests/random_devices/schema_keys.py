@@ -114,7 +114,6 @@ KEYS = {
     ("enum", "derived"): "Its members are those of another list; the tests of glider-x cover it.",
     ("flags", "range"): COMPARED,
     ("bit", "when"): DOCUMENTATION,
-    ("bit", "signed"): "It says what the bits of a field mean; judges compare the word as a whole.",
     ("flags", "bit_0"): "It says what the bits of a word mean; judges compare the word as a whole.",
     ("record", "same_as"): COMPARED,
     ("field", "at"): COMPARED,

@@ -22,9 +22,14 @@ from fieldspec.captures.verdicts import (
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, RecordLayout, tail_of
-from fieldspec.layout.widths import WidthError, extents, image_of
+from fieldspec.layout.widths import WidthError, extents, image_of, image_with_counts
 
-_UNFIT = {"incomplete": INCOMPLETE, "unknown_value": UNKNOWN_VALUE, "wrong_length": WRONG_LENGTH}
+_UNFIT = {
+    "incomplete": INCOMPLETE,
+    "unknown_value": UNKNOWN_VALUE,
+    "wrong_length": WRONG_LENGTH,
+    "wrong_measure": WRONG_MEASURE,
+}
 """The verdicts of bodies whose values vary in width."""
 
 
@@ -94,10 +99,14 @@ class BodyReader:
         self.record, self.decoders, self.emits = record, decoders, emits
         self.has_lists: bool = False
         """Whether it reads the images of bodies with fields behind lists."""
+        self.counts_of_texts: frozenset[str] = frozenset()
+        """The fields with the bytes of a text that varies in width, which no image has."""
         self.slots = list(slots(record)) if record.selector is None else []
         self.image = BodyReader(record.image, decoders, emits) if record.spans or record.inner_lists else None
         if self.image is not None:
             self.image.has_lists = record.inner_lists is not None
+            counts = (span.count for span in record.spans if span.count is not None)
+            self.image.counts_of_texts = frozenset(record.spans[number].name for number in counts)
             self.image.slots = self.slots  # in the order of the wire, in which the first fault counts
         self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
 
@@ -143,10 +152,10 @@ class BodyReader:
         for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
             try:
-                image, _ = image_of(self.record.spans, data)
+                image = image_with_counts(self.record.spans, data, image_of(self.record.spans, data)[1])
             except WidthError as error:
                 known = list(takewhile(lambda extent: extent.image is not None, extents(self.record.spans, data)))
-                image = b"".join(extent.image or b"" for extent in known)
+                image = image_with_counts(self.record.spans, data, known)
                 blame_rows(verdict, np.array([row]), _UNFIT[error.reason])
             sizes[row] = len(image)
             images.append(image.ljust(self.record.image.least, b"\0"))
@@ -284,7 +293,7 @@ class BodyReader:
         """Judges a field that measures another one."""
         measure = slot.layout.field.measures if slot.layout is slot.field else None
         other = self.record.named(measure.field) if measure else None
-        if measure is None or other is None or other.cases:
+        if measure is None or other is None or other.cases or slot.path in self.counts_of_texts:
             return
         room = self.record.room_of(other)
         if room is not None and room.count == slot.path:

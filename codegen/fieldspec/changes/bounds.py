@@ -8,7 +8,7 @@ from typing import Any
 from fieldspec.changes.comparison import Comparison, Pair, ValuePair
 from fieldspec.changes.descriptions import named
 from fieldspec.classes import dataclass
-from fieldspec.model.enums import Flags
+from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.link import Link
 from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.model.record import Field
@@ -59,6 +59,10 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
             whole = _whole(word.new.type)
             before, after = word.old.ranges or whole, word.new.ranges or whole
             yield BoundsPair(word, named(word.new), "the range", "range", before, after)
+    for bit in comparison.of(Bit):
+        if bit.old.width == bit.new.width and bit.old.signed == bit.new.signed and (bit.old.ranges or bit.new.ranges):
+            before, after = (each.as_value.ranges or NONE for each in (bit.old, bit.new))
+            yield BoundsPair(bit, named(bit.new), "the range", "range", before, after)
     for numbered in comparison.of(ParameterSet):
         before, after = numbered.old.numbers or NONE, numbered.new.numbers or NONE
         yield BoundsPair(numbered, named(numbered.new), "the numbers that there are", "numbers", before, after)

@@ -67,9 +67,11 @@ def _compare_words(fact: Fact, value: Value, word: Flags) -> Iterator[Diagnostic
 
 
 def _highest(device: Device, bit: Bit) -> int:
-    """The greatest value of a field of bits: that of its enum, where it has a closed one."""
+    """The greatest value of a field of bits: that of its range, or of its enum, where it has a closed one."""
     enum = device.enums.get(bit.enum)
     full = (1 << bit.width) - 1
+    if bit.ranges is not None and not bit.signed:
+        return bit.ranges.high
     return full if enum is None or enum.open else max((member.value for member in enum.members), default=full)
 
 

@@ -32,9 +32,13 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
     for flags in device.flags.values():
         for bit in flags.bits:
             enum = device.enums.get(bit.enum)
-            out = [member for member in enum.members if not 0 <= member.value < 1 << min(bit.width, 64)] if enum else []
-            if out:
-                yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", out)
+            members = enum.members if enum is not None else ()
+            if wide := [member for member in members if not 0 <= member.value < 1 << min(bit.width, 64)]:
+                yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", wide)
+            elif bit.ranges is not None:
+                out = [member for member in members if not member.unavailable and member.value not in bit.ranges]
+                if out:
+                    yield _finding(bit, range_key(bit.place), bit.name, out)
 
 
 def _excluded(value: Value, member: Member) -> bool:

@@ -17,6 +17,7 @@ class Legal:
     """The numbers that the values of a device may take."""
 
     def __init__(self, device: Device) -> None:
+        self._words = device.flags
         self._closed = {
             enum.name: frozenset(member.value for member in enum.members)
             for enum in device.enums.values()
@@ -40,6 +41,9 @@ class Legal:
             return ""
         if value.ranges is not None and number not in value.ranges:
             return f"is outside {value.ranges.text()}"
+        bit = self._words[value.flags].refused_bit(number) if value.flags in self._words else None
+        if bit is not None and bit.ranges is not None:
+            return f"has {bit.number_in(number)} in {bit.name}, outside {bit.ranges.text()}"
         if value.enum in self._closed and number not in self._closed[value.enum]:
             return f"is not a member of {value.enum}"
         return ""

@@ -41,6 +41,12 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
         if flags.type.kind in _WHOLE and outside(flags.ranges, flags.type.low, flags.type.high):
             text = f"{flags.name} cannot be {_text(flags.ranges)} as {_type_range(flags.type)}"
             yield finding("range_within_type", flags.place, "range", text, _HELP)
+        for bit in flags.bits:
+            if outside(bit.ranges, bit.low, bit.high):
+                bits = f"{bit.width} bits{' with a sign' * bit.signed}, which have the range {bit.low}..{bit.high}"
+                text = f"{bit.name} cannot be {_text(bit.ranges)} as {bits}"
+                help = "correct the range, or the number of bits"
+                yield finding("range_within_type", bit.place, range_key(bit.place), text, help)
     for link in device.links.values():
         yield from _of_unit_addresses(link)
 

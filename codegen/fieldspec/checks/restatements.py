@@ -95,7 +95,9 @@ def _other(device: Device, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Member):
         return {"value": fact.value, "code": fact.value, "number": fact.number}
     if isinstance(fact, Bit):
-        return {"bit": fact.first if fact.width == 1 else None}
+        in_unit = _in_unit(fact.as_value) if fact.ranges is not None else None
+        number = fact.first if fact.width == 1 else None
+        return {"bit": number, "range": _merged(fact.ranges), "unit_range": in_unit}
     if isinstance(fact, Enum):
         return {"count": len(fact.members), "enum_values": _member_intervals(fact)}
     if isinstance(fact, Flags):

@@ -1,6 +1,8 @@
 """A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
-ends with the message or before a constant of one byte that it cannot have. A message with such a value has no list of
-free length, no field of several types and no field that measures it; what comes behind it has no printed place.
+ends with the message or before a constant of one byte that it cannot have. The number of bytes of a text may be in one
+field before it, a whole number of one or two bytes without a sign, which may be any number of bytes of the text. A
+message with a value that varies in width has no list of free length, no field of several types and no other field that
+measures that value; what comes behind it has no printed place.
 
 Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be
 read as a part of it.
@@ -8,7 +10,8 @@ read as a part of it.
 Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
 
 Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or `{name: end, type: u8, const: 0}`
-for a zero behind a text. Remove `varies` where the manual prints a fixed number of characters.
+for a zero behind a text; or its number of bytes before it, `{name: length, type: u8, measures: {bytes: label}}`.
+Remove `varies` where the manual prints a fixed number of characters.
 """
 
 from __future__ import annotations
@@ -17,12 +20,13 @@ import string
 from collections.abc import Iterator
 
 from fieldspec.checks.facts import values
-from fieldspec.checks.finding import finding
+from fieldspec.checks.finding import finding, label, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.digits import BCD, digits_letters, has_sign
 from fieldspec.model.fact import Fact
-from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.ranges import merged
+from fieldspec.model.record import Field, Message, Record, text_count
 from fieldspec.model.text_form import UTF_16
 from fieldspec.model.value import Kind, Value
 
@@ -92,8 +96,7 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
             text = f"{field.name} has {what}, and {varying[0].name} varies in width"
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
         elif other in varying and other is not None:
-            text = f"{field.name} measures {other.name}, which varies in width"
-            yield finding(_CODE, field.place, "measures", text, "let a `length` in the frame count the message")
+            yield from _of_count(body, field, other)
     if message.accesses is not None:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
@@ -107,10 +110,32 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
         yield from _end(body, field)
 
 
+def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
+    """The finding of a field that measures a value that varies in width, unless it may count the bytes of that text."""
+    count, value, measure = text_count(body, text), field.value, field.measures
+    assert measure is not None
+    if text.value is None or text.value.type.kind is not Kind.TEXT:
+        what = f"{field.name} measures {text.name}, which varies in width and is no text"
+        yield finding(_CODE, field.place, "measures", what, "let a `length` in the frame count the message")
+        return
+    if count is not field or value is None:
+        what = f"{field.name} cannot count the bytes of {text.name}, which varies in width"
+        form = f"{{name: {field.name}, type: u8, measures: {{bytes: {text.name}}}}}"
+        help = f"state one field before the text, a whole number without a meaning of its own: `{form}`"
+        yield finding(_CODE, field.place, "measures", what, help)
+        return
+    low, high = measure.plus, text.value.width + measure.plus
+    there = label(text.place, "length", "the most bytes of the text")
+    if value.ranges is not None and merged(value.ranges.intervals) != [(low, high)]:
+        what = f"{field.name} has the range {value.ranges.text()}, but {text.name} makes it {low}..{high}"
+        help = "remove the range, or correct the `length` of the text"
+        yield finding(_CODE, field.place, range_key(field.place), what, help, there)
+
+
 def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
     """The finding of a value whose end nobody sees."""
     at = body.fields.index(field)
-    if at + 1 == len(body.fields):
+    if at + 1 == len(body.fields) or text_count(body, field) is not None:
         return
     following, value = body.fields[at + 1], field.value
     end = following.value

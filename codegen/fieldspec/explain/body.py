@@ -195,9 +195,30 @@ class Body:
                 yield from rows
             at = self.start + extent.stop
         if len(known) < len(fields):
-            yield self._wrong(fields[len(known)], at, "incomplete", f"{fields[len(known)].name} has no end")
+            reason, text = self._endless(len(known), at)
+            yield self._wrong(fields[len(known)], at, reason, text)
         elif at < self.end:
             yield surplus_row(self.spot, at, self.data[at : self.end])
+
+    def _endless(self, number: int, at: int) -> tuple[str, str]:
+        """Why nobody knows where a field ends that begins at a byte, as a reason and in words."""
+        span = self.record.spans[number]
+        if span.count is None or span.value is None:
+            return "incomplete", f"{span.name} has no end"
+        count = self.values[self.record.spans[span.count].name]
+        if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
+            return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - at} follow"
+        return "wrong_measure", f"{self.record.spans[span.count].name} is no number of bytes of {span.name}"
+
+    def _measured_text(self, field: FieldLayout, read: DecodedValue) -> DecodedValue | None:
+        """The value of a field with the number of bytes of a text, judged by what these may be; None for others."""
+        name = field.field.measures.field if field.field.measures is not None else ""
+        span = next((span for span in self.record.spans if span.name == name and span.count is not None), None)
+        if span is None or span.value is None:
+            return None
+        if isinstance(read.number, int) and 0 <= read.number - span.plus <= span.value.width:
+            return read.judged(True, read.number, "wrong_measure")
+        return read.judged(False, f"{span.plus} to {span.value.width + span.plus}", "wrong_measure")
 
     def _count(self, field: FieldLayout) -> int:
         """How many elements the field should have: as many as fit if their number is free."""
@@ -326,6 +347,8 @@ class Body:
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases:
             return read
+        if (text := self._measured_text(field, read)) is not None:
+            return text
         if self.record.inner_lists is not None and other.count is None:
             return self._measured_list(self.record.inner_lists, field, other, read)
         start = self.start + other.offset

@@ -209,6 +209,10 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
         decoded = replace(decoded, text=in_unit(value, number))
     if not decoded.reason and value.ranges is not None and number not in value.ranges:
         decoded = decoded.judged(False, range_in_unit(value, value.ranges), "out_of_range")
+    bit = device.flags[value.flags].refused_bit(number) if value.flags and not decoded.reason else None
+    if bit is not None and bit.ranges is not None:
+        text = f"{bit.name} {range_in_unit(bit.as_value, bit.ranges)}"
+        decoded = decoded.judged(False, text, "out_of_range")
     return decoded
 
 

@@ -282,6 +282,7 @@ def _words(device: Device) -> Iterator[Words]:
         bits = [
             (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge)
             + ((bit.signed, str(bit.scale), str(bit.offset), bit.unit) if bit.is_number else ())
+            + ((bit.ranges,) if bit.ranges is not None else ())
             for bit in flags.bits
         ]
         states = [(state.name, flags.masked(state)) for state in flags.states]

@@ -10,7 +10,7 @@ from fieldspec.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.widths import Span
 from fieldspec.model.enums import Enum
-from fieldspec.model.record import Case, Choice, Field, Record, list_count
+from fieldspec.model.record import Case, Choice, Field, Record, list_count, text_count
 from fieldspec.model.registers import Register
 from fieldspec.model.value import Kind, Primitive, Value
 
@@ -127,6 +127,18 @@ class RecordLayout:
     def first_bytes(self) -> int:
         """The bytes before the first value that varies in width, or all where none does."""
         return sum(span.size for span in takewhile(lambda span: span.value is None, self.spans))
+
+    @property
+    def count_of_text(self) -> tuple[FieldLayout, int] | None:
+        """The field with the bytes of the only value that varies in width, and all others; None for other records.
+
+        The others are less by what that field contains in addition.
+        """
+        varying = [span for span in self.spans if span.value is not None]
+        if len(varying) != 1 or varying[0].count is None:
+            return None
+        others = sum(span.size for span in self.spans if span.value is None)
+        return self.fields[varying[0].count], others - varying[0].plus
 
     def has_place(self, field: FieldLayout) -> bool:
         """Whether the offset of a field is its place in all data: nothing before it varies, nor is it moved."""
@@ -328,6 +340,12 @@ def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
     spans = []
     for field, following in zip(fields, (*fields[1:], None), strict=True):
         varies = field.value is not None and field.value.width > 0
+        count = text_count(record, field.field)
+        if count is not None and count.measures is not None:
+            number = record.fields.index(count)
+            order, plus = fields[number].order, count.measures.plus
+            spans.append(Span(field.name, field.size, field.value, None, number, order, plus))
+            continue
         end = following.value.const if following is not None and following.value is not None else None
         size = field.size * (field.count or 0)
         spans.append(Span(field.name, size, field.value if varies else None, end if varies else None))

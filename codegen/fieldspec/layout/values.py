@@ -229,8 +229,7 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
         number = 1
         if setting:
             number = _text(device, f"{path}.{name}", bit.as_value, setting)
-        ranges = bit.as_value.ranges
-        if ranges is None or number not in ranges:
+        if not bit.low <= number <= bit.high:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
         word |= (number << bit.first) & bit.mask
     return word

@@ -1,28 +1,41 @@
 """Records whose values vary in width, such as lines of text: where each value is in some data.
 
 Codecs work on the image of such a record, in which each value has all the bytes that it may have: digits have leading
-zeros and their sign, and texts are filled up with zeros.
+zeros and their sign, and texts are filled up with zeros. A field with the number of bytes of a text has in the image
+that of all the bytes that the text may have.
 """
 
 from __future__ import annotations
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.digits import digits_letters, digits_text, has_sign, widest_digits
 from fieldspec.model.text_form import encoding_title
 from fieldspec.model.value import Value
+
+if TYPE_CHECKING:
+    from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
     """The bytes of a field: `size` in the image. `value` is None where as many are sent.
 
-    `end` is the byte that follows a value that varies in width; None where the record ends behind it.
+    `end` is the byte that follows a value that varies in width; None where the record ends behind it, and where the
+    span number `count` has its bytes, plus `plus`, in the byte order `count_order`.
     """
 
     name: str
     size: int
     value: Value | None
     end: int | None
+    count: int | None = None
+    count_order: str = "big"
+    plus: int = 0
+
+    @property
+    def order(self) -> Literal["big", "little"]:
+        """The byte order of the number of its bytes."""
+        return "big" if self.count_order == "big" else "little"
 
 
 class WidthError(ValueError):
@@ -47,20 +60,36 @@ def extents(spans: tuple[Span, ...], data: bytes) -> list[Extent]:
     known: list[Extent] = []
     at = 0
     for span in spans:
-        stop = _stop(span, data, at)
+        stop = _stop(span, data, at, known)
         if stop is None:
             return known
         piece = data[at:stop]
         image = piece if span.value is None else widened(span.value, piece)
         known.append(Extent(at, stop, image))
+        if span.count is not None:
+            count = known[span.count]
+            whole = (span.size + span.plus).to_bytes(count.stop - count.start, span.order)
+            known[span.count] = Extent(count.start, count.stop, whole)
         at = stop
     return known
 
 
-def _stop(span: Span, data: bytes, at: int) -> int | None:
-    """Where a field ends that begins at a byte; None where its bytes, or its end, are missing."""
+def _text_bytes(span: Span, data: bytes, known: list[Extent]) -> int | None:
+    """The bytes of a text that another field counts; None for a number that the text cannot have, and without one."""
+    if span.count is None or span.value is None:
+        return None
+    count = known[span.count]
+    number = int.from_bytes(data[count.start : count.stop], span.order) - span.plus
+    return number if 0 <= number <= span.value.width else None
+
+
+def _stop(span: Span, data: bytes, at: int, known: list[Extent]) -> int | None:
+    """Where a field ends that begins at a byte; None where its bytes, its number of bytes, or its end, are missing."""
     if span.value is None:
         return at + span.size if at + span.size <= len(data) else None
+    if span.count is not None:
+        number = _text_bytes(span, data, known)
+        return None if number is None or at + number > len(data) else at + number
     if span.end is None:
         return len(data)
     stop = data.find(span.end, at)
@@ -74,16 +103,29 @@ def image_of(spans: tuple[Span, ...], data: bytes) -> tuple[bytes, list[Extent]]
         if extent.image is None:
             raise WidthError("unknown_value", span.name, extent.start)
     if len(fields) < len(spans):
-        raise WidthError("incomplete", spans[len(fields)].name, len(data))
+        missing = spans[len(fields)]
+        if missing.count is not None and _text_bytes(missing, data, fields) is None:
+            raise WidthError("wrong_measure", spans[missing.count].name, fields[missing.count].start)
+        raise WidthError("incomplete", missing.name, len(data))
     end = fields[-1].stop if fields else 0
     if end < len(data):
         raise WidthError("wrong_length", spans[-1].name, end)
     return b"".join(extent.image or b"" for extent in fields), fields
 
 
+def image_with_counts(spans: tuple[Span, ...], data: bytes, fields: list[Extent]) -> bytes:
+    """The image of the fields of some data, in which the numbers of bytes of texts are those that were sent."""
+    pieces = [extent.image or b"" for extent in fields]
+    for span in spans[: len(fields)]:
+        if span.count is not None:
+            count = fields[span.count]
+            pieces[span.count] = data[count.start : count.stop]
+    return b"".join(pieces)
+
+
 def data_of(spans: tuple[Span, ...], image: bytes) -> bytes:
     """What is sent of an image. Raises WidthError for a text that has the byte which would end it."""
-    data = b""
+    pieces: list[bytes] = []
     at = 0
     for span in spans:
         piece = image[at : at + span.size]
@@ -91,9 +133,11 @@ def data_of(spans: tuple[Span, ...], image: bytes) -> bytes:
         if span.value is not None:
             piece = narrowed(span.value, piece)
             if span.end is not None and span.end in piece:
-                raise WidthError("unknown_value", span.name, len(data))
-        data += piece
-    return data
+                raise WidthError("unknown_value", span.name, sum(map(len, pieces)))
+        if span.count is not None:
+            pieces[span.count] = (len(piece) + span.plus).to_bytes(len(pieces[span.count]), span.order)
+        pieces.append(piece)
+    return b"".join(pieces)
 
 
 def place_in_data(spans: tuple[Span, ...], fields: list[Extent], at: int) -> int:
@@ -151,4 +195,6 @@ def span_data(span: Span) -> dict[str, str | int | bool]:
     data |= {"most": value.width, "form": value.digits or "text"}
     data |= {"places": value.places} if value.places else {}
     data |= {"hasSign": True} if has_sign(value) else {}
+    if span.count is not None:
+        data |= {"count": span.count, "plus": span.plus} | ({"little": True} if span.order == "little" else {})
     return data | ({"end": span.end} if span.end is not None else {})

@@ -6,7 +6,7 @@ from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.model.value import PRIMITIVES, Handling, Primitive, Value
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ class Bit(Fact):
     """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant.
 
     A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the
-    unit is count * scale + offset.
+    unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold.
     """
 
     first: int
@@ -85,11 +85,11 @@ class Bit(Fact):
     scale_text: str = ""
     offset: Decimal = Decimal(0)
     unit: str = ""
+    ranges: Ranges | None = None
 
     @property
     def as_value(self) -> Value:
         """The number in a field of bits as a value: its scale, its unit, and the counts that it can be."""
-        high = (1 << max(self.width - self.signed, 0)) - 1
         return Value(
             type=PRIMITIVES["i64" if self.signed else "u64"],
             size=8,
@@ -99,7 +99,7 @@ class Bit(Fact):
             scale_text=self.scale_text,
             offset=self.offset,
             unit=self.unit,
-            ranges=Ranges(((-high - 1 if self.signed else 0, high),)),
+            ranges=self.ranges or Ranges(((self.low, self.high),)),
             default=None,
             const=None,
             enum=self.enum,
@@ -107,6 +107,32 @@ class Bit(Fact):
             parameter=None,
             sentinels=(),
         )
+
+    @property
+    def low(self) -> int:
+        """The least number that the bits hold."""
+        return -self.high - 1 if self.signed else 0
+
+    @property
+    def high(self) -> int:
+        """The greatest number that the bits hold."""
+        return (1 << max(self.width - self.signed, 0)) - 1
+
+    @property
+    def is_bounded(self) -> bool:
+        """Whether its range leaves out numbers that the bits hold."""
+        return self.ranges is not None and bool(uncovered(self.low, self.high, merged(self.ranges.intervals)))
+
+    @property
+    def images(self) -> tuple[tuple[int, int], ...]:
+        """The numbers that may be sent as they are in a word whose other bits are 0: intervals in ascending order."""
+        turn = 1 << self.width
+        pairs = [
+            pair
+            for low, high in (self.ranges or Ranges(((self.low, self.high),))).intervals
+            for pair in _unsigned(low, high, turn)
+        ]
+        return tuple((low << self.first, high << self.first) for low, high in merged(pairs))
 
     @property
     def is_number(self) -> bool:
@@ -129,6 +155,13 @@ class Bit(Fact):
         return ((1 << self.width) - 1) << self.first
 
 
+def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:
+    """The interval of a signed number as those of its bits in two's complement."""
+    if low >= 0 or high < 0:
+        return [(low % turn, high % turn)]
+    return [(0, high), (low % turn, turn - 1)]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State(Fact):
     """A state that some bits show together: those of `set` are 1 in it, those of `clear` are 0."""
@@ -146,6 +179,23 @@ class Flags(Fact):
     bits: tuple[Bit, ...]
     states: tuple[State, ...]
     bit_0: str = "least"
+
+    @property
+    def bounded(self) -> tuple[Bit, ...]:
+        """The fields of bits whose range leaves out numbers."""
+        return tuple(bit for bit in self.bits if bit.is_bounded)
+
+    def refused_bit(self, word: int) -> Bit | None:
+        """The first field of bits whose number in a word is not in its range."""
+        return next((b for b in self.bounded if b.ranges is not None and b.number_in(word) not in b.ranges), None)
+
+    def nearest(self, word: int) -> int:
+        """The word whose fields of bits are each in their range: the bound nearest to 0 in place of another number."""
+        for bit in self.bounded:
+            if bit.ranges is not None and bit.number_in(word) not in bit.ranges:
+                bound = min((end for interval in bit.ranges.intervals for end in interval), key=abs)
+                word = word & ~bit.mask | (bound << bit.first) & bit.mask
+        return word
 
     def named(self, name: str) -> Bit | None:
         """The bit, or field of bits, with a name, None if there is none."""

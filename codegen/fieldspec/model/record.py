@@ -105,6 +105,24 @@ def list_count(record: Record, field: Field) -> Field | None:
     return None
 
 
+def text_count(record: Record, field: Field) -> Field | None:
+    """The field before a text that varies in width that has its number of bytes, None if there is none.
+
+    It is a binary number of one or two bytes without a sign, and nothing but that number.
+    """
+    if field.value is None or not field.value.width or field.value.type.kind is not Kind.TEXT:
+        return None
+    for other in record.fields[: record.fields.index(field)]:
+        value, measure = other.value, other.measures
+        if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
+            continue
+        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
+        if is_number and value.size <= 2 and not has_meaning and not other.reserved and measure.plus >= 0:
+            return other
+    return None
+
+
 @dataclass(frozen=True, slots=True)
 class RegisterAccess:
     """A message reads or writes registers. The fields with the address, the number and the words or bits.

@@ -157,7 +157,8 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             text = "; ".join(f"{n} = {meaning}" for n, meaning in enumerate((bit.zero, bit.one)) if meaning)
             place = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
             number = f"{'signed, ' * bit.signed}1 count = {count_of(bit.as_value)}." if bit.is_number else ""
-            comment = cited(f"{place} {printed(bit)} {text} {number}".rstrip(), bit)
+            limits = f"Counts: {bit.ranges.text()}." if bit.ranges is not None else ""
+            comment = cited(" ".join(f"{place} {printed(bit)} {text} {number} {limits}".split()), bit)
             yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, comment, bit, hexadecimal=True)
             if bit.width > 1:
                 yield Draft(f"{word.name}_{bit.name}_first", UINT, bit.first, "its lowest bit", bit, derived=True)

@@ -11,6 +11,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
+from fieldspec.model.enums import Flags
 from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.structs import record_struct
@@ -65,7 +66,11 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
     except WidthError as error:
         raise CodecError(error.reason, _width_text(error), offset + error.at) from None
     try:
-        return decoded(record.image, image, device)
+        values = decoded(record.image, image, device)
+        for span, extent in zip(record.spans, fields, strict=True):
+            if span.count is not None:
+                values[record.spans[span.count].name] = extent.stop - extent.start + span.plus
+        return values
     except CodecError as error:
         at = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
         raise CodecError(error.reason, error.detail, at) from None
@@ -87,7 +92,11 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
 
 
 def _width_text(error: WidthError) -> str:
-    texts = {"incomplete": "has no end", "wrong_length": "is followed by more bytes"}
+    texts = {
+        "incomplete": "has no end",
+        "wrong_length": "is followed by more bytes",
+        "wrong_measure": "is no number of bytes",
+    }
     return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
 
 
@@ -277,7 +286,18 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
         raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
     if value.enum and not _is_known(device, value, int(raw_value)):
         raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
-    return _in_range(name, value, int(raw_value))
+    number = _in_range(name, value, int(raw_value))
+    if value.flags:
+        _check_bits(name, device.flags[value.flags], value, number)
+    return number
+
+
+def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
+    """Refuses a word with a field of bits that is out of its range, unless the word stands for a state."""
+    bit = word.refused_bit(number)
+    if bit is not None and bit.ranges is not None and value.sentinel(number) is None:
+        text = f"{bit.name} of {name} is {bit.number_in(number)}, not in {bit.ranges.text()}"
+        raise CodecError("out_of_range", text)
 
 
 def _bytes(name: str, data: Any) -> bytes:

@@ -6,6 +6,7 @@ import unicodedata
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.values import range_in_unit
 from fieldspec.model.enums import Bit, Flags
 
 if TYPE_CHECKING:
@@ -140,6 +141,7 @@ def _bit_text(bit: Bit) -> str:
     states = ", ".join(f"{number} {text}" for number, text in ((0, bit.zero), (1, bit.one)) if text)
     details = (
         states or bit.doc.removesuffix("."),
+        f"range {range_in_unit(bit.as_value, bit.ranges)}" if bit.ranges is not None else "",
         f"values {bit.enum}" if bit.enum else "",
         f"at its {bit.edge} edge" if bit.edge else "",
         "active low" if bit.active == "low" else "",

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
 from fieldspec.reference.frames import FrameCodec
 from fieldspec.reference.records import CodecError
 
@@ -38,10 +39,20 @@ def refusal_reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
     return _REASONS.get(error.reason, "value_invalid")
 
 
-def field_out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
-    """The name of a field whose value is beyond its range; empty for all others."""
+def first_out_of_range(device: Device, record: RecordLayout, values: Mapping[str, Any]) -> str:
+    """The name of the first field of a record whose value is beyond its range; empty where none is."""
+    judged = (_out_of_range(device, field, values) for field in record.fields)
+    return next((name for name in judged if name), "")
+
+
+def _out_of_range(device: Device, field: FieldLayout, values: Mapping[str, Any]) -> str:
+    """The name of a field whose value, or one of its bits, is beyond its range; empty for all others."""
     value, raw = field.value, values.get(field.name)
-    if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
+    if value is None or not isinstance(raw, int) or isinstance(raw, bool):
+        return ""
+    if value.flags and value.sentinel(raw) is None and device.flags[value.flags].refused_bit(raw) is not None:
+        return field.name
+    if value.ranges is None:
         return ""
     return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
 

@@ -49,6 +49,8 @@ def default_raw(device: Device, value: Value) -> Raw:
     nearest = 0
     if value.ranges is not None and 0 not in value.ranges and value.sentinel(0) is None:
         nearest = min((bound for interval in value.ranges.intervals for bound in interval), key=abs)
+    if value.flags:
+        return device.flags[value.flags].nearest(nearest)
     enum = device.enums.get(value.enum)
     if enum is None or enum.open or value.sentinel(nearest) is not None:
         return nearest

@@ -182,6 +182,9 @@ def invalid(engine: Engine, value: Value, raw: Any) -> str:
     ranges = value.writable_ranges
     if ranges is not None and raw not in ranges:
         return f"the range is {ranges.text()}"
+    bit = engine.layout.device.flags[value.flags].refused_bit(raw) if value.flags else None
+    if bit is not None and bit.ranges is not None:
+        return f"the range of {bit.name} is {bit.ranges.text()}"
     if value.type.kind is Kind.BOOLEAN and raw not in (0, 1):
         return "it is neither 0 nor 1"
     return ""

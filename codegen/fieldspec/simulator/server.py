@@ -128,8 +128,7 @@ class Server:
         read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
         access = access or bits
         if access is not None:
-            judged = [judging.field_out_of_range(field, values) for field in announced.request.fields]
-            wrong = next((name for name in judged if name), "")
+            wrong = judging.first_out_of_range(engine.layout.device, announced.request, values)
             reasons: list[Refusal] = []
             if wrong:
                 reasons.append(Refusal("count_invalid" if wrong == access.count else "value_invalid", wrong))
@@ -147,9 +146,9 @@ class Server:
             raise min(reasons, key=self._exception_number)
         if message.accesses is not None:
             raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
-        for field in announced.request.fields:
-            if judging.field_out_of_range(field, values):
-                raise Refusal("value_invalid", f"{field.name} is out of range")
+        wrong = judging.first_out_of_range(engine.layout.device, announced.request, values)
+        if wrong:
+            raise Refusal("value_invalid", f"{wrong} is out of range")
         self._store(announced.request, message.request.place.path, values)
         size = message.segments.size if message.segments is not None else ""
         target = parameters.target_of(engine, announced.request, values, size)

@@ -32,6 +32,11 @@ export function refusedNumber(name, value, low, high, allowed) {
   return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
+/** The error of a word with a field of bits that is out of its range. */
+export function refusedBits(name, bits, allowed) {
+  return new CodecError("out_of_range", `${bits} of ${name} is not in ${allowed}`);
+}
+
 /** The error of a value that a closed enum does not list; `wide` where its numbers are bigints. */
 export function refusedMember(name, value, enumName, wide) {
   return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);

@@ -13,7 +13,9 @@ from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Container
-    from typing import Any
+    from typing import Any, TypeAlias
+
+    BoundedBits: TypeAlias = tuple[str, int, tuple[tuple[int, int], ...], str]
 
 _F32, _F64 = Struct(">f"), Struct(">d")
 
@@ -54,12 +56,20 @@ def refused_number(
     return CodecError("out_of_range", f"{name} is {int(value)}, not in {allowed}")
 
 
-def refused_flags(name: str, value: Any, high: int, ranges: tuple[tuple[int, int], ...] = ()) -> CodecError | None:
-    """A word of flags."""
+def refused_flags(
+    name: str, value: Any, high: int, ranges: tuple[tuple[int, int], ...] = (), bits: tuple[BoundedBits, ...] = ()
+) -> CodecError | None:
+    """A word of flags, in which each of some `bits` is in its range."""
     raw = getattr(value, "raw", None)
     if raw is None:
         return CodecError("wrong_type", f"{name} is a word of flags, not {value!r}")
-    return refused_number(name, raw, 0, high, ranges)
+    refusal = refused_number(name, raw, 0, high, ranges)
+    if refusal is not None:
+        return refusal
+    for title, mask, images, allowed in bits:
+        if not any(low <= raw & mask <= most for low, most in images):
+            return CodecError("out_of_range", f"{title} of {name} is not in {allowed}")
+    return None
 
 
 def refused_float(

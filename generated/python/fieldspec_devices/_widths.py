@@ -11,7 +11,9 @@ from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Any
+    from typing import Any, Literal, TypeAlias
+
+    Order: TypeAlias = Literal["big", "little"]
 
 _LETTERS = {"decimal": b"0123456789", "upper_hex": b"0123456789ABCDEF", "lower_hex": b"0123456789abcdef"}
 
@@ -65,12 +67,18 @@ class Varying:
 
 
 class Widths:
-    """The fields of a record: each has a name, and its bytes or the letters of a value that varies in width."""
+    """The fields of a record: each has a name, and its bytes or the letters of a value that varies in width.
 
-    __slots__ = ("fields", "title")
+    `counts` are the texts whose number of bytes another field has, by their numbers: the number of that field, its
+    bytes, their order, and what it contains in addition.
+    """
 
-    def __init__(self, title: str, *fields: tuple[str, int | str]) -> None:
-        self.title = title
+    __slots__ = ("counts", "fields", "title")
+
+    def __init__(
+        self, title: str, *fields: tuple[str, int | str], counts: dict[int, tuple[int, int, Order, int]] | None = None
+    ) -> None:
+        self.title, self.counts = title, counts or {}
         self.fields = [(name, form if isinstance(form, int) else Varying(form)) for name, form in fields]
 
     def decoded(self, function: Callable[[bytes], Any], data: bytes) -> Any:
@@ -83,7 +91,7 @@ class Widths:
 
     def encoded(self, image: bytes) -> bytes:
         """What is sent of an image. Raises CodecError for a text that has the byte which would end it."""
-        data = b""
+        pieces: list[bytes] = []
         at = 0
         for name, form in self.fields:
             size = form if isinstance(form, int) else form.size
@@ -93,8 +101,11 @@ class Widths:
                 piece = form.narrowed(piece)
                 if form.end and form.end in piece:
                     raise CodecError("unknown_value", f"{name} has the character that ends it")
-            data += piece
-        return data
+            if len(pieces) in self.counts:
+                number, count_size, order, plus = self.counts[len(pieces)]
+                pieces[number] = (len(piece) + plus).to_bytes(count_size, order)
+            pieces.append(piece)
+        return b"".join(pieces)
 
     def _image(self, data: bytes) -> tuple[bytes, list[int]]:
         """The image of some data, and where each field begins in them. Raises CodecError."""
@@ -104,6 +115,15 @@ class Widths:
         for name, form in self.fields:
             at = starts[-1]
             stop = at + form if isinstance(form, int) else form.stop(data, at)
+            if len(pieces) in self.counts and not isinstance(form, int):
+                number, count_size, order, plus = self.counts[len(pieces)]
+                count_at = starts[number]
+                length = int.from_bytes(data[count_at : count_at + count_size], order) - plus
+                if not 0 <= length <= form.most:
+                    text = f"{self.fields[number][0]} is no number of bytes"
+                    raise unfit or CodecError("wrong_measure", text, count_at)
+                stop = at + length
+                pieces[number] = (form.size + plus).to_bytes(count_size, order)
             if not at <= stop <= len(data):
                 raise unfit or CodecError("incomplete", f"{name} has no end", len(data))
             piece = data[at:stop] if isinstance(form, int) else form.widened(data[at:stop])

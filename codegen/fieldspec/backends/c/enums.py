@@ -323,6 +323,12 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
         Define(shift.name, unsigned(bit.first)),
     ]
     declarations += define_fractions(naming, "bit", (word.name, name), bit.scale, bit.offset)
+    if bit.ranges is not None:
+        size = max(word.type.size, 4) if bit.signed else word.type.size
+        declarations += [
+            Define(naming.macro("bit", word.name, name, which), integer(bound, size, bit.signed))
+            for which, bound in (("min", bit.ranges.low), ("max", bit.ranges.high))
+        ]
     if bit.width == 1:
         return [*declarations, Function(Type("bool"), get, (parameter,), (Return(different(masked, ZERO)),))]
     cleared = Group(Operation("&", (_WORD, Cast(kind.name, Unary("~", mask)))))

@@ -113,9 +113,13 @@ def legal_numbers(device: Device, value: Value) -> list[int]:
         numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
         inside = [number for number in numbers if ranges is None or number in ranges]
         return inside or numbers
+    numbers = [0, value.type.low, value.type.high]
     if ranges is not None:
-        return [bound for pair in ranges.intervals for bound in pair]
-    return [0, value.type.low, value.type.high]
+        numbers = [bound for pair in ranges.intervals for bound in pair]
+    if value.flags:
+        words = [device.flags[value.flags].nearest(number) for number in numbers]
+        numbers = [word for word in words if ranges is None or word in ranges] or numbers
+    return numbers
 
 
 def record_value(device: Device, record: RecordLayout) -> dict[str, Any]:

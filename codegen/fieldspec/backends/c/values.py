@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.bit_ranges import refused_bits_tests
 from fieldspec.backends.c.digits import digits_call, digits_test, load_digits
 from fieldspec.backends.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test
 from fieldspec.backends.c.enums import enum_implies_range, enum_type, unknown_value_test
@@ -296,7 +297,8 @@ def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expres
         return refuse(naming, negate(ascii_test), "err_unknown_value")
     if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
         return ()
-    return _check_known(naming, device, wire, source) + _check_range(naming, device, wire, source)
+    checks = _check_known(naming, device, wire, source) + _check_range(naming, device, wire, source)
+    return checks + _check_bits(naming, device, wire, source)
 
 
 def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
@@ -307,6 +309,11 @@ def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expres
 def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
     outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
     return refuse(naming, outside, "err_out_of_range") if outside is not None else ()
+
+
+def _check_bits(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
+    tests = refused_bits_tests(device.flags.get(wire.value.flags), wire.size, source)
+    return tuple(statement for test in tests for statement in refuse(naming, test, "err_out_of_range"))
 
 
 def store_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:

@@ -6,7 +6,6 @@ from fieldspec.backends.c.declarations import Source
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.record import RecordLayout
-from fieldspec.layout.widths import Span
 from fieldspec.model.digits import has_sign
 
 _FORMS = {"": 1, "decimal": 0, "upper_hex": 0x41, "lower_hex": 0x61}
@@ -50,7 +49,7 @@ def decode_widths(naming: Naming, record: RecordLayout) -> Source:
 def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
     """The names and numbers in both functions."""
     struct = naming.type("record", record.name) if members(record) else ""
-    rows = ",\n".join(f"        {_row(span)}" for span in record.spans)
+    rows = ",\n".join(f"        {_row(record, number)}" for number in range(len(record.spans)))
     functions = {
         verb: naming.function("record", record.name, verb)
         for verb in ("encode", "decode", "encode_image", "decode_image")
@@ -71,11 +70,27 @@ def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
     }
 
 
-def _row(span: Span) -> str:
-    """`{9u, 8u, 0x2Cu, 0x00u, 2u, true}`: the bytes in the image, the most that are sent, and the form of a value."""
-    value = span.value
+def _row(record: RecordLayout, number: int) -> str:
+    """`{9u, 8u, 0x2Cu, 0x00u, 2u, true, 0u, 0u, 0u, 0u, false}`: see the struct."""
+    span = record.spans[number]
+    value, partner = span.value, _partner(record, number)
     if value is None:
-        return f"{{{span.size}u, 0u, 0x100u, 0x00u, 0u, false}}"
+        return f"{{{span.size}u, 0u, 0x100u, 0x00u, 0u, false, {partner}}}"
     end = _NO_END if span.end is None else span.end
     sign = "true" if has_sign(value) else "false"
-    return f"{{{span.size}u, {value.width}u, 0x{end:02X}u, 0x{_FORMS[value.digits]:02X}u, {value.places}u, {sign}}}"
+    form = f"0x{_FORMS[value.digits]:02X}u"
+    return f"{{{span.size}u, {value.width}u, 0x{end:02X}u, {form}, {value.places}u, {sign}, {partner}}}"
+
+
+def _partner(record: RecordLayout, number: int) -> str:
+    """The text that a field counts, or the field that counts a text: its place in the image and its bytes there."""
+    texts = ((other, span.count) for other, span in enumerate(record.spans) if span.count is not None)
+    pair = next(((text, count) for text, count in texts if number in (text, count)), None)
+    if pair is None:
+        return "0u, 0u, 0u, 0u, false"
+    text, count = pair
+    other = text if number == count else count
+    at = sum(span.size for span in record.spans[:other])
+    is_little = "true" if record.spans[text].order == "little" else "false"
+    sizes = f"{record.spans[other].size}u, {record.spans[count].size}u"
+    return f"{at}u, {sizes}, {record.spans[text].plus}u, {is_little}"

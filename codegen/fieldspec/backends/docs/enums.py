@@ -24,6 +24,7 @@ from fieldspec.backends.docs.document import (
 )
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import unit_lines
+from fieldspec.explain.values import range_in_unit
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 
 VALUES = (
@@ -202,6 +203,8 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow
     if bit.is_number and (bit.unit or bit.as_value.scaled):
         first, *others = unit_lines(bit.as_value)
         more += [(styled("1 count: ", "quiet"), *first), *others]
+    if bit.ranges is not None:
+        more.append((styled("Range: ", "quiet"), text_piece(range_in_unit(bit.as_value, bit.ranges))))
     if bit.enum:
         more.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
     return TableRow(

@@ -150,6 +150,10 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
     if record.size is not None:
         return f"{{ length: {around + record.size}, size: 0 }}"
     tail = record.fields[-1]
+    if record.count_of_text is not None:
+        count, others = record.count_of_text
+        place = f"offset: {frame.header_size + count.offset}, size: {count.size}"
+        return f'{{ length: {around + others}, {place}, order: "{count.order}", signed: false, unit: 1 }}'
     if record.spans:
         return f"{{ length: {around + record.first_bytes}, size: -2 }}" if frame.end else OPEN
     measures = [

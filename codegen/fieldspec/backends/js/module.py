@@ -24,7 +24,7 @@ IMPORTS = {
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "digits": ("bcdOf", "digitsOf", "putBcd", "putDigits"),
     "end_framer": ("endFramer",),
-    "error": ("brokenList", "refusedMember", "refusedNumber", "wrongNumber"),
+    "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
     "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),

@@ -32,8 +32,9 @@ HELPERS = _words(
     " brokenList canIdentifier cobs escapeFramer inserting replacing bytesOf checkSize codeFramer conversion"
     " delimiterFramer device endFramer"
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
-    " parameterSet putBytes putText record refusedMember refusedNumber register registerArray spans table textOf unit"
-    " encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber crc16 crcOf totalOf lrc sum8"
+    " parameterSet putBytes putText record refusedBits refusedMember refusedNumber register registerArray"
+    " spans table textOf unit encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber"
+    " crc16 crcOf totalOf lrc sum8"
 )
 
 

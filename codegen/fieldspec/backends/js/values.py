@@ -8,6 +8,7 @@ from fieldspec.backends.js.text import flag, literal
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.digits import has_sign
+from fieldspec.model.enums import Bit
 from fieldspec.model.ranges import merged
 from fieldspec.model.text_form import UTF_16
 from fieldspec.model.value import Kind, Value
@@ -240,12 +241,31 @@ class Slot:
 
     def refusals(self, variable: str) -> Iterator[str]:
         """The statements that refuse a number that may not be sent: for its constant, its enum, and then its range."""
-        low, high, const = self.value.type.low, self.value.type.high, self.value.const
+        name, const = literal(self.name), self.value.const
         if const is not None:
             wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), "null")
             yield f"if ({variable} !== {self.digits(const)}) {wrong}"
             return
+        yield from self._number_refusals(variable)
+        word = self.device.flags.get(self.value.flags)
+        for bit in word.bounded if word is not None else ():
+            allowed = literal(bit.ranges.text() if bit.ranges is not None else "")
+            yield f"if (!({self._bit_test(variable, bit)})) throw refusedBits({name}, {literal(bit.name)}, {allowed});"
+
+    def _bit_test(self, number: str, bit: Bit) -> str:
+        """The condition that a field of bits of a word is in its range."""
+        masked = f"({number} & {bit.mask}n)" if self.wide else f"(({number} & {bit.mask}) >>> 0)"
+        end = "n" * self.wide
+        tests = [
+            " && ".join([f"{masked} >= {low}{end}"] * (low > 0) + [f"{masked} <= {high}{end}"] * (high < bit.mask))
+            for low, high in bit.images
+        ]
+        return " || ".join(f"({test})" for test in tests)
+
+    def _number_refusals(self, variable: str) -> Iterator[str]:
+        """The statements that refuse a number for its type, its enum and its range."""
         name, known = literal(self.name), self.known
+        low, high = self.value.type.low, self.value.type.high
         tests = [self.whole(variable)]
         if known is not None:
             members = merged((number, number) for number in known)

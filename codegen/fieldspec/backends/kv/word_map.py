@@ -124,6 +124,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
             "scale": (bit.scale_text or "1") if bit.as_value.scaled else None,
             "offset": f"{bit.offset:f}" if bit.offset else None,
             "unit": bit.unit or None,
+            **(_ranges(bit.as_value) if bit.ranges is not None else {}),
             "values": _members(enum) if enum is not None else _senses(bit),
             "case": bit.when or None,
             "access": placed_value.access or None,

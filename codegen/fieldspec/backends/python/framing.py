@@ -178,6 +178,9 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> Exten
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]
+    count, others = record.count_of_text or (None, 0)
+    if count is not None and (count.size == 1 or count.order == _order(frame)):
+        return around + others, frame.header_size + count.offset, count.size, 1
     if record.spans and frame.end:
         return around + record.first_bytes, 0, -2, 0
     measures = [field for field in record.fields if record.has_place(field) and _measures(field, tail, frame)]

@@ -191,7 +191,13 @@ def _widths(record: RecordLayout, upper: str) -> list[str]:
     if not record.spans:
         return []
     fields = [f"({literal(span.name)}, {_width(span)})" for span in record.spans]
-    return filled(f"{upper}_WIDTHS = _Widths(", [literal(record.name), *fields], ")", 0)
+    counts = [
+        f'{number}: ({span.count}, {record.spans[span.count].size}, "{span.order}", {span.plus})'
+        for number, span in enumerate(record.spans)
+        if span.count is not None
+    ]
+    more = [f"counts={{{', '.join(counts)}}}"] if counts else []
+    return filled(f"{upper}_WIDTHS = _Widths(", [literal(record.name), *fields, *more], ")", 0)
 
 
 def _width(span: Span) -> str:

@@ -9,7 +9,7 @@ from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.scaling import quantity, ratio
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
-from fieldspec.backends.python.writing import digits_letters, pairs, text_letters, tuple_of
+from fieldspec.backends.python.writing import bounded_bits, digits_letters, pairs, text_letters, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import RegisterLayout
@@ -61,9 +61,13 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         more += [f'limits="{value.type.letter}"'] if narrow else []
         return _call("_Setting", letters, [str(value.const), *more])
     ranges = _ranges(value)
+    if ranges is not None and value.flags:
+        special = [(sentinel.value, sentinel.value) for sentinel in value.sentinels]
+        ranges = Ranges((*ranges.intervals, *(pair for pair in special if pair[0] not in ranges)))
     if ranges is not None:
         more.append(f"ranges={pairs(ranges)}")
     if value.flags:
+        more += [f"bits={bits}" for bits in bounded_bits(words.bounded.get(value.flags, ()))]
         return _call("_Word", letters, [words.flags[value.flags], *more])
     if value.sentinels:
         more.append(f"absent={absent_states(value)}")

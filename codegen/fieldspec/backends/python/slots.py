@@ -13,18 +13,23 @@ from typing import Literal
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RegisterLayout
+from fieldspec.model.enums import Bit
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Kind, Value
 
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """The classes that fields refer to, by the names of the spec, and the registers with exponents of their scales."""
+    """The classes that fields refer to, by the names of the spec, and the registers with exponents of their scales.
+
+    `bounded` has the fields of bits with a range, by the names of their words.
+    """
 
     enums: Mapping[str, EnumView]
     flags: Mapping[str, str]
     records: Mapping[str, str]
-    registers: tuple[RegisterLayout, ...] = ()
+    registers: tuple[RegisterLayout, ...]
+    bounded: Mapping[str, tuple[Bit, ...]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
+from fieldspec.model.enums import Bit
 from fieldspec.model.ranges import Ranges, merged
 from fieldspec.model.value import Kind, Primitive, Value
 
@@ -97,6 +98,8 @@ def _element_lines(field: Slots, value: str) -> list[str]:
         tests.append(f"{value} <= 1")
     elif field.ranges is not None:
         tests.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
+    bounded = field.words.bounded.get(field.value.flags, ())
+    tests += [within(f"({raw} & {bit.mask:#x})", Ranges(bit.images), (), (0, bit.mask)) for bit in bounded]
     return [test for test in tests if test]
 
 
@@ -254,13 +257,26 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
         return function, [pairs(field.ranges), *([tuple_of(others)] if others else [])]
     ranges = pairs(field.ranges)
     if field.value.flags:
-        return "_refused_flags", [str(primitive.high), *([ranges] if ranges else [])]
+        bits = bounded_bits(field.words.bounded.get(field.value.flags, ()))
+        return "_refused_flags", [str(primitive.high), *([ranges or "()"] if ranges or bits else []), *bits]
     more = [ranges or "()", tuple_of(field.sentinels)]
     if field.enum is not None and not field.enum.open:
         more += [field.enum.table, literal(field.enum.title)]
     while more and more[-1] == "()":
         more.pop()
     return "_refused_number", [str(primitive.low), str(primitive.high), *more]
+
+
+def bounded_bits(bits: tuple[Bit, ...]) -> list[str]:
+    """The fields of bits that have a range, as one argument: name, mask, what may be in the mask, and a text."""
+    if not bits:
+        return []
+    rows = [
+        f"({literal(bit.name)}, {bit.mask:#x}, {pairs(Ranges(bit.images))}, {literal(bit.ranges.text())})"
+        for bit in bits
+        if bit.ranges is not None
+    ]
+    return [tuple_of(rows)]
 
 
 def pairs(ranges: Ranges | None) -> str:

@@ -123,7 +123,7 @@ class ValueQuery:
             return
         if enum is not None and enum.open:
             yield ValueRule("unlisted_value", lambda data, at: dialect.negated(self._is_known(data, at, True)))
-        if value.ranges is not None:
+        if value.ranges is not None or (flags is not None and flags.bounded):
             yield ValueRule("out_of_range", self._outside)
         if flags is not None:
             used = sum(bit.mask for bit in flags.bits if not bit.reserved)
@@ -132,7 +132,18 @@ class ValueQuery:
                 yield ValueRule("reserved_bits", lambda data, at: dialect.mask(self.word(data, at), spare))
 
     def _outside(self, data: str, at: int) -> str:
-        """Whether a number that is no sentinel is in no range."""
+        """Whether a number that is no sentinel is in no range, or a field of its bits; empty where none can be."""
+        word = self.device.flags.get(self.value.flags)
+        conditions = [self._beyond(data, at)] if self.value.ranges is not None else []
+        for bit in word.bounded if word is not None and self.value.const is None else ():
+            number = self.dialect.bits(self.word(data, at), bit.first, bit.width, bit.signed)
+            intervals = bit.ranges.intervals if bit.ranges is not None else ()
+            conditions.append(self.dialect.negated(self.dialect.is_in(number, intervals)))
+        tests = [condition for condition in conditions if condition]
+        return self.dialect.either(*tests) if len(tests) > 1 else "".join(tests)
+
+    def _beyond(self, data: str, at: int) -> str:
+        """Whether a number that is no sentinel is in no range of the value."""
         value, dialect, number = self.value, self.dialect, self.number(data, at)
         floating = value.type.kind is Kind.FLOAT
         assert value.ranges is not None
@@ -187,8 +198,7 @@ class ValueQuery:
             yield ValueColumn(f"{bit.name}_raw", number)
         elif bit.scale != 1 or bit.offset != 0:
             value = bit.as_value
-            assert value.ranges is not None
-            bounds = (value.ranges.low, value.ranges.high)
+            bounds = (bit.low, bit.high)
             yield ValueColumn(
                 f"{bit.name}_{unit_word(bit.unit)}",
                 lambda data, at: quantity(self.dialect, number(data, at), value, bounds),

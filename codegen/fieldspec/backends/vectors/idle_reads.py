@@ -224,5 +224,7 @@ def _least_legal(device: Device, value: Value) -> int:
         known = enum is None or enum.open or number in members
         return known and (ranges is None or number in ranges)
 
+    if value.flags and (ranges is None or 0 in ranges):
+        return device.flags[value.flags].nearest(0)
     bounds = sorted(low for low, _ in ranges.intervals) if ranges is not None else []
     return next((number for number in (0, *members, *bounds) if legal(number)), 0)

@@ -114,6 +114,7 @@ def word_data(device: Device, flags: Flags) -> list[Data]:
             "one": line_text(bit.one) or None,
             "enum": bit.enum or None,
             "signed": bit.signed,
+            "ranges": intervals(bit.ranges, bit.width > 32) if bit.is_bounded else None,
             "unit": line_text(bit.unit) or None,
             "scale": scale_data(bit.scale, bit.offset) if bit.scale != 1 or bit.offset != 0 else None,
             "errata": list(errata_at(device, bit.place.path)) or None,

@@ -179,6 +179,7 @@ def _bit(bit: Bit) -> dict[str, Data]:
                 "signed": bit.signed,
                 "isNumber": bit.is_number,
                 "unit": bit.unit,
+                "ranges": intervals(bit.ranges if bit.is_bounded else None),
                 **_scale(bit.scale, bit.offset),
             }
         ),

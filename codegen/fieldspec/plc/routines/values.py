@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
@@ -177,7 +177,19 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
         wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
+    statements += _bounded_bits(draft, world, wire, source)
     return [*statements, *_put(wire, holder, offset, raw, source)]
+
+
+def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) -> Iterator[Statement]:
+    """What refuses a word with a field of bits that is out of its range."""
+    word = world.layout.device.flags.get(wire.value.flags)
+    kind = UNSIGNED[wire.value.size]
+    for bit in word.bounded if word is not None else ():
+        masked = Operation("AND", (converted(source, wire.bits), Whole(bit.mask, wire.bits)), wire.bits)
+        wrong = outside(converted(masked, kind), bit.images, kind)
+        if wrong is not None:
+            yield draft.refusal(wrong, "out_of_range")
 
 
 def _outside_real(value: Value, of: Expression) -> Expression:

@@ -7,7 +7,7 @@ from decimal import Decimal
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 from fieldspec.model.value import PRIMITIVES
 from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.values import scale_of, scale_text
+from fieldspec.reading.building.values import counts_of, scale_of, scale_text
 
 
 def enum(entry: Entry) -> Enum:
@@ -79,6 +79,7 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         entry.refuse("wrong_value", "bits" if entry.text("bits") else "bit", text, "correct the number or the type")
         first = last = 0
     scale = scale_of(entry)
+    offset = entry.decimal("offset") or Decimal(0)
     reserved = entry.flag("reserved")
     arguments = entry.fact()
     if not arguments["name"]:
@@ -100,6 +101,7 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         signed=entry.flag("signed"),
         scale=scale if scale is not None else Decimal(1),
         scale_text=scale_text(entry.value("scale")),
-        offset=entry.decimal("offset") or Decimal(0),
+        offset=offset,
         unit=entry.text("unit"),
+        ranges=counts_of(entry, scale if scale is not None else Decimal(1), offset),
     )

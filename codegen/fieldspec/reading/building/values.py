@@ -63,7 +63,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         scale_text=scale_text(entry.value("scale")),
         offset=offset,
         unit=f"{power_of_ten(scale_by)} {unit}".rstrip() if scale_by else unit,
-        ranges=_real_ranges(entry) if primitive.kind is Kind.FLOAT else _ranges(entry, scale, offset),
+        ranges=_real_ranges(entry) if primitive.kind is Kind.FLOAT else counts_of(entry, scale, offset),
         default=_default(entry, scale, offset),
         const=entry.integer("const"),
         enum=entry.text("enum"),
@@ -155,7 +155,8 @@ def _real_ranges(entry: Entry) -> Ranges | None:
     return entry.real_ranges("unit_range" if _states_in_unit(entry, "range") else "range")
 
 
-def _ranges(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Ranges | None:
+def counts_of(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Ranges | None:
+    """The range in counts, which the entry states in counts or in the unit."""
     in_unit = entry.ranges("unit_range") if _states_in_unit(entry, "range") else None
     if in_unit is None:
         return entry.whole_ranges("range")

@@ -149,8 +149,19 @@ export class ExplainedBody {
       at = this.start + stop;
     }
     const missing = fields[extents.length];
-    if (missing) this.rows.push(this.wrongRow(missing, at, "incomplete", `${missing.name} has no end`));
+    if (missing) this.rows.push(this.wrongRow(missing, at, ...this.endless(spans[extents.length], at)));
     else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
+  endless(span, at) {
+    if (span.count === undefined) return ["incomplete", `${span.name} has no end`];
+    const { name } = this.record.spans[span.count];
+    const number = Number(this.values.get(name)) - span.plus;
+    if (number >= 0 && number <= span.most) {
+      return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
+    }
+    return ["wrong_measure", `${name} is no number of bytes of ${span.name}`];
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -256,6 +267,11 @@ export class ExplainedBody {
     const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
+    const text = this.record.spans?.find((span) => span.name === name && span.count !== undefined);
+    if (text) {
+      const isRight = read.number >= plus && read.number <= text.most + plus;
+      return judged(read, isRight, isRight ? read.number : `${plus} to ${text.most + plus}`, "wrong_measure");
+    }
     if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
     const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));

@@ -147,6 +147,8 @@ function decodedWhole(device, value, number) {
   if (!result.reason && value.ranges !== undefined && !isWithin(value.ranges, number)) {
     result = judged(result, false, rangeInUnit(value, value.ranges), "out_of_range");
   }
+  const bit = !result.reason && value.flags && refusedBitOf(device.flags.get(value.flags), number);
+  if (bit) result = judged(result, false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
   return result;
 }
 
@@ -196,6 +198,12 @@ function setBitsOf(device, word, number) {
 /** The bits of a field of bits in its word. */
 export function bitMask({ first, width }) {
   return ((1n << BigInt(width)) - 1n) << BigInt(first);
+}
+
+/** The first field of bits whose number in a word is not in its range. */
+export function refusedBitOf(word, number) {
+  const raw = BigInt.asUintN(8 * word.size, BigInt(number));
+  return word.bits?.find((bit) => bit.ranges && !isWithin(bit.ranges, bitsNumber(bit, raw)));
 }
 
 /** The number of a field of bits in a word. */

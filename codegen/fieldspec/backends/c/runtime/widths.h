@@ -8,7 +8,31 @@ typedef struct device_width {
     uint8_t form; /**< 1 for a text, else the letter for 10 among digits, and 0 where they are decimal. */
     uint8_t places; /**< How many digits follow a point. */
     bool has_sign; /**< Whether a sign comes first in the image; it is sent below zero only. */
+    size_t other_at; /**< Where in the image is the text that this field counts, or what counts this text. */
+    size_t other_size; /**< The bytes of that one in the image; 0 where there is none. */
+    size_t count_size; /**< The bytes of the field that counts. */
+    size_t plus; /**< What it contains in addition. */
+    bool is_little; /**< Whether its least significant byte comes first. */
 } device_width;
+
+/** The number in a field that counts a text, which has one byte or two. */
+static inline size_t device_width_count(const device_width *field, const uint8_t *count)
+{
+    if (field->count_size == 1u) {
+        return count[0];
+    }
+    return field->is_little ? count[0] + count[1] * 256u : count[0] * 256u + count[1];
+}
+
+/** Writes the number in a field that counts a text. */
+static inline void device_width_put_count(const device_width *field, size_t number, uint8_t *count)
+{
+    uint8_t low = (uint8_t)(number & 0xFFu), high = (uint8_t)(number >> 8 & 0xFFu);
+    count[0] = field->count_size == 1u || field->is_little ? low : high;
+    if (field->count_size > 1u) {
+        count[1] = field->is_little ? high : low;
+    }
+}
 
 /** Whether a character is a digit of a field. */
 static inline bool device_width_digit(const device_width *field, uint8_t character)
@@ -101,12 +125,21 @@ static inline device_codec_status device_widen_fields(const device_width *fields
                                                       size_t length, uint8_t *out)
 {
     bool is_unfit = false;
+    uint8_t *image = out;
     size_t at = 0, number;
     for (number = 0; number < count; number++) {
         const device_width *field = &fields[number];
+        bool is_counted = field->most != 0u && field->other_size != 0u;
         size_t size = 0, byte;
         if (field->most == 0u) {
             size = field->size;
+        } else if (is_counted) {
+            size = device_width_count(field, image + field->other_at);
+            if (size < field->plus || size - field->plus > field->most) {
+                return is_unfit ? DEVICE_ERR_UNKNOWN_VALUE : DEVICE_ERR_WRONG_MEASURE;
+            }
+            size -= field->plus;
+            device_width_put_count(field, field->size + field->plus, image + field->other_at);
         } else {
             while (at + size < length && in[at + size] != field->end) {
                 size++;
@@ -135,11 +168,28 @@ static inline device_codec_status device_widen_fields(const device_width *fields
 static inline device_codec_status device_narrow_fields(const device_width *fields, size_t count, const uint8_t *in,
                                                        uint8_t *out, size_t capacity, size_t *length)
 {
+    const uint8_t *image = in;
     size_t written = 0, number;
     for (number = 0; number < count; number++) {
         const device_width *field = &fields[number];
         size_t first = 0, last = field->size;
         bool is_negative = false;
+        if (field->most == 0u && field->other_size != 0u) {
+            size_t text = field->other_size;
+            uint8_t sent[2];
+            while (text > 0u && image[field->other_at + text - 1u] == 0u) {
+                text--;
+            }
+            if (field->size > capacity - written) {
+                return DEVICE_ERR_CAPACITY;
+            }
+            device_width_put_count(field, text + field->plus, sent);
+            for (; first < last; first++) {
+                out[written++] = sent[first];
+            }
+            in += field->size;
+            continue;
+        }
         if (field->most != 0u && field->form == 1u) {
             while (last > 0u && in[last - 1u] == 0u) {
                 last--;

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from enum import IntEnum
     from typing import Any, TypeVar
 
+    from ._refusals import BoundedBits
     from ._typing import Data, Quantity
 
     E = TypeVar("E", bound=IntEnum)
@@ -270,9 +271,9 @@ class Trigger(Open[E]):
 
 
 class Word(Value[F]):
-    """A word of flags."""
+    """A word of flags. `bits` are those with a range: name, mask, what may be in the mask, and a text of the range."""
 
-    __slots__ = ("flags",)
+    __slots__ = ("bits", "flags")
 
     def __init__(
         self,
@@ -281,9 +282,10 @@ class Word(Value[F]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
+        bits: tuple[BoundedBits, ...] = (),
     ) -> None:
         super().__init__(letters, swapped=swapped, ranges=ranges)
-        self.flags = flags
+        self.flags, self.bits = flags, bits
 
     def of_raw(self, name: str, raw: int) -> F:
         return self.flags(raw)
@@ -292,7 +294,7 @@ class Word(Value[F]):
         return value.raw
 
     def refused(self, name: str, value: Any) -> CodecError | None:
-        return refused_flags(name, value, self.high, self.ranges)
+        return refused_flags(name, value, self.high, self.ranges, self.bits)
 
 
 class Boolean(Value[bool]):

@@ -6,7 +6,7 @@ import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
 import { codeIn, memberOf } from "./device.js";
 import { digitsBytes } from "./digits.js";
-import { sentinelOf, turnedWords } from "./values.js";
+import { refusedBitOf, sentinelOf, turnedWords } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
 
 const FLOATS = new DataView(new ArrayBuffer(8));
@@ -76,7 +76,12 @@ function checkedNumber(device, name, value, raw) {
       throw new CodecError("unknown_value", `${name} is ${raw}, which ${value.enum} does not list`);
     }
   }
-  return inRange(name, value, raw);
+  const number = inRange(name, value, raw);
+  const bit = value.flags && refusedBitOf(device.flags.get(value.flags), number);
+  if (bit && !sentinelOf(value, number)) {
+    throw new CodecError("out_of_range", `${bit.name} of ${name} is not in ${intervalsText(bit.ranges)}`);
+  }
+  return number;
 }
 
 function inRange(name, value, number) {

@@ -36,9 +36,27 @@ function widenedBytes(field, bytes) {
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 
+/** The bytes of a text that another field counts; undefined for a number that the text cannot have. */
+function countedText({ count, plus, little, most }, bytes, extents) {
+  const sent = bytes.slice(extents[count].start, extents[count].stop);
+  const number = (little ? sent.reverse() : sent).reduce((sum, byte) => 256 * sum + byte, 0) - plus;
+  return number >= 0 && number <= most ? number : undefined;
+}
+
+/** A number in one byte or in two. */
+function countBytes(number, size, little) {
+  if (size === 1) return Uint8Array.of(number);
+  return Uint8Array.from(little ? [number & 255, number >> 8] : [number >> 8, number & 255]);
+}
+
 /** Where a field ends that begins at a byte; undefined where its bytes, or its end, are missing. */
-function stopOf({ size, most, end }, bytes, at) {
+function stopOf(field, bytes, at, extents) {
+  const { size, most, end } = field;
   if (most === undefined) return at + size <= bytes.length ? at + size : undefined;
+  if (field.count !== undefined) {
+    const number = countedText(field, bytes, extents);
+    return number !== undefined && at + number <= bytes.length ? at + number : undefined;
+  }
   if (end === undefined) return bytes.length;
   const stop = bytes.indexOf(end, at);
   return stop < 0 ? undefined : stop;
@@ -52,10 +70,14 @@ export function extentsOf(fields, bytes) {
   const extents = [];
   let start = 0;
   for (const field of fields) {
-    const stop = stopOf(field, bytes, start);
+    const stop = stopOf(field, bytes, start, extents);
     if (stop === undefined) return extents;
     const piece = bytes.subarray(start, stop);
     extents.push({ start, stop, image: field.most === undefined ? piece : widenedBytes(field, piece) });
+    if (field.count !== undefined) {
+      const count = extents[field.count];
+      count.image = countBytes(field.size + field.plus, count.stop - count.start, field.little);
+    }
     start = stop;
   }
   return extents;
@@ -67,6 +89,10 @@ export function readImage(fields, read, bytes, offset, end) {
   const extents = extentsOf(fields, data);
   const unfit = extents.findIndex(({ image }) => image === null);
   if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
+  const { count } = fields[extents.length] ?? {};
+  if (count !== undefined && countedText(fields[extents.length], data, extents) === undefined) {
+    throw new CodecError("wrong_measure", `${fields[count].name} is no number of bytes`, offset + extents[count].start);
+  }
   if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
   const stop = extents.at(-1).stop;
   if (stop < data.length) throw new CodecError("wrong_length", `${fields.at(-1).name} is followed by more bytes`, offset + stop);
@@ -92,13 +118,19 @@ function placeInData(fields, extents, at) {
 /** What is sent of an image. Throws CodecError for a text that has the byte which would end it. */
 export function narrowedImage(fields, image) {
   const pieces = [];
+  const starts = [];
   let at = 0;
   for (const field of fields) {
     const piece = image.subarray(at, at + field.size);
     at += field.size;
+    starts.push(pieces.length);
     const bytes = field.most === undefined ? piece : narrowedBytes(field, piece);
     if (field.most !== undefined && field.end !== undefined && bytes.includes(field.end)) {
       throw new CodecError("unknown_value", `${field.name} has the character that ends it`);
+    }
+    if (field.count !== undefined) {
+      const count = countBytes(bytes.length + field.plus, fields[field.count].size, field.little);
+      pieces.splice(starts[field.count], count.length, ...count);
     }
     pieces.push(...bytes);
   }
