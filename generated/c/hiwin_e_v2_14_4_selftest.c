@@ -11377,8 +11377,8 @@ static void test_408(void)
 static void test_409(void)
 {
     #ifndef HIWIN_E_WITHOUT_DOUBLE
-    uint32_t raw = 0;
     double quantity = 0.0;
+    uint32_t raw = 0;
     expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_from_raw(0u, &quantity) == HIWIN_E_ERR_OUT_OF_RANGE, "servo_parameters.negative_fixed_stop_torque 0");
     quantity = 0.0;
     expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_to_raw(quantity, &raw) == HIWIN_E_ERR_OUT_OF_RANGE, "servo_parameters.negative_fixed_stop_torque 0 back");

@@ -206,11 +206,15 @@ class Access(Python):
     def _assert_states(self, record: RecordLayout) -> None:
         """A record has a constant for each state of its fields."""
         for field in record.fields:
-            if field.value is None or field.field.reserved or field.value.const is not None:
+            values = [(f"{field.name}_{case.name}", case.value) for case in field.cases]
+            values += [(field.name, field.value)] if field.value is not None else []
+            if field.field.reserved or any(value.const is not None for _, value in values):
                 continue
-            names = [(Name.of(field.name) + Name.of(sentinel.name)).upper() for sentinel in field.value.sentinels]
-            missing = [name for name in names if not hasattr(record_class(self.module, record), name)]
+            own = record_class(self.module, record)
+            names = [(Name.of(name) + Name.of(s.name)).upper() for name, value in values for s in value.sentinels]
+            missing = [name for name in names if not hasattr(own, name)]
             assert not missing, f"{record.name} has no {missing}"
+            assert not names or hasattr(own, f"{field.name}_state"), f"{record.name} has no {field.name}_state"
 
     def _assert_quantities(self, record: RecordLayout) -> None:
         """A count of a field is exact in its unit, by an exponent in a field beside it or in a register."""

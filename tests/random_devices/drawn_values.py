@@ -222,6 +222,11 @@ def _float(draft: Draft, keys: Spec, place: str) -> None:
         keys["range"] = range_text([(low, low + draft.number(1, 5000))])
         if draft.chance(50):
             keys["range"] = f"{low}.{draft.pick(('5', '25', '125'))}..{low + draft.number(1, 5000)}.75"
-    if draft.chance(30) and place != "part" and keys["type"] == "f32":
-        nan = {"bits": draft.pick((0x7FC00000,) * 9 + (0x7FA00001, 0xFFFFFFFF)), "name": "not_measured"}
-        keys["sentinels"] = [nan] if draft.chance(60) else [{"value": draft.pick((9999, -1)), "name": "overflow"}]
+    if draft.chance(30) and place != "part":
+        quiet, others = (
+            (0x7FC00000, (0x7FA00001, 0xFFFFFFFF)) if keys["type"] == "f32" else (0x7FF8 << 48, (2**64 - 1,))
+        )
+        nan = {"bits": draft.pick((quiet,) * 9 + others), "name": "not_measured"}
+        numbers = [{"value": draft.pick((9999, -1)), "name": "overflow"}]
+        numbers += [{"value": draft.pick((0, 70000)), "name": "underflow"}] * draft.chance(30)
+        keys["sentinels"] = draft.pick(([nan], [nan], numbers, numbers, [nan, *numbers]))

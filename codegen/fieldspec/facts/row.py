@@ -122,7 +122,8 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
         yield _reported(kind, value, report, known)
     for number, sentinel in enumerate(value.sentinels if value else ()):
         path = f"{fact.place.path}/sentinels/{number}"
-        yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
+        code: Cell = sentinel.text if sentinel.is_nan else sentinel.value
+        yield row("sentinel", path, sentinel.sources or fact.sources, code=code, name=sentinel.name)
 
 
 def _implied(fact: Fact) -> FactRow:

@@ -71,7 +71,10 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
         ]
     for absent in fixed_values(layout):
         numbers = sorted(set(legal_numbers(layout.device, absent.value)))
-        yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(_of_fixed(naming, absent, numbers)))]
+        expected = list(_of_fixed(naming, absent, numbers))
+        if expected:
+            body = (Variable(Type("double"), "quantity", value=whole_double(0)), *expected)
+            yield [CompileIf("ifndef", naming.own_macro("without_double"), body)]
 
 
 def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterator[Statement]:
@@ -79,26 +82,26 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
     value, names = absent.value, absent.names
     from_raw, to_raw = (naming.function(absent.noun, *names, end) for end in ("from_raw", "to_raw"))
     ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
-    exact = value.type.size <= _EXACT_BYTES
-    yield Variable(Type(type_name(value)), "raw", value=ZERO)
-    yield Variable(Type("double"), "quantity", value=whole_double(0))
-    for number in numbers:
-        what, wanted = f"{absent.title} {number}", float(value.in_unit(number))
+    goes_back = value.type.size <= _EXACT_BYTES and not value.offset
+    quantities = {number: float(value.in_unit(number)) for number in numbers}
+    small = {number: quantity for number, quantity in quantities.items() if abs(quantity) <= _GREATEST}
+    if goes_back and small:
+        yield Variable(Type(type_name(value)), "raw", value=ZERO)
+    for number, wanted in small.items():
+        what = f"{absent.title} {number}"
         reading = Call(from_raw, (_literal(value, number), address_of(_QUANTITY)))
-        if abs(wanted) > _GREATEST:
-            continue
         writing = Call(to_raw, (_QUANTITY, address_of(_RAW)))
         if value.sentinel(number) is not None:
             yield expect_equal(what, reading, out_of_range)
-            if exact:
+            if goes_back:
                 yield assign(_QUANTITY, double(wanted))
                 yield expect_equal(f"{what} back", writing, out_of_range)
             continue
-        yield expect_equal(what, reading, ok)
         near = abs(wanted) * 1e-12
+        yield expect_equal(what, reading, ok)
         yield expect(at_least(_QUANTITY, double(wanted - near)), what)
         yield expect(at_most(_QUANTITY, double(wanted + near)), what)
-        if exact and not value.offset:
+        if goes_back:
             yield expect_equal(f"{what} back", writing, ok)
             yield expect_equal(f"{what} back", _RAW, _literal(value, number))
 

@@ -56,17 +56,24 @@ class ConstantView:
 
 
 def sentinel_views(stored: list[Slots], scope: Scope) -> list[ConstantView]:
-    """The sentinels of all fields."""
+    """The sentinels of all fields; of a field whose type another one decides, those of each type."""
     return [
         ConstantView(
-            scope.take((Name.of(field.title) + Name.of(sentinel.name)).upper()),
+            scope.take((Name.of(name) + Name.of(sentinel.name)).upper()),
             'float("nan")' if sentinel.is_nan else str(sentinel.value),
             docstring([sentence(f"`{field.title}`: {sentinel.doc or Name.of(sentinel.name).title()}")], 4),
         )
         for field in stored
-        if field.field.value is not None
-        for sentinel in field.value.sentinels
+        for name, value in _values(field)
+        for sentinel in value.sentinels
     ]
+
+
+def _values(field: Slots) -> list[tuple[str, Value]]:
+    """The value of a field, or those that it may have, by names that differ."""
+    if field.field.value is not None:
+        return [(field.title, field.value)]
+    return [(f"{field.title}_{case.name}", case.value) for case in field.field.cases]
 
 
 def _of_float(field: Slots, scope: Scope) -> ScaledView:
@@ -91,6 +98,21 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
     )
 
 
+def _decided_states(field: Slots, selector: Slots | None) -> str:
+    """The expression of the sentinels of a field whose type another one decides."""
+    assert selector is not None
+    if not selector.stored:  # a constant
+        chosen = next((case.value for case in field.field.cases if selector.constant in case.numbers), None)
+        return absent_states(chosen) if chosen is not None and chosen.sentinels else "()"
+    rows = [
+        f"{number}: {absent_states(case.value)}"
+        for case in field.field.cases
+        if case.value.sentinels
+        for number in sorted(case.numbers)
+    ]
+    return f"{{{', '.join(rows)}}}.get(self.{selector.name}, ())"
+
+
 def _of_none(field: Slots) -> str:
     """What becomes of None, as a sentence."""
     names = [sentinel.name for sentinel in field.value.sentinels]
@@ -99,13 +121,13 @@ def _of_none(field: Slots) -> str:
     return f"None is refused: set `{field.name}` to that of {' or '.join(names)}."
 
 
-def state_views(stored: list[Slots], scope: Scope) -> list[StateView]:
+def state_views(stored: list[Slots], scope: Scope, selector: Slots | None) -> list[StateView]:
     """The properties with the names of states, of all fields with sentinels."""
     views = []
     for field in stored:
-        if field.field.value is None or not field.value.sentinels:
+        if not any(value.sentinels for _, value in _values(field)):
             continue
-        states = absent_states(field.value)
+        states = absent_states(field.value) if field.field.value is not None else _decided_states(field, selector)
         read = f"_state_of({'item' if field.is_list else f'self.{field.name}'}, {states})"
         views.append(
             StateView(

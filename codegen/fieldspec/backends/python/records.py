@@ -157,7 +157,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         ],
         constants=[*sentinels, *units],
         scaled=[*scaled, *powers],
-        states=state_views(stored, scope),
+        states=state_views(stored, scope, shaped.selector),
         read=read,
         make=[*taken, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,
