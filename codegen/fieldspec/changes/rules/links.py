@@ -64,7 +64,7 @@ def _framing(link: Link, key: str) -> bytes | str:
 
 
 def check_changed(comparison: Comparison) -> Iterator[Change]:
-    """A checksum has another algorithm, has other digits or covers other parts, or a length counts other parts.
+    """A checksum has another algorithm, prefix or digits, or covers other parts, or a length counts other parts.
 
     Why: each side refuses the frames of the other.
 
