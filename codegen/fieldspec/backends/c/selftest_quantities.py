@@ -19,7 +19,7 @@ from fieldspec.backends.c.expressions import (
     whole_double,
 )
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.quantities import ScaledValue, scaled_values
+from fieldspec.backends.c.quantities import EXACT_BYTES, ScaledValue, scaled_values
 from fieldspec.backends.c.sample_values import legal_numbers
 from fieldspec.backends.c.statements import CompileIf, Statement, Variable
 from fieldspec.backends.c.values import type_name
@@ -28,9 +28,6 @@ from fieldspec.model.value import Value
 
 _GREATEST = 1e38
 """What a double can be on machines where it has 32 bits."""
-
-_EXACT_BYTES = 6
-"""A double has 53 bits, of which a conversion there and back may lose one or two: a count of 56 bits is rounded."""
 
 _RAW, _QUANTITY = Identifier("raw"), Identifier("quantity")
 
@@ -50,7 +47,7 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
     assert ranges is not None
     yield Variable(Type(type_name(value)), "raw", value=ZERO)
     yield Variable(Type("double"), "quantity", value=whole_double(0))
-    exact = value.type.size <= _EXACT_BYTES
+    exact = value.type.size <= EXACT_BYTES
     for power in sorted({ranges.intervals[0][0], ranges.intervals[-1][1], 0} & _whole(exponent.value)):
         for number in numbers:
             what, wanted = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))
