@@ -335,7 +335,9 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     (
         "case_changed",
         setting(
-            lambda tree: [place for place in mappings(tree) if place[0] and "cases" in place[0][-2:]],
+            lambda tree: [
+                place for place in mappings(tree) if place[0] and "cases" in place[0][-2:] and "sizes" not in place[0]
+            ],
             "when",
             lambda *_: "another",
         ),

@@ -49,6 +49,8 @@ def at_path(values: Any, name: str) -> Any:
             values = values[int(step)] if int(step) < len(values) else None
         elif isinstance(values, dict):
             values = values.get(step)
+        else:
+            return None  # a field of bits, whose values an example has as one number
         if values is None:
             return None
     return values

@@ -4533,7 +4533,7 @@ local function is_marked(link, direction, code, parts)
         for _, part in ipairs(link.response.parts) do
             if part.name == exception.part then
                 local number = part_number(part, parts)
-                return number ~= nil and not values.is_within(number, exception.normal)
+                return number ~= nil and not values.is_within(number, exception.normal, part.value)
             end
         end
     end
@@ -4653,8 +4653,10 @@ function frames.fits(link, direction, bytes, asked, message)
             return false
         elseif part.role == "code" then
             code = numbers.of(own, part.value)
-        elseif part.constant and not part.reserved and numbers.of(own, part.value) ~= part.constant then
-            return false
+        elseif part.constant and not part.reserved then
+            if numbers.of(own, part.value) ~= numbers.bound(part.constant, part.value) then
+                return false
+            end
         end
     end
     local body = parts:sub(shape.header + 1, #parts - shape.trailer)

@@ -76,7 +76,9 @@ def compared(placed_member: Placed, data: bytes, values: Any) -> int:
         for element in range(outer.count if outer else 1):
             meant = at_path(values, path, element)
             for number, single in enumerate(meant if isinstance(meant, list) else [] if meant is None else [meant]):
-                first = at + (element * outer.stride if outer else 0) + number * layout_row.stride
+                # A number of a width that no type has is an array of its bytes.
+                stride = value.size if value.type.is_odd else layout_row.stride
+                first = at + (element * outer.stride if outer else 0) + number * stride
                 raw = value_construct(value, layout_row.member.order, layout_row.member.swapped).parse(
                     data[first : first + value.size]
                 )

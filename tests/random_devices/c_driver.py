@@ -12,7 +12,7 @@ from fieldspec.backends.c.runtime_files import status_names
 from fieldspec.backends.c.subcodes import shared_codes
 from fieldspec.backends.c.values import accessed_type
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import stem
@@ -228,7 +228,7 @@ class Driver:
         call = self.naming.function("link", link.name, direction, "open")
         wrapped = is_wrapped(link)
         parts = header_parts(frame)
-        printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part)});' for part in parts)
+        printing = " ".join(_show_part(part, f"opened.{frame_member(part)}") for part in parts)
         heads = "".join(f"opened.{frame_member(part)}, " for part in parts)
         coded = frame.role("code") is not None
         error = link.link.exception_response if direction == "response" else None
@@ -284,6 +284,12 @@ def _literal(value: Value) -> str:
     if not value.type.signed:
         return f"{value.const}ull"
     return f"(int64_t)({(value.const or 0) + 1}ll - 1)"
+
+
+def _show_part(part: PartLayout, place: str) -> str:
+    if part.value is None or part.value.type.signed:
+        return f'printf("%lld;", (long long){place});'
+    return f'printf("%llu;", (unsigned long long){place});'
 
 
 def _show_value(value: Value, place: str) -> str:

@@ -32,7 +32,7 @@ def devices(draw: Any) -> Spec:
         spec["versions"] = [{"line": "firmware", "builds": True, "members": members}]
     draft.byte_order = draft.pick(("big", "little"))
     draft.word_order = draft.pick(("big", "little", "big", "little", ""))
-    draft.code_bits = draft.pick((8, 8, 16))
+    draft.code_bits = draft.pick((8, 8, 16, 8, 8, 24))
     spec["enums"] = drawn_words.enums(draft)
     spec["flags"] = drawn_words.flags(draft)
     spec["records"] = drawn_records.records(draft)

@@ -50,6 +50,9 @@ SIZES = {
 SIZES |= {"u24": 3, "i24": 3, "u40": 5, "i40": 5, "u48": 6, "i48": 6, "u56": 7, "i56": 7, "f64": 8}
 INTEGERS = ("u16", "u8", "i16", "u32", "i32", "i8", "u64", "i64")
 ODD_INTEGERS = ("u24", "i24", "u40", "i40", "u48", "i48", "u56", "i56")
+ODD_COUNTS = ("u24", "u40", "u48", "u56")
+ODD_WORDS = ("u48", "i48")
+"""Those of them that have a whole number of words."""
 
 
 def bounds(kind: str) -> tuple[int, int]:

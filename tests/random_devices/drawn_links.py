@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from fieldspec.schema import schema
-from random_devices.draft import Draft, Spec, bounds, range_text
+from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, Draft, Spec, bounds, range_text
 from random_devices.drawn_values import value
 
 USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
 ALGORITHMS = tuple(schema()["$defs"]["algorithm"]["enum"])
-UNSIGNED = ("u8", "u16", "u32")
 
 
 def link(draft: Draft, coded: bool) -> Spec:
@@ -83,14 +82,14 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     if coded:
         before.append(_part(draft, "code", **_number(draft, kind, (1 << draft.code_bits) - 1)))
     if draft.chance(45):
-        before.append(_part(draft, "unit_address", **_number(draft, draft.pick(("u8", "u8", "u16")), 99)))
+        before.append(_part(draft, "unit_address", **_number(draft, _count(draft, "u8", "u8", "u16"), 99)))
     before += [_argument(draft) for _ in range(draft.number(0, 2))]
     for _ in range(draft.number(0, 2)):
         (before if draft.chance(50) else behind).append(_constant(draft))
     counts = draft.chance(45)
     if counts:
         for _ in range(draft.pick((1, 1, 1, 2))):
-            before.append(_part(draft, "length", **_number(draft, draft.pick(("u16", "u8", "u32")), 999)))
+            before.append(_part(draft, "length", **_number(draft, _count(draft, "u16", "u8", "u32"), 999)))
     if draft.chance(70):
         for _ in range(draft.pick((1, 1, 1, 1, 2))):
             (before if draft.chance(15) else behind).append(_checksum(draft))
@@ -103,6 +102,11 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
         if part["role"] == "checksum" and (draft.chance(40) or at < middle):
             part["covers"] = _covers(draft, names, at)
     return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]
+
+
+def _count(draft: Draft, *usual: str) -> str:
+    """One of some unsigned types, or now and then one of a width that machines do not have."""
+    return draft.pick(ODD_COUNTS if draft.chance(15) else usual)
 
 
 def _number(draft: Draft, kind: str, least: int) -> Spec:
@@ -175,7 +179,7 @@ def _argument(draft: Draft) -> Spec:
 
 def _constant(draft: Draft) -> Spec:
     """A part with a constant, or without a meaning."""
-    kind = draft.pick(("u8", "u16", "i8", "u32", "i16"))
+    kind = draft.pick(ODD_INTEGERS if draft.chance(15) else ("u8", "u16", "i8", "u32", "i16"))
     keys: Spec = {"type": kind} if draft.chance(80) else _number(draft, kind, 9)
     if draft.chance(70):
         keys["const"] = draft.edge(*_limits(keys))

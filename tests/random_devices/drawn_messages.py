@@ -223,7 +223,7 @@ def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list
     number = draft.fact(type="u16", parameter={"set": name, "part": "number"}, **sent)
     if not is_text and draft.chance(40):
         return _with_codes(draft, _messages_of_bytes(draft, name, number), codes, links)
-    kind = draft.pick(("u16", "u32", "i32"))
+    kind = draft.pick(("u16", "u32", "i32") if is_text else ("u16", "u32", "i32", "u24", "i48"))
     sent = draft.pick(_PARAMETER_DIGITS[kind]) if is_text else {}
     value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]}, **sent)
     drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]

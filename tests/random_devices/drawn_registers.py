@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from random_devices.draft import Draft, Spec
+from random_devices.draft import ODD_INTEGERS, Draft, Spec
 from random_devices.drawn_records import exponent_keys, may_be_scaled
 from random_devices.drawn_values import size_of, value
 
@@ -107,7 +107,7 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
 
 
 def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
-    keys = value(draft, "register")
+    keys = value(draft, "register", ODD_INTEGERS if unit_size == 1 and draft.chance(25) else ())
     words = -(-size_of(keys) // unit_size)
     access = draft.pick(ACCESSES)
     row = {"at": at, **draft.fact(), **keys, "access": access} | ({"words": words} if unit_size == 2 else {})
@@ -205,7 +205,7 @@ def _parameter(draft: Draft, at: int) -> Spec:
     elif draft.chance(10):
         row["elements"] = draft.number(2, 6)
         if draft.chance(50):
-            inner = draft.fact(index=0, type=draft.pick((row["type"], "u8", "i32")))
+            inner = draft.fact(index=0, type=draft.pick((row["type"], "u8", "i32", "u24")))
             if draft.chance(40):
                 inner["access"] = draft.pick(("ro", "rw", "wo"))
             rest = draft.fact(index=f"1..{row['elements'] - 1}", type=row["type"], reserved=True)

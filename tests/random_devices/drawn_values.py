@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from random_devices.draft import INTEGERS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, number, range_text
+from random_devices.draft import INTEGERS, ODD_INTEGERS, ODD_WORDS, SIZES, Draft, Spec, bounds, number, range_text
 
 SCALES = ("0.01", "0.1", "0.5", "10", "0.001", "100/2^14", "1/1000", "1/8")
 UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
@@ -47,11 +47,15 @@ def size_of(keys: Spec) -> int:
 
 def _types(draft: Draft, place: str) -> tuple[str, ...]:
     if place == "part":
-        return tuple(kind for kind in INTEGERS if SIZES[kind] <= 4)
+        return ODD_INTEGERS if draft.chance(12) else INTEGERS
     wide = place in ("register", "table")
+    if wide and draft.chance(8):
+        return ODD_WORDS
     if place in ("parameter", "subindex", "case"):
+        if draft.chance(15):
+            return ODD_INTEGERS
         return tuple(k for k in (*INTEGERS, "f32", "bool8", "bool16") if place == "case" or SIZES[k] > 1)
-    if place == "field" and draft.chance(12):
+    if place in ("field", "signal") and draft.chance(12):
         return (*ODD_INTEGERS, "f64")
     usual = tuple(kind for kind in INTEGERS if not wide or SIZES[kind] > 1)
     return usual if draft.chance(70) else ("f32", "bool16", "text", "bytes", *(() if wide else ("bool8",)))

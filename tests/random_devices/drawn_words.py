@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from random_devices.draft import SIZES, Draft, EnumDraft, Spec, bounds, range_text
+from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, EnumDraft, Spec, bounds, range_text
 from random_devices.drawn_values import value
 
 
@@ -14,7 +14,8 @@ def enums(draft: Draft) -> list[Spec]:
 
 
 def _enum(draft: Draft) -> Spec:
-    low, high = bounds(draft.pick(("u8", "u8", "i8", "u16", "i16", "u32", "i64")))
+    kinds = ("u24", "i24", "u40", "i48") if draft.chance(15) else ("u8", "u8", "i8", "u16", "i16", "u32", "i64")
+    low, high = bounds(draft.pick(kinds))
     numbers = sorted({draft.edge(low, high) for _ in range(draft.number(1, 5))})
     if draft.chance(50):
         numbers = list(range(draft.number(0, 2), draft.number(3, 6)))
@@ -49,7 +50,7 @@ def flags(draft: Draft) -> list[Spec]:
 
 
 def _flags(draft: Draft) -> Spec:
-    kind = draft.pick(("u16", "u8", "u32", "u64"))
+    kind = draft.pick(ODD_COUNTS if draft.chance(30) else ("u16", "u8", "u32", "u64"))
     word = draft.fact(type=kind, bits=[])
     at = draft.number(0, 2)
     while at < 8 * SIZES[kind] and len(word["bits"]) < 6:
@@ -111,6 +112,8 @@ def signals(draft: Draft, most: int = 4) -> list[Spec]:
 def conversions(draft: Draft) -> list[Spec]:
     """Counts of signals that are fractions of a reference."""
     counts = [
-        name for name, signal in draft.signals.items() if signal["type"] in ("i16", "u16", "i32") and len(signal) == 3
+        name
+        for name, signal in draft.signals.items()
+        if signal["type"] in ("i16", "u16", "i32", *ODD_INTEGERS) and len(signal) == 3
     ]
     return [draft.fact(signals=[name], full_scale=draft.number(1, 0x4000)) for name in counts if draft.chance(60)]

@@ -76,7 +76,7 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
 def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     """The findings of the form of the digits, the first one of each value."""
     kind = value.type
-    if isinstance(fact, Part) and (kind.kind is not Kind.INTEGER or kind.is_odd or kind.signed):
+    if isinstance(fact, Part) and (kind.kind is not Kind.INTEGER or kind.signed):
         return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
     if kind.kind is not Kind.INTEGER or kind.is_odd:
         text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"

@@ -11,7 +11,7 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Register
-from fieldspec.model.value import PRIMITIVES, Kind, Value
+from fieldspec.model.value import PRIMITIVES, Kind, Primitive, Value
 from fieldspec.plc.absent import stated_values
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.routines.world import every_record
@@ -27,7 +27,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
     halves are plain counts, because a scale or a range is one of the whole.
     """
     findings = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
-    findings += [_unknown(fact, value, dialect) for fact, value in _unknown_numbers(layout, dialect)]
+    findings += [_unknown(fact, kind, dialect) for fact, kind in _unknown_numbers(layout, dialect)]
     if dialect.widest >= 8:
         return layout, findings
     records = {record.name: _record(record, dialect, findings) for record in layout.records.values()}
@@ -79,21 +79,33 @@ def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
                 yield field
 
 
-def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[Fact, Value]]:
-    """The numbers that the functions of the dialect do not convert: 64-bit reals, and odd ones that are too wide."""
+def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[Fact, Primitive]]:
+    """The facts with numbers that the functions of the dialect do not convert: 64-bit reals, and odd ones too wide.
+
+    The numbers of parts and conversions are not split: whoever calls a function gives them as a whole.
+    """
     seen: set[int] = set()
     for fact, value in stated_values(layout):
         is_wide = value.type.is_odd and value.type.container > dialect.widest
         if (is_wide or value.type.name == "f64") and id(fact) not in seen:
             seen.add(id(fact))
-            yield fact, value
+            yield fact, value.type
+    parts = [part for link in layout.links.values() for part in (*link.request.parts, *link.response.parts)]
+    wholes: list[tuple[Fact, Primitive]] = [
+        *((part.part, part.value.type) for part in parts if part.value is not None and not part.value.digits),
+        *((conversion, conversion.type) for conversion in layout.device.conversions.values()),
+    ]
+    for fact, kind in wholes:
+        if kind.container > dialect.widest and id(fact) not in seen:
+            seen.add(id(fact))
+            yield fact, kind
 
 
-def _unknown(fact: Fact, value: Value, dialect: Dialect) -> Diagnostic:
+def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Diagnostic:
     return Diagnostic(
-        "plc_reals_fit" if value.type.kind is Kind.FLOAT else "plc_numbers_fit",
-        f"{fact.name} is {value.type.name}, a number that the functions for {dialect.title} cannot convert",
-        fact.place["type"],
+        "plc_reals_fit" if kind.kind is Kind.FLOAT else "plc_numbers_fit",
+        f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert",
+        fact.place["type" if "type" in fact.place else "name"],
         help=LEAVE_OUT,
     )
 

@@ -70,6 +70,11 @@ class Integer:
         return number.to_bytes(self.size, self.order, signed=self.signed)
 
 
+def number_struct(letters: str) -> Struct | Integer:
+    """The Struct of one number: of its letter, or of its type where it has none."""
+    return Integer(letters) if letters[-1].isdigit() else Struct(letters)
+
+
 def float_of(raw: bytes, letters: str, words_turned: bool) -> float:
     """A floating-point number in a byte order that the Struct of its record cannot read."""
     number: float = unpack(letters, turned(raw) if words_turned else raw)[0]

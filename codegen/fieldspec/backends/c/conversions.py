@@ -41,7 +41,7 @@ COUNT, _REST, _WHOLE = Identifier("count"), Identifier("rest"), Identifier("whol
 
 def count_type(conversion: Conversion) -> str:
     """The type of a conversion's counts."""
-    return f"{'' if conversion.type.signed else 'u'}int{8 * conversion.type.size}_t"
+    return f"{'' if conversion.type.signed else 'u'}int{8 * conversion.type.container}_t"
 
 
 def count_bounds(device: Device, conversion: Conversion) -> tuple[int, int]:

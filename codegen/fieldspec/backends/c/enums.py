@@ -220,8 +220,10 @@ def unknown_value_test(naming: Naming, device: Device, value: Value, number: Exp
 def enum_implies_range(device: Device, value: Value) -> bool:
     """Whether every number that the value's closed enum takes may be written: then the range need not be tested."""
     ranges = value.writable_ranges
-    if not value.enum or device.enums[value.enum].open or ranges is None:
+    if not value.enum or device.enums[value.enum].open:
         return False
+    if ranges is None:
+        return value.type.is_odd  # such a type bounds numbers as a range does, and every member is within it
     sentinels = {sentinel.value for sentinel in value.sentinels}
     return all(
         member.value in ranges or member.value in sentinels for member in available_members(device.enums[value.enum])
@@ -283,7 +285,7 @@ def named_bits(word: Flags) -> list[tuple[str, Bit]]:
 
 def declare_flags(naming: Naming, word: Flags) -> list[Declaration]:
     """Masks, shifts, and a function for each bit or bit field; then the states."""
-    kind = Type(f"uint{8 * word.type.size}_t")
+    kind = Type(f"uint{8 * word.type.container}_t")
     declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.")]
     declarations.append(Typedef(kind, naming.type("word", word.name)))
     for name, bit in named_bits(word):
@@ -353,7 +355,7 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
 
 def _signed_number(word: Flags, bit: Bit, number: Expression) -> tuple[Type, Expression]:
     """The type of a signed field of bits, and `(int32_t)(number ^ 8u) - 8`, which repeats its sign."""
-    size = max(word.type.size, 4)
+    size = max(word.type.container, 4)
     sign = 1 << (bit.width - 1)
     kind = Type(f"int{8 * size}_t")
     moved = Cast(kind.name, Group(Operation("^", (number, integer(sign, size, signed=False)))))

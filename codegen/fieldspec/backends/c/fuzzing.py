@@ -40,7 +40,7 @@ from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, Noun, frame_member
 from fieldspec.backends.c.packing import is_packed
 from fieldspec.backends.c.printer import Printer
-from fieldspec.backends.c.quantities import scaled_values
+from fieldspec.backends.c.quantities import EXACT_BYTES, scaled_values
 from fieldspec.backends.c.runtime_files import all_records, copy_runtime, is_bit, runtime_parts
 from fieldspec.backends.c.statements import (
     Break,
@@ -192,12 +192,12 @@ def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iter
         yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
     for conversion in layout.device.conversions.values():
         functions = [naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw")]
-        exact = _flag(conversion.type.size < 8)
+        exact = _flag(conversion.type.size <= EXACT_BYTES)
         yield Call("CONVERSION", (*_names(count_type(conversion), *functions), exact))
     for scaled in scaled_values(layout):
         functions = [scaled.function(naming, end) for end in ("from_raw", "to_raw")]
         types = type_name(scaled.value), type_name(scaled.exponent.value)
-        yield Call("QUANTITY", (*_names(*types, *functions), _flag(scaled.value.type.size < 8)))
+        yield Call("QUANTITY", (*_names(*types, *functions), _flag(scaled.value.type.size <= EXACT_BYTES)))
 
 
 # Functions for frames

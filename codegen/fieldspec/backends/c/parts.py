@@ -116,7 +116,7 @@ def _store_part(naming: Naming, wire: WireValue, target: Expression, number: Exp
     """Writes the number of a part, which its bytes or its digits hold."""
     if wire.value.digits:
         return store_number(naming, wire, number, target)
-    return store(naming, wire.access, target, Cast(f"uint{8 * wire.size}_t", number))
+    return store(naming, wire.access, target, Cast(f"uint{8 * wire.value.type.container}_t", number))
 
 
 def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:

@@ -40,6 +40,9 @@ from fieldspec.model.value import Kind, Value
 _DOUBLE = Type("double")
 _QUANTITY, _EXPONENT = Identifier("quantity"), Identifier("exponent")
 
+EXACT_BYTES = 6
+"""A double has 53 bits, of which a conversion there and back may lose one or two: a count of 56 bits is rounded."""
+
 
 @dataclass(frozen=True, slots=True)
 class ScaledValue:

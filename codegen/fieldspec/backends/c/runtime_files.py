@@ -16,6 +16,7 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.values import WireValue, access_name
 from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.digits import BCD
@@ -103,7 +104,10 @@ def _odd_accesses(layout: DeviceLayout) -> list[str]:
     """The same of numbers with another width than those of machines, and the functions for their signs."""
     odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
     used = {wire.access for wire in _wire_values(layout) if wire.value.type.is_odd or wire.value.digits == BCD}
-    used |= {f"signed_{8 * wire.size}" for wire in odd if wire.value.type.signed}
+    parts = [part for part in _parts_of_frames(layout) if part.value is not None and part.value.type.is_odd]
+    used |= {access_name(part.size, part.order, False) for part in parts}
+    signed = [wire.value for wire in odd] + [part.value for part in parts if part.value is not None]
+    used |= {f"signed_{8 * value.size}" for value in signed if value.type.signed}
     return [name for name in runtime_parts("odd_numbers.h") if name in used]
 
 
@@ -127,10 +131,13 @@ def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
 
 def _part_values(layout: DeviceLayout) -> Iterator[Value]:
     """The values of the parts of frames that have one."""
+    yield from (part.value for part in _parts_of_frames(layout) if part.value is not None)
+
+
+def _parts_of_frames(layout: DeviceLayout) -> Iterator[PartLayout]:
+    """The parts of the frames of both directions."""
     for link in layout.links.values():
-        for part in (*link.request.parts, *link.response.parts):
-            if part.value is not None:
-                yield part.value
+        yield from (*link.request.parts, *link.response.parts)
 
 
 def has_bits(layout: DeviceLayout) -> bool:

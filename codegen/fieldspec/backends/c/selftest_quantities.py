@@ -23,7 +23,7 @@ from fieldspec.backends.c.expressions import (
     whole_double,
 )
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.quantities import ScaledValue, fixed_values, scaled_values
+from fieldspec.backends.c.quantities import EXACT_BYTES, ScaledValue, fixed_values, scaled_values
 from fieldspec.backends.c.sample_values import legal_numbers
 from fieldspec.backends.c.statements import CompileIf, Statement, Variable, assign
 from fieldspec.backends.c.values import type_name
@@ -32,9 +32,6 @@ from fieldspec.model.value import Kind, Value
 
 _GREATEST = 1e38
 """What a double can be on machines where it has 32 bits."""
-
-_EXACT_BYTES = 6
-"""A double has 53 bits, of which a conversion there and back may lose one or two: a count of 56 bits is rounded."""
 
 _WHOLE_FLOATS = 1 << 24
 """Below it, a float has every whole number."""
@@ -82,7 +79,7 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
     value, names = absent.value, absent.names
     from_raw, to_raw = (naming.function(absent.noun, *names, end) for end in ("from_raw", "to_raw"))
     ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
-    goes_back = value.type.size <= _EXACT_BYTES and not value.offset
+    goes_back = value.type.size <= EXACT_BYTES and not value.offset
     quantities = {number: float(value.in_unit(number)) for number in numbers}
     small = {number: quantity for number, quantity in quantities.items() if abs(quantity) <= _GREATEST}
     if goes_back and small:
@@ -114,7 +111,7 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
     assert ranges is not None
     yield Variable(Type(type_name(value)), "raw", value=ZERO)
     yield Variable(Type("double"), "quantity", value=whole_double(0))
-    exact = value.type.size <= _EXACT_BYTES
+    exact = value.type.size <= EXACT_BYTES
     for power in sorted({ranges.intervals[0][0], ranges.intervals[-1][1], 0} & _whole(exponent.value)):
         for number in numbers:
             what, wanted = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))

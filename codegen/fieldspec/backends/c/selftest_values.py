@@ -37,6 +37,7 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.parameters import wire_number_type
+from fieldspec.backends.c.quantities import EXACT_BYTES
 from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.sample_values import legal_numbers, value_bytes
 from fieldspec.backends.c.statements import Block, CompileIf, Statement, Variable, assign, discard
@@ -73,7 +74,7 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
     for name, bit in named_bits(word):
         ones = hexadecimal(sum(1 << number for number in range(bit.first, bit.last + 1)), size)
         mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
-        others = Cast(f"uint{8 * size}_t", Unary("~", ones))
+        others = Cast(f"uint{8 * word.type.container}_t", Unary("~", ones))
         wide = bit.width > 1
         yield _expect_constant(mask, ones)
         every = integer(-1, max(size, 4)) if bit.signed else integer((1 << bit.width) - 1, size, False)
@@ -300,7 +301,7 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
             expect(at_least(quantity, double(wanted - near)), what),
             expect(at_most(quantity, double(wanted + near)), what),
         ]
-        if size < 8:
+        if size <= EXACT_BYTES:
             body += [
                 expect_equal(f"{what} back", Call(to_raw, (quantity, reference, raw)), ok),
                 expect_equal(f"{what} back", _RAW, literal),

@@ -369,7 +369,7 @@ def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
 
 
 def _store_member(naming: Naming, wire: WireValue) -> Evaluation:
-    member = Cast(f"uint{8 * wire.value.type.size}_t", VALUE)
+    member = Cast(f"uint{8 * wire.value.type.container}_t", VALUE)
     if wire.value.digits:
         return store_number(naming, wire, Cast(type_name(wire.value), VALUE), OUT)
     return store(naming, wire.access, OUT, member)

@@ -98,6 +98,9 @@ def _bit(bit: Bit, wide: bool) -> str:
         if bit.width == 1:
             return f"({field}) !== 0n"
         return f"Number(BigInt.asIntN({bit.width}, {field}))" if bit.signed else f"Number({field})"
+    if bit.last > 31:  # operators on bits cut numbers to 32 bits
+        number = f"Math.floor(raw / {1 << bit.first}) % {1 << bit.width}"
+        return f"{number} !== 0" if bit.width == 1 else f"signed48({number}, {bit.width})" if bit.signed else number
     if bit.width == 1:
         return f"(raw & {bit.mask}) !== 0" if bit.first < 31 else f"raw >>> {bit.first} !== 0"
     mask = bit.mask >> bit.first

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
-from typing import Any
 
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.js.declaration import Declaration, Names
@@ -144,8 +142,8 @@ def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> 
     if part is not None and part.value is not None:
         row["part"] = literal(part.name)
         for name, is_exception in (("normal", False), ("marks", True)):
-            row[name] = _intervals(exception.permitted(part.value, is_exception))
-        row["all"] = _intervals(exception.normal)
+            row[name] = _intervals(exception.permitted(part.value, is_exception), _is_wide(part))
+        row["all"] = _intervals(exception.normal, _is_wide(part))
     return object_of(row)
 
 
@@ -179,34 +177,33 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
     parts = frame.header if place == "header" else frame.trailer
     lines = [f"    {place}: ["]
     for part, key in zip(parts, argument_keys(parts), strict=True):
-        row: dict[str, Any] = {
-            "name": part.name,
-            "role": part.role,
-            "key": key or None,
-            "offset": part.offset,
-            "size": part.size,
-            "order": part.order or "big",
-            "signed": bool(part.value and part.value.type.signed),
-            "wide": _is_wide(part) and part.role not in ("length", "code", "checksum"),
-            "low": part.value.low if part.value else 0,
-            "high": part.value.high if part.value else (1 << 8 * part.size) - 1,
-            "reserved": part.reserved,
-            "unitSize": part.unit_size,
-            "base": part.base,
-            "start": part.start,
-            "stop": part.stop,
-            "escaped": part.escaped,
+        wide = _is_wide(part) and part.role not in ("length", "code", "checksum")
+        low, high = (part.value.low, part.value.high) if part.value else (0, (1 << 8 * part.size) - 1)
+        row = {
+            "name": literal(part.name),
+            "role": literal(part.role),
+            "key": literal(key) if key else "null",
+            "offset": str(part.offset),
+            "size": str(part.size),
+            "order": literal(part.order or "big"),
+            "signed": flag(bool(part.value and part.value.type.signed)),
+            "wide": flag(wide),
+            "low": _number(low, wide),
+            "high": _number(high, wide),
+            "reserved": flag(part.reserved),
+            "unitSize": str(part.unit_size),
+            "base": str(part.base),
+            "start": str(part.start),
+            "stop": "null" if part.stop is None else str(part.stop),
+            "escaped": flag(part.escaped),
+            "constant": "null" if part.constant is None else _number(part.constant, wide),
+            "ranges": _intervals(part.value.ranges, wide) if part.value else "null",
         }
-        wide = row["wide"] and part.constant is not None
-        more = ["constant: null" if part.constant is None else f"constant: {part.constant}{'n' * wide}"]
-        more += [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
         if part.form:
-            more.append(f"digits: {literal(part.form)}")
+            row["digits"] = literal(part.form)
         if part.role == "checksum":
-            more += [f"algorithm: {checksum_function(part.algorithm, part.order)}", f"digits: {literal(part.digits)}"]
-        lines.append(
-            f"      {{ {', '.join([*(f'{field}: {json.dumps(value)}' for field, value in row.items()), *more])} }},"
-        )
+            row |= {"algorithm": checksum_function(part.algorithm, part.order), "digits": literal(part.digits)}
+        lines.append(f"      {object_of(row)},")
     return [*lines, "    ],"]
 
 
@@ -252,5 +249,13 @@ def checksum_function(algorithm: str, order: str) -> str:
     return f"{PURE} totalOf({object_of(parameters)})"
 
 
-def _intervals(ranges: Ranges | None) -> str:
-    return "null" if ranges is None else json.dumps([list(interval) for interval in ranges.intervals])
+def _number(number: int, wide: bool) -> str:
+    """A number as JavaScript writes it: a bigint where it is `wide`, as other numbers of so many bytes are inexact."""
+    return f"{number}n" if wide else str(number)
+
+
+def _intervals(ranges: Ranges | None, wide: bool = False) -> str:
+    if ranges is None:
+        return "null"
+    pairs = (f"[{_number(low, wide)}, {_number(high, wide)}]" for low, high in ranges.intervals)
+    return f"[{', '.join(pairs)}]"

@@ -98,11 +98,16 @@ def is_simple(frame: FrameLayout) -> bool:
         frame.escape is None
         and len(frame.lengths) < 2
         and len({part.order for part in frame.header if part.size > 1}) <= 1
-        and not any(part.reserved or part.form for part in frame.header)
+        and not any(part.reserved or part.form or _is_odd(part) for part in frame.header)
         and frame.trailer == (() if check is None else (check,))
         and (check is None or _is_usual(check))
         and (length is None or (length.unit_size, length.base) == (1, 0))
     )
+
+
+def _is_odd(part: PartLayout) -> bool:
+    """Whether a part is a number that no letter of a Struct stands for."""
+    return part.value is not None and part.value.type.is_odd
 
 
 def _is_usual(check: PartLayout) -> bool:

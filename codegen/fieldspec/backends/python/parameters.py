@@ -244,10 +244,10 @@ def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
     """The Struct that turns a value into the number in a message, in its own order; empty where there is none."""
     if carrier is None or carrier.value is None:
         return ""
-    letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
-    if row.subindices or letter == "s" or carrier.carries_bytes:
+    kind = carrier.value.type if carrier.size == row.value.size else row.value.type
+    if row.subindices or not kind.is_number or carrier.carries_bytes:
         return ""
-    return f"{'>' if big else '<'}{letter}"
+    return f"{'>' if big else '<'}{kind.letter or kind.name}"
 
 
 def _default(row: Parameter) -> str:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from fieldspec.backends.wireshark.filters import Filters, description, title_of
 from fieldspec.backends.wireshark.text import Data, line_text
-from fieldspec.backends.wireshark.values import errata_data, intervals, value_data
+from fieldspec.backends.wireshark.values import bound, errata_data, intervals, is_wide, value_data
 from fieldspec.layout.checksums import reflected
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.exception_mark import ExceptionMark
 from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.repeated_parts import repeated_parts
@@ -37,7 +36,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "repeated": [{"asked": asked.name, "answered": answered.name} for asked, answered in repeated_parts(link)],
         "messages": messages,
-        "exception": None if exception is None else _exception(exception, link.mark),
+        "exception": None if exception is None else _exception(link, exception),
         "units": None
         if addresses is None
         else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
@@ -46,13 +45,15 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
     }
 
 
-def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> dict[str, Data]:
+def _exception(link: LinkLayout, exception: ExceptionResponse) -> dict[str, Data]:
+    mark = link.mark
+    marks = next((part for part in link.response.header if part.name == exception.part), None)
     return {
         **({"mark": {"offset": mark.offset, "bytes": mark.pattern}} if mark is not None else {}),
         "flag": exception.flag,
         "code": exception.code,
         "part": exception.part or None,
-        "normal": intervals(exception.normal),
+        "normal": intervals(exception.normal, is_wide(marks.value if marks is not None else None)),
         "record": exception.record,
     }
 
@@ -104,7 +105,7 @@ def _part(
         "offset": part.offset,
         "size": part.size,
         "order": part.order,
-        "constant": part.constant,
+        "constant": None if part.constant is None else bound(part.constant, is_wide(part.value)),
         "reserved": part.reserved,
         "same_as": own.same_as or None,
         "errata": errata_data(layout.device, own),

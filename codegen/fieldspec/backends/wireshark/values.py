@@ -26,7 +26,7 @@ _MOST_PLACES = 6
 def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
     """A value with its byte and word order."""
     kind = value.type.kind
-    wide = kind is Kind.INTEGER and value.size > 6
+    wide = is_wide(value)
     data: dict[str, Data] = {
         "kind": kind.value,
         "size": value.size,
@@ -70,6 +70,11 @@ def _places(number: Decimal | Fraction) -> int:
         return 0
     exponent = number.as_tuple().exponent
     return max(0, -exponent) if isinstance(exponent, int) else 0
+
+
+def is_wide(value: Value | None) -> bool:
+    """Whether a value is a whole number that a double cannot hold."""
+    return value is not None and value.type.kind is Kind.INTEGER and value.size > 6
 
 
 def bound(number: int, wide: bool) -> int | str:

@@ -121,7 +121,7 @@ def _write_header_part(
 ) -> list[Statement]:
     wire = wire_of(part)
     if part.role == "length":
-        raw = draft.local(_LENGTHS[part.size], wire.bits)
+        raw = draft.local(_LENGTHS[wire.bits.size], wire.bits)
         units, tests = _units(shape, part, total)
         most = (world.frame.high + 1 - part.base) // part.unit_size
         if most > wire.value.type.high:
@@ -151,7 +151,7 @@ def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[State
     """What puts the constant of a part at an offset."""
     wire = wire_of(part)
     assert part.constant is not None
-    return holder.stored(offset, part.size, part.order, False, Whole(part.constant & wire.bits.high, wire.bits))
+    return holder.stored(offset, part.size, part.order, False, wire.literal(part.constant))
 
 
 def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
@@ -171,7 +171,9 @@ def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: 
     if part.size == 1:
         return holder.stored(part.offset, 1, part.order, False, converted(source, wire.bits))
     raw = draft.local("wRaw", wire.bits)
+    beyond = outside(source, [(0, wire.value.type.high)], wire.whole) if wire.value.type.is_odd else None
     return [
+        *([] if beyond is None else [draft.refusal(beyond, "unknown_code")]),
         Assignment(raw, converted(source, wire.bits)),
         *holder.stored(part.offset, part.size, part.order, False, raw),
     ]
@@ -242,7 +244,7 @@ def _length_differs(world: World, shape: FrameLayout, part: PartLayout, holder: 
     """The condition under which a length part does not say how many bytes a frame has."""
     wire = wire_of(part)
     bits = holder.number(part.offset, part.size, part.order, False)
-    if (part.unit_size, part.base) == (1, 0) and part.size < 4:
+    if (part.unit_size, part.base) == (1, 0) and part.size < 3:
         # A number of two bytes that INT does not hold becomes a negative one, which no length is.
         return compared(Conversion(bits, INT), "<>", length)
     units, tests = _units(shape, part, length)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from struct import Struct
 from struct import error as StructError
 
 from ._absent import state_of
 from ._carried import Unknown
+from ._conversions import number_struct
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import Text, Value
@@ -195,7 +195,7 @@ class Parameter(Generic[T]):
         if not self.carrier or own is not self.value:
             return own.to_raw(value)
         try:
-            return Struct(self.carrier).unpack(own.struct.pack(own.to_raw(value)))[0]
+            return number_struct(self.carrier).unpack(own.struct.pack(own.to_raw(value)))[0]
         except StructError:
             raise CodecError("out_of_range", f"no message can carry {self.title}") from None
 

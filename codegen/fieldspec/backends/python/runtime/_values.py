@@ -5,7 +5,7 @@ from __future__ import annotations
 from struct import Struct
 
 from ._absent import absent_number, state_of
-from ._conversions import Integer, counts, text, turned
+from ._conversions import Integer, counts, number_struct, text, turned
 from ._digits import Digits, digits, no_digits
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
@@ -69,7 +69,7 @@ class Value(Generic[T]):
         if " " in letters:
             self.struct = digits(letters)
         else:
-            self.struct = Integer(letters) if letters[-1].isdigit() else Struct(letters)
+            self.struct = number_struct(letters)
         self.swapped, self.size = swapped, self.struct.size
         if not isinstance(self.struct, Struct):
             self.low, self.high = self.struct.low, self.struct.high
