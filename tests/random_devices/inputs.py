@@ -45,7 +45,11 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
         fields = stored_fields(record, record.chosen[number])
         values = {field.name: _field(layout, field, dice) for field in fields}
         return values | ({} if is_computed(record.selector) else {record.selector.name: number})
-    return {field.name: _field(layout, field, dice) for field in record.fields if not is_computed(field)}
+    values = {field.name: _field(layout, field, dice) for field in record.fields if not is_computed(field)}
+    for field in record.fields:
+        if field.bits_of and dice.random() < 0.85:
+            values[field.name] = max(0, 8 * len(values[field.bits_of]) - dice.choice((0, 0, 1, 3, 7)))
+    return values
 
 
 def _field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
@@ -154,6 +158,9 @@ def record_bytes(record: RecordLayout, dice: random.Random) -> bytes:
         if measure is not None and other is not None and dice.random() < 0.8:
             length = len(data) - other.offset if other.count is None else other.size * other.count
             put(data, field.offset, field.size, field.order, length if measure.of == "bytes" else length // other.size)
+        elif field.bits_of and dice.random() < 0.8:
+            packed = len(data) - form.sent_fields[-1].offset
+            put(data, field.offset, field.size, field.order, max(0, 8 * packed - dice.choice((0, 1, 7, 8))))
         elif field.value is not None and field.value.const is not None and dice.random() < 0.8 and not field.is_list:
             put(data, field.offset, field.size, field.order, field.value.const)
     return bytes(data)

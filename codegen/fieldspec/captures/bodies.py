@@ -290,7 +290,12 @@ class BodyReader:
         counts: dict[str, Numbers],
         verdict: npt.NDArray[np.int8],
     ) -> None:
-        """Judges a field that measures another one."""
+        """Judges a field that measures another one, or is the number of bits that are packed into it."""
+        if slot.layout is slot.field and slot.layout.bits_of:
+            number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
+            wrong = (number + 7) // 8 != np.maximum(counts[slot.layout.bits_of], 0)
+            blame(verdict, wrong & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+            return
         measure = slot.layout.field.measures if slot.layout is slot.field else None
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases or slot.path in self.counts_of_texts:

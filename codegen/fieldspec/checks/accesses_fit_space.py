@@ -6,20 +6,22 @@ Why: outputs take the value of a register out of what the message carries. They 
 is, and which number stands for a bit that is 1.
 
 Example: a message that writes one coil with a `u16` and does not state `set: 0xFF00`; a `word_count` of a request that
-writes `values`, without `measures: {items: values}`.
+writes `values`, without `measures: {items: values}`; a `bit_count` of up to 2000 bits for up to 246 bytes.
 
 Cure: Correct the field, or the keys of `accesses`. Packed bits need `count`, as the last byte may have bits to spare.
+Codecs compare the number of bits that a request writes with its bytes, so its range has to fit the repetitions.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
+from fieldspec.checks.finding import finding, label, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.address_space import BIT, BYTE, AddressSpace
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
+from fieldspec.model.ranges import Ranges, merged
 from fieldspec.model.record import Field, Message, RegisterAccess
 from fieldspec.model.value import Kind
 
@@ -80,6 +82,33 @@ def _packed(message: Message, access: RegisterAccess, field: Field, space: Addre
     if access.set is not None:
         text = f"`set` and `clear` have no effect in {message.name}, whose bits are packed"
         yield _of(message, text, "remove them", space)
+    count = message.request.named(access.count) if access.count and access.operation == "write" else None
+    if count is not None:
+        yield from _bit_count(message, count, field)
+
+
+def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagnostic]:
+    """The findings of the field with the number of bits that a request writes, which codecs compare with the bytes."""
+    value = count.value
+    there = label(packed.place, "repeat", f"the bytes of {packed.name}")
+    is_number = value is not None and value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+    if value is None or not is_number or value.size > 2 or value.flags or value.enum or count.is_list or count.reserved:
+        text = f"{count.name} is the number of bits in {message.name}, and no single `u8` or `u16`"
+        yield finding(_CODE, count.place, "name", text, "state it as `u8` or `u16`, without an enum or digits", there)
+    elif count.measures is not None:
+        text = f"{count.name} is the number of bits in {message.name}, but `measures` {count.measures.of}"
+        help = "remove `measures`: `accesses` says that it is the number of the bits, which codecs compare"
+        yield finding(_CODE, count.place, "measures", text, help, there)
+    elif packed.repeat is not None and (value.const is not None or value.ranges is not None):
+        numbers = value.ranges or Ranges(((value.low, value.high),))
+        numbers = numbers if value.const is None else Ranges(((value.const, value.const),))
+        sizes = Ranges(tuple(merged(((low + 7) // 8, (high + 7) // 8) for low, high in numbers.intervals)))
+        if merged(sizes.intervals) != merged(packed.repeat.intervals):
+            text = f"{count.name} is {numbers.text()} bits, which take {sizes.text()} bytes"
+            text = f"{text}, but {packed.name} has {packed.repeat.text()}"
+            key = "const" if value.const is not None else range_key(count.place)
+            help = "correct the number of bits or the repetitions"
+            yield finding(_CODE, count.place, key, text, help, there)
 
 
 def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:

@@ -10,6 +10,7 @@ from fieldspec.explain.parameters import with_parameter
 from fieldspec.explain.registers import exponent_applied
 from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
 from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -343,6 +344,8 @@ class Body:
 
     def _measured(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that measures another one, judged by the size of that field."""
+        if field.bits_of:
+            return self._bit_count(field, read)
         measure = field.field.measures
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases:
@@ -356,6 +359,14 @@ class Body:
         items = (other.count or 0) if self.record.spans else items
         should = measure.number(items, other.size)
         return read.judged(read.number == should, should, "wrong_measure")
+
+    def _bit_count(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """The number of bits in a list of bytes, judged by how many there are."""
+        packed = self.record.named(field.bits_of)
+        assert packed is not None
+        size = max(0, min(self._count(packed), self.end - self.start - packed.offset))
+        fits = isinstance(read.number, int) and packed_size(read.number) == size
+        return read.judged(fits, f"{8 * size - 7} to {8 * size}" if size else 0, "wrong_measure")
 
     def _measured_list(
         self, inner: InnerLists, field: FieldLayout, other: FieldLayout, read: DecodedValue

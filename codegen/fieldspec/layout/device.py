@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
+from fieldspec.layout.bit_counts import with_bit_count
 from fieldspec.layout.frame import LinkLayout, MessageLayout, link_layout
 from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout, record_layout
 from fieldspec.model.access import narrowed
@@ -86,7 +87,7 @@ def device_layout(device: Device) -> DeviceLayout:
         message.name: MessageLayout(
             message,
             message.name,
-            record_layout(message.request, records, orders, device.enums),
+            with_bit_count(device, message, record_layout(message.request, records, orders, device.enums)),
             record_layout(message.response, records, orders, device.enums),
         )
         for message in device.messages.values()

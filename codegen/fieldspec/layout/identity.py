@@ -145,6 +145,8 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     text = None if measures is None else f"Measure(of={measures.of!r}, field={measures.field!r})"
     if measures is not None and measures.plus:
         yield "plus", measures.plus
+    if field.bits_of:
+        yield "bits of", field.bits_of
     yield text, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
     for case in field.cases:
         yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)

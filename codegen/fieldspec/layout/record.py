@@ -38,7 +38,8 @@ class FieldLayout:
     data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case.
     `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. Of a field with
     the bytes of a parameter's value, `sizes` are the numbers of bytes that are the value, by the number in another
-    field, of equal ones the one to write first; it is empty where all are.
+    field, of equal ones the one to write first; it is empty where all are. Of the number of bits that a request writes,
+    `bits_of` is the list into whose bytes they are packed; other fields have an empty one.
     """
 
     field: Field
@@ -52,6 +53,7 @@ class FieldLayout:
     swapped: bool
     cases: tuple[CaseLayout, ...] = ()
     sizes: Mapping[int, int] = classes.field(default_factory=dict)
+    bits_of: str = ""
 
     @property
     def carries_bytes(self) -> bool:

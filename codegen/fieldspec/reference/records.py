@@ -6,6 +6,7 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.inner_lists import InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
@@ -173,6 +174,16 @@ def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
         if measured is not None and values[field.name] != measured:
             text = f"{field.name} is {values[field.name]}, but there are {measured}"
             raise CodecError("wrong_measure", text, offset + field.offset)
+        if field.bits_of:
+            _check_bit_count(field, values, offset + field.offset)
+
+
+def _check_bit_count(field: FieldLayout, values: Mapping[str, Any], at: int | None) -> None:
+    """Refuses a number of bits that takes more or less bytes than there are."""
+    number, size = values[field.name], len(values[field.bits_of])
+    if packed_size(number) != size:
+        text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
+        raise CodecError("wrong_measure", text, at)
 
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
@@ -220,6 +231,8 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
         measured = _measured(record, field, raw)
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
+        if field.bits_of:
+            _check_bit_count(field, raw, None)
     return raw
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.registers import FORBIDS, Occupant, count_of_occupant, element_number
-from fieldspec.layout.bits import packed_bits, packed_size, unpacked_bits
+from fieldspec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.model.record import Message, RegisterAccess
 from fieldspec.model.registers import Table
 from fieldspec.model.value import Kind, Value
@@ -77,8 +77,6 @@ def write_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]
         if content not in (access.set, access.clear):
             raise Refusal("value_invalid", f"{content} stands for no bit")
         bits = [int(content == access.set)]
-    elif len(content) != packed_size(count):
-        raise Refusal("value_invalid", f"{count} bits are not {len(content)} bytes")
     else:
         bits = list(unpacked_bits(bytes(content)))[:count]
     words = [int.from_bytes(bytes((bit, 0)), engine.memory.order) for bit in bits]

@@ -57,3 +57,8 @@ def wrong_const(name: str, raw: int, const: int, at: int) -> CodecError:
 def wrong_measure(name: str, raw: int, measured: int, at: int) -> CodecError:
     """A value that is not the size of what it measures."""
     return CodecError("wrong_measure", f"{name} is {raw}, but there are {measured}", at)
+
+
+def wrong_bits(name: str, raw: int, of: str, size: int, at: int | None = None) -> CodecError:
+    """A number of bits that takes another number of bytes than there are."""
+    return CodecError("wrong_measure", f"{name} is {raw}, which takes {(raw + 7) // 8} bytes, but {of} has {size}", at)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.bit_counts import check_bit_count
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct, comment
 from fieldspec.backends.c.expressions import (
     CAPACITY,
@@ -222,7 +223,7 @@ def _write_fields(
             body = (*body, switch_cases(naming, record, selector, write_case))
         else:
             body += walk_elements(record, field, _field_writer(naming, device, record, field), IN, OUT)
-    return body
+    return (*body, *check_bit_count(naming, record, IN))
 
 
 def _field_writer(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:
@@ -352,7 +353,7 @@ def _read_fields(naming: Naming, device: Device, record: RecordLayout, selector:
             body = (*body, switch_cases(naming, record, selector, read_case))
         else:
             body += walk_elements(record, field, _field_reader(naming, device, record, field), OUT, IN)
-    return body
+    return (*body, *check_bit_count(naming, record, OUT))
 
 
 def _field_reader(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:

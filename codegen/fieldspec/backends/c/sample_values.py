@@ -10,6 +10,8 @@ from fieldspec.backends.c.enums import available_members
 from fieldspec.backends.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
 from fieldspec.backends.c.naming import member
 from fieldspec.classes import dataclass
+from fieldspec.layout.bit_counts import fitting_bit_count
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import data_of
 from fieldspec.model.device import Device
@@ -124,7 +126,23 @@ def legal_numbers(device: Device, value: Value) -> list[int]:
 
 def record_value(device: Device, record: RecordLayout) -> dict[str, Any]:
     """Low values for all members of a record; lists are as short as they may be, but not empty."""
-    return {field.name: field_sample(device, field, low_value) for field in members(record)}
+    return fitting({field.name: field_sample(device, field, low_value) for field in members(record)}, record)
+
+
+def fitting(values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:
+    """The values with as many bytes of packed bits as their number takes where that is the field `changed`, and with
+    another number of bits elsewhere.
+    """
+    for field in record.fields:
+        if field.bits_of and field.name == changed:
+            packed = record.named(field.bits_of)
+            assert packed is not None
+            assert packed.field.repeat is not None
+            size = min(packed_size(values[field.name]), packed.field.repeat.high)
+            values = {**values, field.bits_of: [0] * size, field.name: fitting_bit_count(field, size)}
+        elif field.bits_of:
+            values = {**values, field.name: fitting_bit_count(field, len(values[field.bits_of]))}
+    return values
 
 
 def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:

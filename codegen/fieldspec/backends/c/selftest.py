@@ -41,6 +41,7 @@ from fieldspec.backends.c.sample_values import (
     RecordForm,
     all_forms,
     field_sample,
+    fitting,
     high_value,
     record_bytes,
     record_value,
@@ -108,9 +109,11 @@ def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stateme
                 values, settings = low_values, low_settings
                 if field.name not in selection:
                     value = field_sample(layout.device, field, high_value)
-                    values = {**low_values, field.name: value}
+                    values = fitting({**low_values, field.name: value}, form.record, field.name)
                     settings = low_settings.copy()
-                    settings[number] = set_member(naming, form, field, value, _IN)
+                    for place, own in enumerate(fields):
+                        if values[own.name] != low_values[own.name] or place == number:
+                            settings[place] = set_member(naming, form, own, values[own.name], _IN)
                 what = ".".join([record.name, *([form.case] if form.case else []), field.name])
                 if record_bytes(form.record, values):  # C has no array of no bytes to compare
                     yield _test_member(naming, form, values, [*chain.from_iterable(settings)], what)

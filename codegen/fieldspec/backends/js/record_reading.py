@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.js.bit_counts import bit_count_check
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.members import Member, members_of, most_bytes, shapes_of, slot_of
 from fieldspec.backends.js.text import literal, plus
@@ -131,6 +132,9 @@ def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]
 
 
 def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> list[str]:
+    packed = record.named(field.bits_of) if field.bits_of else None
+    if packed is not None:
+        return bit_count_check(field, names, f"(end - o - {packed.offset})", place("o", field.offset))
     measure = field.field.measures
     other = record.named(measure.field) if measure is not None else None
     if measure is None or other is None:

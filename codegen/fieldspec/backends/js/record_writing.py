@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.backends.js.bit_counts import bit_count_check
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.inner_lists import write_lists
 from fieldspec.backends.js.members import Member, members_of, shapes_of, slot_of
@@ -47,6 +48,8 @@ def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
         else:
             lines.append(f"const {member.variable} = value.{member.key};")
             lines += slot_of(field, names).write(member.variable, "o", field.offset)
+    for member in members:
+        lines += bit_count_check(member.field, names, f"value.{keys.get(member.field.bits_of, '')}.length", "null")
     if not lines:
         return [f"function {name}() {{}}"]
     return [f"function {name}(value, b, o) {{", *(f"  {line}" for line in lines), "}"]

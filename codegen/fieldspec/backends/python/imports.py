@@ -66,7 +66,7 @@ _SHARED = {
     ),
     "_digits": "digits",
     "_end_framer": "EndFramer",
-    "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
+    "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure",
     "_escapes": "Cobs EscapeFramer EscapedFrames Insert Replace",
     "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
@@ -78,8 +78,8 @@ _SHARED = {
     "_reals": "Double Float",
     "_record": "Record",
     "_refusals": (
-        "refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float refused_list"
-        " refused_number refused_record refused_text unfit"
+        "refused_bits refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float"
+        " refused_list refused_number refused_record refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",

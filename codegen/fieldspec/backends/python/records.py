@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.python.bit_counts import bit_count_refusal, bit_count_test, fills
 from fieldspec.backends.python.constructors import ConstructorView, constructor_view
 from fieldspec.backends.python.inner_lists import inner_lists_lines
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
@@ -314,6 +315,9 @@ def constant_tests(shaped: RecordShape) -> list[str]:
 
 
 def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> list[str]:
+    if field.field.bits_of:
+        packed = next(other for other in shaped.fields if other.title == field.field.bits_of)
+        return bit_count_test(field, f"{owner}.{field.name}", f"{owner}.{packed.name}", at + field.field.offset)
     measure = field.field.field.measures
     if measure is None:
         return []
@@ -342,6 +346,7 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
     tests: dict[str, list[str]] = {}
     selector = shaped.selector
     needed = bound | {field.field.field.measures.field for field in shaped.fields if field.field.field.measures}
+    needed |= {name for field in shaped.fields if field.field.bits_of for name in (field.title, field.field.bits_of)}
     for field in shaped.stored:
         wanted = conditions(field, local(field))
         if wanted or field.title in needed or field.parted or field is selector:
@@ -354,6 +359,8 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
     slot_values: list[str] = []
     more: list[str] = []
     for field in shaped.fields:
+        if field.field.bits_of:
+            more.append(fills(local(field), expressions[field.field.bits_of], "=="))
         if field.field.field.measures is not None:
             size = _size(shaped, field, expressions, f"{CASE}.size")
             if field.ranges is not None:
@@ -390,6 +397,8 @@ def _refusals(shaped: RecordShape, struct: str) -> list[str]:
             refusals.append(refusal(field))
     expressions = {field.title: f"self.{field.name}" for field in shaped.stored}
     for field in shaped.fields:
+        if field.field.bits_of:
+            refusals.append(bit_count_refusal(field, expressions))
         if field.field.field.measures is not None:
             decided = f"{struct}.cases[self.{selector.name}].size" if selector is not None else ""
             limits = [_size(shaped, field, expressions, decided), str(field.value.type.low), str(field.value.type.high)]

@@ -154,6 +154,8 @@ class Content:
     def _add_measures(self, record: RecordLayout, data: str) -> None:
         """The refusal of a size that is not that of the field that it measures."""
         for own in record.fields:
+            if own.bits_of:
+                self._add_bit_count(record, own, data)
             measure = own.field.measures
             other = record.named(measure.field) if measure is not None else None
             if measure is None or other is None or own.value is None:
@@ -166,6 +168,16 @@ class Content:
                 measured = f"({measured} + {measure.plus})" if measure.plus else measured
             number = self.dialect.whole(data, _slot(own, own.value))
             self.refusals.append((self.dialect.compared(number, "<>", measured), "wrong_measure"))
+
+    def _add_bit_count(self, record: RecordLayout, own: FieldLayout, data: str) -> None:
+        """The refusal of a number of bits that takes another number of bytes than there are."""
+        packed = record.named(own.bits_of)
+        assert packed is not None
+        assert own.value is not None
+        number = self.dialect.whole(data, _slot(own, own.value))
+        bits = f"({self.dialect.units(data, packed.offset, 1)} * 8)"
+        for wrong in ((number, ">", bits), (number, "<", f"({bits} - 7)")):
+            self.refusals.append((self.dialect.compared(*wrong), "wrong_measure"))
 
     def _add_choices(self, record: RecordLayout, selector: FieldLayout, data: str) -> None:
         """The fields of a record whose last field has the type that the selector decides."""

@@ -50,6 +50,8 @@ def field_data(
     if own.measures is not None:
         plus = {"plus": own.measures.plus} if own.measures.plus else {}
         data["measures"] = {"of": own.measures.of, "field": own.measures.field, **plus}
+    if field.bits_of:
+        data["bits_of"] = field.bits_of
     if field.record is not None:
         row: dict[str, Data] = {"title": title_of(own), "text": description(own), "type": "NONE"}
         return {**data, "record": field.record.name, "filter": filters.take(names, row)}

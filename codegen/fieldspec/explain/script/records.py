@@ -61,6 +61,7 @@ def _field(field: FieldLayout, words: str) -> dict[str, Data]:
                 "cases": bool(field.cases),
                 "reserved": own.reserved,
                 "measures": [measures.of, measures.field, *plus] if measures is not None else None,
+                "bitsOf": field.bits_of,
                 "sameAs": own.same_as,
                 "signal": own.signal,
             }

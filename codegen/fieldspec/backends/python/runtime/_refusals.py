@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from struct import Struct
 
-from ._error import CodecError
+from ._error import CodecError, wrong_bits
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -32,6 +32,11 @@ def refused_broadcast(name: str, value: Any, address: int, message: str) -> Code
     if value != address or not isinstance(value, int):
         return None
     return CodecError("out_of_range", f"{name} is {int(value)}: {message} cannot be broadcast")
+
+
+def refused_bits(name: str, number: int, of: str, size: int) -> CodecError | None:
+    """A number of bits that are packed into so many bytes."""
+    return None if (number + 7) // 8 == size else wrong_bits(name, int(number), of, size)
 
 
 def refused_number(

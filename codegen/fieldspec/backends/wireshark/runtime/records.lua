@@ -122,6 +122,12 @@ function records.show(context, tree, record, start, stop)
     local list, open = fields_of(record, context.bytes:sub(start + 1, stop))
     show_body(context, tree, record, list, open, start, stop)
     for _, field in ipairs(list) do
+        local packed, count = field.bits_of and context.places[field.bits_of], context.values[field.name]
+        if packed and count and math.floor((count + 7) / 8) ~= packed.size then
+            local expected = packed.size > 0 and (8 * packed.size - 7) .. " to " .. 8 * packed.size or "0"
+            local text = field.name .. " is " .. numbers.text(count) .. ": should be " .. expected
+            values.report(context.items[field.name], "wrong_measure", text)
+        end
         local measured = field.measures and context.places[field.measures.field]
         local number = context.values[field.name]
         if measured and number then

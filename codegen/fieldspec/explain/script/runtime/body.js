@@ -264,6 +264,7 @@ export class ExplainedBody {
 
   /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
+    if (field.bitsOf) return this.bitCount(field, read);
     const [of, name, plus = 0] = field.measures ?? [];
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
@@ -278,6 +279,14 @@ export class ExplainedBody {
     const items = other.isList ? most : 1;
     const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  /** The number of bits in a list of bytes, judged by how many there are. */
+  bitCount(field, read) {
+    const packed = this.record.named.get(field.bitsOf);
+    const size = Math.max(0, Math.min(this.countOf(packed), this.end - this.start - packed.offset));
+    const should = size ? `${8 * size - 7} to ${8 * size}` : 0;
+    return judged(read, Math.ceil(Number(read.number) / 8) === size, should, "wrong_measure");
   }
 
   /** The value of a field that measures a list of a record with fields behind a list. */
