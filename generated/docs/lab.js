@@ -365,6 +365,9 @@ function characterName(code) {
   return CHARACTER_NAMES[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
 }
 
+/** Bytes with those of each word of 16 bits exchanged, where a form says so. */
+const turnedBytes = ({ isTurned }, bytes) => (isTurned ? bytes.map((_, at) => bytes[at ^ 1]) : bytes);
+
 /** The codes that a text has at each place: bytes, or numbers of 16 bits. */
 function unitsOf(form, bytes, little) {
   if (unitOf(form) === 1) return bytes;
@@ -401,7 +404,7 @@ function unitsOfText({ encoding }, text) {
  */
 function decodedText(form, bytes, little) {
   const { padding = 0, isRight = false, terminator } = form ?? USUAL;
-  const units = unitsOf(form ?? USUAL, bytes, little);
+  const units = unitsOf(form ?? USUAL, turnedBytes(form ?? USUAL, bytes), little);
   let [first, last] = [0, units.length];
   if (terminator !== undefined) {
     last = units.indexOf(terminator);
@@ -437,7 +440,7 @@ function textBytes(form, size, text, little) {
   const units = [...unitsOfText(form, text), ...(terminator === undefined ? [] : [terminator])];
   const filler = new Array(Math.floor(size / unitOf(form)) - units.length).fill(padding);
   const all = isRight ? [...filler, ...units] : [...units, ...filler];
-  if (unitOf(form) === 1) return Uint8Array.from(all);
+  if (unitOf(form) === 1) return turnedBytes(form, Uint8Array.from(all));
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 

@@ -216,6 +216,9 @@ def _text_form(draft: Draft, keys: Spec) -> None:
         keys["terminator"] = draft.pick((0x00, 0x0D, 0x20, 0x7F))
     if keys["encoding"] == "utf_16" and draft.chance(40):
         keys["byte_order"] = draft.pick(("little", "big"))
+    elif keys["encoding"] != "utf_16" and draft.chance(25):
+        keys["length"] += keys["length"] % 2
+        keys["byte_order"] = "little"
 
 
 def _float(draft: Draft, keys: Spec, place: str) -> None:

@@ -1,6 +1,6 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
-floating-point number has no scale. Texts and bytes have no range or scale, and only UTF-16 has a byte order. Only a
-number of several words has a word order, and only a text, bytes and digits have a `length`.
+floating-point number has no scale. Texts and bytes have no range or scale, bytes have no byte order, and `big` is that
+of UTF-16 alone. Only a number of several words has a word order, and only a text, bytes and digits have a `length`.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
@@ -34,7 +34,7 @@ _OF_BITS = ("const", "byte_order", "range", "unit")
 _HELP = {
     Kind.FLOAT: "remove it, or use an integer type",
     Kind.BOOLEAN: "remove it, or use an integer type",
-    Kind.TEXT: "remove it; text and bytes have no byte order, range or scale",
+    Kind.TEXT: "remove it; a text has no range or scale, and its bytes come in order but for `byte_order: little`",
     Kind.BYTES: "remove it; text and bytes have no byte order, range or scale",
 }
 

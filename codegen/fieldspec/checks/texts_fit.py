@@ -1,6 +1,6 @@
 """A text has room for its characters and its terminator, and keys of texts are those of texts. A terminator ends a text
-on the left, UTF-16 has an even number of bytes, and a default is a text that can be sent. Texts in a form of their own
-are those of fields and registers that are not reserved.
+on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, and a default is a text that can
+be sent. Texts in a form of their own are those of fields and registers that are not reserved.
 
 Why: a text that nobody can write as it is read loses characters, or gets others, without a message.
 
@@ -34,7 +34,7 @@ def texts_fit(device: Device) -> Iterator[Diagnostic]:
                 text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"
                 yield finding(_CODE, fact.place, key, text, "remove it, or use the type `text`")
         elif value.text_form is not None:
-            yield from _of_form(fact, value, next(iter(keys), "encoding"))
+            yield from _of_form(fact, value, next(iter(keys), "byte_order"))
 
 
 def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
@@ -48,6 +48,9 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
     elif value.size % form.unit:
         text = f"{fact.name} has {plural(value.size, 'byte')}, and UTF-16 an even number of them"
         yield finding(_CODE, fact.place, "encoding", text, "correct the length")
+    elif form.is_turned and value.size % 2:
+        text = f"{fact.name} has {plural(value.size, 'byte')}, and `byte_order: little` exchanges those of whole words"
+        yield finding(_CODE, fact.place, "byte_order", text, "correct the length, or remove `byte_order`")
     elif form.is_right and form.terminator is not None:
         text = f"{fact.name} ends before what fills it up, and cannot be on the right"
         yield finding(_CODE, fact.place, "align", text, "remove `align`, or remove `terminator`")

@@ -55,9 +55,9 @@ def _form(value: Value) -> str:
     if value.type.kind is Kind.TEXT:
         form = value.text_form
         if form is not None and (
-            form.encoding == UTF_16 or form.is_right or form.padding or form.terminator is not None
+            form.encoding == UTF_16 or form.is_right or form.padding or form.terminator is not None or form.is_turned
         ):
-            return "varies in width, and has no UTF-16, no padding and no terminator of its own"
+            return "varies in width, and has no UTF-16, no byte order, no padding and no terminator of its own"
         return ""
     if not value.digits or value.digits == BCD:
         return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"

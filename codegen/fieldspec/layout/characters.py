@@ -9,7 +9,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
-_TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies")
+_TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies", "byte_order")
 
 
 def character_refusals(

@@ -66,6 +66,7 @@ def _value(value: Value | None) -> Words:
         *((value.write_ranges,) if value.write_ranges is not None else ()),
         *((value.digits, value.places) if value.digits else ()),
         *((value.text_form,) if value.text_form is not None else ()),
+        *(("turned",) if value.text_form is not None and value.text_form.is_turned else ()),
         *(("width", value.width) if value.width else ()),
     )
 

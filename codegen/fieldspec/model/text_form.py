@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass, field
 
 if TYPE_CHECKING:
     from fieldspec.model.value import Value
@@ -22,13 +22,15 @@ class TextForm:
     """How a text is sent that is not ASCII filled up with zeros behind it.
 
     `padding` is the code of the character that fills the text up, before it where `is_right`. `terminator` is the code
-    of the character that ends the text, None without one; what follows it is not read.
+    of the character that ends the text, None without one; what follows it is not read. Where it `is_turned`, the two
+    bytes of each word of 16 bits are exchanged, so that the first character is in the low byte.
     """
 
     encoding: str
     padding: int
     is_right: bool
     terminator: int | None
+    is_turned: bool = field(default=False, repr=False)
 
     @property
     def unit(self) -> int:
@@ -46,6 +48,7 @@ class TextForm:
     def content(self, data: bytes, order: str) -> bytes | None:
         """The bytes of the characters alone; None where the terminator is missing."""
         codec = self.codec(order)
+        data = turned_words(data) if self.is_turned else data
         if self.terminator is not None:
             end = chr(self.terminator).encode(codec)
             places = range(0, len(data) - self.unit + 1, self.unit)
@@ -59,9 +62,15 @@ class TextForm:
         return data[first:last]
 
 
-def text_form(encoding: str, padding: str, align: str, terminator: int | None) -> TextForm | None:
+def turned_words(data: bytes) -> bytes:
+    """Words of 16 bits with the two bytes of each exchanged."""
+    return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+
+
+def text_form(encoding: str, padding: str, align: str, terminator: int | None, byte_order: str) -> TextForm | None:
     """The form of a text by what a spec states; None for ASCII that is filled up with zeros behind it."""
-    form = TextForm(encoding or "ascii", PADDINGS[padding or "nul"], align == "right", terminator)
+    is_turned = byte_order == "little" and encoding != UTF_16
+    form = TextForm(encoding or "ascii", PADDINGS[padding or "nul"], align == "right", terminator, is_turned)
     return None if form == TextForm("ascii", 0, False, None) else form
 
 
@@ -112,7 +121,8 @@ def text_bytes(value: Value, order: str, text: str) -> bytes:
         data = text.encode(codec, "replace")
     end = b"" if form.terminator is None else chr(form.terminator).encode(codec)
     padding = chr(form.padding).encode(codec) * ((value.size - len(data + end)) // form.unit)
-    return padding + data if form.is_right else data + end + padding
+    whole = padding + data if form.is_right else data + end + padding
+    return turned_words(whole) if form.is_turned else whole
 
 
 def encoding_title(value: Value) -> str:
@@ -131,6 +141,8 @@ def text_form_title(value: Value) -> str:
     if form.padding or form.is_right:
         filler = "spaces" if form.padding else "zeros"
         parts.append(f"filled up with {filler} {'before' if form.is_right else 'behind'} it")
+    if form.is_turned:
+        parts.append("the low byte of each word first")
     return ", ".join(parts)
 
 

@@ -262,7 +262,7 @@ class Value:
     @property
     def has_order(self) -> bool:
         """Whether the order of its bytes matters."""
-        if self.text_form is not None and self.text_form.encoding == UTF_16:
+        if self.text_form is not None and (self.text_form.encoding == UTF_16 or self.text_form.is_turned):
             return True
         return self.type.size > 1 and not self.has_characters
 

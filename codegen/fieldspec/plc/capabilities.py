@@ -20,7 +20,7 @@ CONSTRUCTS = {
     "absent_reals": "sentinels of floating-point numbers that are no number",
     "booleans": "booleans",
     "texts": "texts and bytes",
-    "formed_texts": "texts in other encodings than ASCII, and with a padding or an end of their own",
+    "formed_texts": "texts in other encodings than ASCII, and with a padding, an end or a byte order of their own",
     "text_lists": "lists of texts",
     "closed_enums": "closed enums",
     "open_enums": "open enums",

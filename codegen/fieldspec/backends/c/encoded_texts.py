@@ -11,6 +11,9 @@ from fieldspec.model.value import Value
 _ENCODINGS = {"ascii": 0, "latin_1": 1, "utf_8": 2, UTF_16: 3}
 """The numbers of encodings in `runtime/encoded_texts.h`; UTF-16 with the low byte first has the next one."""
 
+_TURNED = 5
+"""What is added for words whose bytes are exchanged."""
+
 _NO_END = 0x80
 
 
@@ -45,7 +48,7 @@ def _form(value: Value, order: str) -> tuple[Expression, ...]:
     """`12u, 3u, 0x20u, false, 0x80u`: the bytes, the encoding, what fills a text up, its side, and what ends it."""
     form = value.text_form
     assert form is not None
-    encoding = _ENCODINGS[form.encoding] + (form.encoding == UTF_16 and order != "big")
+    encoding = _ENCODINGS[form.encoding] + (form.encoding == UTF_16 and order != "big") + _TURNED * form.is_turned
     end = _NO_END if form.terminator is None else form.terminator
     characters = hexadecimal(form.padding, 1), TRUE if form.is_right else FALSE, hexadecimal(end, 1)
     return (unsigned(value.size), unsigned(encoding), *characters)

@@ -291,6 +291,7 @@ class Slot:
         parts += [f"padding: {form.padding}"] if form.padding else []
         parts += ["isRight: true"] if form.is_right else []
         parts += [f"terminator: {form.terminator}"] if form.terminator is not None else []
+        parts += ["isTurned: true"] if form.is_turned else []
         parts += ["little: true"] if form.encoding == UTF_16 and self.order != "big" else []
         return f"{{ {', '.join(parts)} }}"
 

@@ -201,7 +201,8 @@ def text_letters(value: Value, order: str) -> str:
     form = value.text_form
     assert form is not None
     end = "-" if form.terminator is None else str(form.terminator)
-    return f"{form.codec(order)} {value.size} {form.padding} {end} {'right' if form.is_right else 'left'}"
+    side = "right" if form.is_right else "left"
+    return f"{form.codec(order)} {value.size} {form.padding} {end} {side}{' turned' * form.is_turned}"
 
 
 def text_form(value: Value, order: str) -> str:

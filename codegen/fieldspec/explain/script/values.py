@@ -101,6 +101,7 @@ def _text_form(value: Value) -> dict[str, Data]:
         "padding": form.padding,
         "isRight": form.is_right,
         "terminator": form.terminator,
+        "isTurned": form.is_turned,
     }
     return {"textForm": stated(data), "textFormTitle": text_form_title(value), "encodingTitle": encoding_title(value)}
 

@@ -76,7 +76,11 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         places=entry.integer("places") or 0,
         scale_by=scale_by,
         text_form=text_form(
-            entry.text("encoding"), entry.text("padding"), entry.text("align"), entry.integer("terminator")
+            entry.text("encoding"),
+            entry.text("padding"),
+            entry.text("align"),
+            entry.integer("terminator"),
+            entry.text("byte_order"),
         )
         if primitive.kind is Kind.TEXT
         else None,

@@ -1,13 +1,22 @@
 /* ---- encoded_texts ---- */
 
-/* Encodings are 0 for ASCII, 1 for Latin-1, 2 for UTF-8, 3 for UTF-16 with the high byte first, 4 with the low one. Texts
- * in structs are UTF-8. `padding` fills a text up, before it where `is_right`; `end` ends it, unless it is above 0x7F. */
+/* Encodings are 0 for ASCII, 1 for Latin-1, 2 for UTF-8, 3 for UTF-16 with the high byte first, 4 with the low one;
+ * 5 to 7 are the first three with the bytes of each word of 16 bits exchanged. Texts in structs are UTF-8. `padding` fills a text up, before it where `is_right`; `end` ends it, unless it is above 0x7F. */
 
-/** The character at `*at` of UTF-8, after which `*at` is; 0xFFFFFFFF for bytes that are none. */
-static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t *at)
+/** The bytes of a unit of an encoding. */
+static inline size_t device_text_unit_size(uint32_t encoding)
+{
+    return encoding == 3u || encoding == 4u ? 2u : 1u;
+}
+
+/**
+ * The character at `*at` of UTF-8, after which `*at` is; 0xFFFFFFFF for bytes that are none. `turn` is 1 where the bytes
+ * of each word are exchanged, else 0.
+ */
+static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t *at, size_t turn)
 {
     static const uint32_t least[] = {0u, 0x80u, 0x800u, 0x10000u};
-    uint32_t character = in[*at];
+    uint32_t character = in[*at ^ turn];
     uint32_t more = character < 0x80u ? 0u : character < 0xE0u ? 1u : character < 0xF0u ? 2u : 3u;
     uint32_t left;
     *at += 1u;
@@ -19,7 +28,7 @@ static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t 
     }
     character &= 0x3Fu >> more;
     for (left = more; left > 0u; left--) {
-        uint32_t next = in[*at];
+        uint32_t next = in[*at ^ turn];
         if ((next & 0xC0u) != 0x80u) {
             return 0xFFFFFFFFu;
         }
@@ -32,26 +41,26 @@ static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t 
     return character;
 }
 
-/** The unit at `in`: a byte, or 16 bits of UTF-16. */
-static inline uint32_t device_text_unit(const uint8_t *in, uint32_t encoding)
+/** The unit at byte `at` of a text: a byte, or 16 bits of UTF-16. */
+static inline uint32_t device_text_unit(const uint8_t *in, size_t at, uint32_t encoding)
 {
-    if (encoding < 3u) {
-        return in[0];
+    if (encoding < 3u || encoding > 4u) {
+        return in[encoding > 4u ? at ^ 1u : at];
     }
-    return encoding == 3u ? (uint32_t)in[0] << 8 | in[1] : (uint32_t)in[1] << 8 | in[0];
+    return encoding == 3u ? (uint32_t)in[at] << 8 | in[at + 1u] : (uint32_t)in[at + 1u] << 8 | in[at];
 }
 
 /** The character at `*at` of an encoding, after which `*at` is; 0xFFFFFFFF for bytes that are none. */
 static inline uint32_t device_next_character(const uint8_t *in, size_t size, size_t *at, uint32_t encoding)
 {
     uint32_t character, second;
-    if (encoding == 2u) {
-        return device_next_utf_8(in, size, at);
+    if (encoding == 2u || encoding == 7u) {
+        return device_next_utf_8(in, size, at, encoding == 7u ? 1u : 0u);
     }
-    character = device_text_unit(in + *at, encoding);
-    *at += encoding < 3u ? 1u : 2u;
-    if (encoding < 3u) {
-        return encoding == 0u && character > 0x7Fu ? 0xFFFFFFFFu : character;
+    character = device_text_unit(in, *at, encoding);
+    *at += device_text_unit_size(encoding);
+    if (device_text_unit_size(encoding) == 1u) {
+        return (encoding == 0u || encoding == 5u) && character > 0x7Fu ? 0xFFFFFFFFu : character;
     }
     if (character < 0xD800u || character > 0xDFFFu) {
         return character;
@@ -59,7 +68,7 @@ static inline uint32_t device_next_character(const uint8_t *in, size_t size, siz
     if (character > 0xDBFFu || size - *at < 2u) {
         return 0xFFFFFFFFu;
     }
-    second = device_text_unit(in + *at, encoding);
+    second = device_text_unit(in, *at, encoding);
     *at += 2u;
     if (second < 0xDC00u || second > 0xDFFFu) {
         return 0xFFFFFFFFu;
@@ -107,20 +116,20 @@ static inline size_t device_put_character(uint8_t *out, uint32_t character, uint
 static inline bool device_read_encoded_text(char *out, const uint8_t *in, size_t size, uint32_t encoding, uint8_t padding,
                                             bool is_right, uint8_t end)
 {
-    size_t unit = encoding < 3u ? 1u : 2u;
+    size_t unit = device_text_unit_size(encoding);
     size_t at = 0, last = size, length = 0, byte;
     if (end < 0x80u) {
-        for (last = 0; last < size && device_text_unit(in + last, encoding) != end; last += unit) {
+        for (last = 0; last < size && device_text_unit(in, last, encoding) != end; last += unit) {
         }
         if (last >= size) {
             return false;
         }
     } else if (is_right) {
-        while (at < last && device_text_unit(in + at, encoding) == padding) {
+        while (at < last && device_text_unit(in, at, encoding) == padding) {
             at += unit;
         }
     } else {
-        while (last > at && device_text_unit(in + last - unit, encoding) == padding) {
+        while (last > at && device_text_unit(in, last - unit, encoding) == padding) {
             last -= unit;
         }
     }
@@ -164,16 +173,19 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
                                              uint32_t encoding, uint8_t padding, bool is_right, uint8_t end)
 {
     const uint8_t *in = (const uint8_t *)text;
-    size_t unit = encoding < 3u ? 1u : 2u;
+    uint8_t *first = out;
+    bool is_turned = encoding > 4u;
+    size_t unit = device_text_unit_size(encoding);
     size_t room = end < 0x80u ? size - unit : size;
     size_t length = 0, total = 0, at, byte;
     uint8_t bytes[4];
+    encoding -= is_turned ? 5u : 0u;
     while (length < capacity && text[length] != '\0') {
         length++;
     }
     for (at = 0; at < length;) {
         bool is_first = at == 0u;
-        uint32_t character = device_next_utf_8(in, length, &at);
+        uint32_t character = device_next_utf_8(in, length, &at, 0u);
         size_t written = character == 0xFFFFFFFFu ? 0u : device_put_character(bytes, character, encoding);
         if (written == 0u || written > room - total || (end < 0x80u && character == end)) {
             return false;
@@ -191,7 +203,7 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
     }
     out += is_right ? size - total : 0u;
     for (at = 0; at < length;) {
-        size_t written = device_put_character(bytes, device_next_utf_8(in, length, &at), encoding);
+        size_t written = device_put_character(bytes, device_next_utf_8(in, length, &at, 0u), encoding);
         for (byte = 0; byte < written; byte++) {
             out[byte] = bytes[byte];
         }
@@ -199,6 +211,11 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
     }
     if (end < 0x80u) {
         (void)device_put_unit(out, end, encoding);
+    }
+    for (at = 0; is_turned && at < size; at += 2u) {
+        uint8_t low = first[at];
+        first[at] = first[at + 1u];
+        first[at + 1u] = low;
     }
     return true;
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._conversions import turned
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
 from ._values import Text
@@ -15,14 +16,15 @@ class TextForm:
     """What reads and writes a text of a fixed size.
 
     `letters` are the encoding, the number of bytes, the codes of the character that fills the text up and of the one
-    that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is behind spaces. Characters that
-    the encoding does not have are refused.
+    that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is behind spaces. With `turned`, the
+    bytes of each word are exchanged. Characters that the encoding does not have are refused.
     """
 
-    __slots__ = ("codec", "end", "is_right", "padding", "room", "size", "unit")
+    __slots__ = ("codec", "end", "is_right", "is_turned", "padding", "room", "size", "unit")
 
     def __init__(self, letters: str) -> None:
-        self.codec, size, padding, end, align = letters.split()
+        self.codec, size, padding, end, align, *more = letters.split()
+        self.is_turned = bool(more)
         self.padding = chr(int(padding))
         self.end = "" if end == "-" else chr(int(end))
         self.size, self.is_right = int(size), align == "right"
@@ -31,7 +33,8 @@ class TextForm:
 
     def text(self, name: str, raw: bytes, at: int) -> str:
         """The characters of the bytes at byte `at` of the whole. Raises CodecError."""
-        content = self._content(raw[: self.size])
+        sent = raw[: self.size]
+        content = self._content(turned(sent) if self.is_turned else sent)
         try:
             text = None if content is None else content.decode(self.codec)
         except UnicodeDecodeError:
@@ -70,7 +73,8 @@ class TextForm:
         """The bytes of a text that can be sent."""
         content = (text + self.end).encode(self.codec)
         padding = self.padding.encode(self.codec) * ((self.size - len(content)) // self.unit)
-        return padding + content if self.is_right else content + padding
+        data = padding + content if self.is_right else content + padding
+        return turned(data) if self.is_turned else data
 
     def _is_filled(self, text: str) -> bool:
         return text.startswith(self.padding) if self.is_right else text.endswith(self.padding)
