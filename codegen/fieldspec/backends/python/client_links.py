@@ -6,7 +6,7 @@ from fieldspec.backends.python.client_names import CODEC, ClientNames
 from fieldspec.backends.python.frames import PartView, head_arguments
 from fieldspec.backends.python.links import LinkView
 from fieldspec.backends.python.naming import RECORD
-from fieldspec.backends.python.records import shape
+from fieldspec.backends.python.record_shape import shape
 from fieldspec.backends.python.text import item_lines, literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass

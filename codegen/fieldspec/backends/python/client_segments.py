@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from fieldspec.backends.python.client_names import CODEC
 from fieldspec.backends.python.links import Exchange
-from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.record_shape import RecordShape
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.layout.device import DeviceLayout

@@ -13,7 +13,8 @@ from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scop
 from fieldspec.backends.python.parameters import parameter_set_view, space_views
 from fieldspec.backends.python.quantities import conversion_view
 from fieldspec.backends.python.record_parts import column_lines, record_doc
-from fieldspec.backends.python.records import RecordShape, RecordView, record_view, shape
+from fieldspec.backends.python.record_shape import RecordShape, shape
+from fieldspec.backends.python.records import RecordView, record_view
 from fieldspec.backends.python.registers import register_views, table_view
 from fieldspec.backends.python.requests import space_accesses
 from fieldspec.backends.python.slots import Words

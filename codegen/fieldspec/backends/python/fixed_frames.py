@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from fieldspec.backends.python.frames import greatest_part, is_simple, letter, variable
 from fieldspec.backends.python.reading import local, targets
-from fieldspec.backends.python.records import RecordShape, condition, constant_tests, construction_lines, writing_lines
+from fieldspec.backends.python.record_shape import RecordShape
+from fieldspec.backends.python.record_writing import writing_lines
+from fieldspec.backends.python.records import condition, constant_tests, construction_lines
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import chained, filled, literal, unpacked
 from fieldspec.backends.python.writing import greatest

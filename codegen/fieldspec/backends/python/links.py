@@ -21,7 +21,7 @@ from fieldspec.backends.python.frames import (
 )
 from fieldspec.backends.python.framing import framer
 from fieldspec.backends.python.naming import Scope
-from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.record_shape import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import Scope
-from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.record_shape import RecordShape
 from fieldspec.backends.python.slots import Slots, Words
 from fieldspec.backends.python.text import filled, item_lines
 from fieldspec.classes import dataclass

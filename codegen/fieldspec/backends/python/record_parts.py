@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.backends.fact_texts import availability, described, printed, sentence
-from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.record_shape import RecordShape
 from fieldspec.backends.python.registers import value_facts
 from fieldspec.backends.python.scaling import ratio
 from fieldspec.backends.python.slots import Slots

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.python.bit_counts import bit_count_refusal, bit_count_test, fills
+from fieldspec.backends.python.bit_counts import bit_count_test
 from fieldspec.backends.python.constructors import ConstructorView, constructor_view
 from fieldspec.backends.python.inner_lists import inner_lists_lines
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
@@ -20,17 +20,18 @@ from fieldspec.backends.python.reading import (
     ListPlace,
     choice_lines,
     decided_read,
-    decided_values,
     deferred_value_lines,
     indexed,
     local,
     reading,
     targets,
 )
-from fieldspec.backends.python.slots import Slots, Words, native_order, slots
+from fieldspec.backends.python.record_shape import RecordShape
+from fieldspec.backends.python.record_writing import writing_lines
+from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import chained, docstring, filled, literal, unpacked
-from fieldspec.backends.python.writing import conditions, fixed, measured, pairs, refusal, values, within
-from fieldspec.classes import dataclass, replace
+from fieldspec.backends.python.writing import measured
+from fieldspec.classes import dataclass
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.widths import Span
 from fieldspec.model.digits import has_sign
@@ -48,53 +49,6 @@ class FieldView:
     accepted: str
     slot: str
     get: list[str]
-
-
-@dataclass(frozen=True, slots=True)
-class RecordShape:
-    """The fields of a record in a Struct of one byte order. It does not depend on the names of the module."""
-
-    record: RecordLayout
-    order: str
-    fields: tuple[Slots, ...]
-
-    @property
-    def sign(self) -> str:
-        """The first letter of its Struct."""
-        return ">" if self.order == "big" else "<"
-
-    @property
-    def tail(self) -> Slots | None:
-        """The field that is repeated to the end, unless another one decides its type."""
-        last = self.fields[-1] if self.fields else None
-        return last if last is not None and last.repeated and not last.decided else None
-
-    @property
-    def lists(self) -> list[Slots]:
-        """The fields that are repeated as often as the data or another field says."""
-        return [field for field in self.fields if field.repeated]
-
-    @property
-    def selector(self) -> Slots | None:
-        """The field that decides the type of the last one."""
-        by = self.record.selector
-        return next(field for field in self.fields if field.title == by.name) if by is not None else None
-
-    @property
-    def letters(self) -> str:
-        """The letters of all fields but one that is repeated or decided."""
-        return "".join(field.letters * field.count for field in self.fields)
-
-    @property
-    def stored(self) -> list[Slots]:
-        """The fields that are attributes."""
-        return [field for field in self.fields if field.stored]
-
-    @property
-    def in_sent_order(self) -> list[Slots]:
-        """The same in the order of the wire."""
-        by_name = {field.title: field for field in self.stored}
-        return [by_name[field.name] for field in self.record.sent_fields if field.name in by_name]
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,16 +76,6 @@ class RecordView:
     image: str = ""
     image_counts: bool = False
     columns: tuple[str, ...] = ()
-
-
-def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> RecordShape:
-    """The shape of a record; none of its attributes has a reserved name."""
-    scope = Scope(reserved, TYPES)
-    order = native_order(record.fields)
-    fields = [slots(field, scope.take(field.name), words, order) for field in record.fields]
-    selecting = record.selector.name if record.selector is not None else ""
-    deferred = [replace(field, deferred=field.deferrable and field.title != selecting) for field in fields]
-    return RecordShape(record, order, tuple(deferred))
 
 
 def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
@@ -327,81 +271,3 @@ def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> lis
         f"if {local(field)} != {size}:",
         f'    raise _wrong_measure("{field.title}", {local(field)}, {size}, {at + field.field.offset})',
     ]
-
-
-@dataclass(frozen=True, slots=True)
-class Writing:
-    """Lines that bind locals, the conditions of all fields, the values of the slots, and the refusals."""
-
-    bind: list[str]
-    tests: list[str]
-    values: list[str]
-    refusals: list[str]
-
-
-def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Writing:
-    """The code that writes a record; the fields in `bound` get a local even where no test needs one."""
-    expressions = {field.title: f"self.{field.slot}" for field in shaped.stored}
-    bind: list[str] = []
-    tests: dict[str, list[str]] = {}
-    selector = shaped.selector
-    needed = bound | {field.field.field.measures.field for field in shaped.fields if field.field.field.measures}
-    needed |= {name for field in shaped.fields if field.field.bits_of for name in (field.title, field.field.bits_of)}
-    for field in shaped.stored:
-        wanted = conditions(field, local(field))
-        if wanted or field.title in needed or field.parted or field is selector:
-            attribute = expressions[field.title]
-            bind.append(f"{local(field)} = {f'_index({attribute})' if field.deferred else attribute}")
-            expressions[field.title] = local(field)
-        tests[field.title] = wanted
-    if selector is not None:
-        bind.append(f"{CASE} = {struct}.case({expressions[selector.title]})")
-    slot_values: list[str] = []
-    more: list[str] = []
-    for field in shaped.fields:
-        if field.field.bits_of:
-            more.append(fills(local(field), expressions[field.field.bits_of], "=="))
-        if field.field.field.measures is not None:
-            size = _size(shaped, field, expressions, f"{CASE}.size")
-            if field.ranges is not None:
-                more.append(within(size, field.ranges))
-            # In another order than its Struct, a number is not packed as it is.
-            slot_values += values(field, f"({size})") if field.parted or field.foreign else [size]
-        elif field.decided:
-            slot_values.append(decided_values(field, expressions[field.title]))
-        else:
-            slot_values += values(field, expressions[field.title]) if field.stored else fixed(field)
-    every = [test for field_tests in tests.values() for test in field_tests] + more
-    return Writing(bind, every, slot_values, _refusals(shaped, struct))
-
-
-def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decided: str) -> str:
-    """The value of a field that measures another one; `decided` is the size of an element with several types."""
-    measure = field.field.field.measures
-    assert measure is not None
-    other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
-    return measured(field, other, expressions[other.title], decided)
-
-
-def _refusals(shaped: RecordShape, struct: str) -> list[str]:
-    """The expressions of the refusals of all fields: first of the selector, which decides another type."""
-    refusals = []
-    selector = shaped.selector
-    if selector is not None:
-        refusals += [refusal(selector), f"{struct}.refused_by(self.{selector.name})"]
-    for field in shaped.stored:
-        if field.decided and selector is not None:
-            function = "refused" if field.is_list else "refused_element"
-            refusals.append(f"{struct}.{function}({literal(field.title)}, self.{selector.name}, self.{field.name})")
-        elif field is not selector:
-            refusals.append(refusal(field))
-    expressions = {field.title: f"self.{field.name}" for field in shaped.stored}
-    for field in shaped.fields:
-        if field.field.bits_of:
-            refusals.append(bit_count_refusal(field, expressions))
-        if field.field.field.measures is not None:
-            decided = f"{struct}.cases[self.{selector.name}].size" if selector is not None else ""
-            limits = [_size(shaped, field, expressions, decided), str(field.value.type.low), str(field.value.type.high)]
-            limits += [pairs(field.ranges)] if field.ranges is not None else []
-            refusals.append(f"_refused_number({literal(field.title)}, {', '.join(limits)})")
-    return refusals

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.python.links import Exchange
-from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.record_shape import RecordShape
 from fieldspec.backends.python.slots import Slots
 from fieldspec.classes import dataclass
 from fieldspec.model.address_space import BIT
