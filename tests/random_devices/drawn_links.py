@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
 from fieldspec.schema import schema
-from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, Draft, Spec, bounds, range_text
+from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, range_text
 from random_devices.drawn_values import value
 
 USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
@@ -162,9 +164,19 @@ def _checksum(draft: Draft) -> Spec:
             part["checksum"]["unit_size"] = draft.pick((1, 2, 4))
     if draft.chance(15):
         part["digits"] = draft.pick(("upper_hex", "lower_hex", "decimal"))
-    elif part.get("algorithm") not in ("sum8", "lrc", "xor8") and draft.chance(40):
+    elif _has_order(part) and draft.chance(40):
         part["byte_order"] = draft.pick(("big", "little"))
     return part
+
+
+def _has_order(part: Spec) -> bool:
+    """Whether a checksum has several bytes, or combines numbers of several bytes."""
+    if "checksum" in part:
+        stated = part["checksum"]
+        unit_size = stated.get("unit_size", stated["width"] // 8 if stated.get("method") == "xor" else 1)
+        return bool(stated["width"] > 8 or unit_size > 1)
+    width = re.search("[0-9]+", part["algorithm"])
+    return width is not None and int(width[0]) > 8
 
 
 def _argument(draft: Draft) -> Spec:
@@ -185,7 +197,7 @@ def _constant(draft: Draft) -> Spec:
         keys["const"] = draft.edge(*_limits(keys))
     if "const" not in keys or draft.chance(30):
         keys["reserved"] = True
-    if kind != "u8" and "digits" not in keys and draft.chance(20):
+    if SIZES[kind] > 1 and "digits" not in keys and draft.chance(20):
         keys["byte_order"] = draft.pick(("big", "little"))
     return _part(draft, "plain", **keys)
 

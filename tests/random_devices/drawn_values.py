@@ -24,8 +24,8 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
             keys["length"] += keys["length"] % 2
         if place in ("field", "register", "signal", "table") and draft.chance(40):
             _text_form(draft, keys)
-        elif draft.chance(20):
-            keys["characters"] = draft.number(1, keys["length"])
+        elif draft.chance(20) and keys["length"] > 1:
+            keys["characters"] = draft.number(1, keys["length"] - 1)
     elif kind == "bytes":
         keys["length"] = draft.number(1, 9)
         if place in ("register", "table"):

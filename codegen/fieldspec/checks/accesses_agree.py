@@ -1,14 +1,16 @@
 """The access of a table and the access of its fields fit together: every access that a field permits is
-permitted by one of its tables, and every access that a table permits is permitted by one of its fields.
+permitted by one of its tables, and every access that a table permits is permitted by one of its fields. A field of a
+request is not read only, and one of a response not write only.
 
 Why: every output uses the narrower of the two. A table of settings may contain a status field with `ro`, and
 a table with `ro` may use a record whose fields have `rw`. An access that is narrowed everywhere has no
 effect, so one of the two is misprinted.
 
 Example: a table with `access: ro`, the only one that uses its record, and a field of that record with
-`access: rw`.
+`access: rw`. A field of a request with `access: ro`.
 
-Cure: Correct one of them, and write an erratum if the manual prints it wrong.
+Cure: Correct one of them, and write an erratum if the manual prints it wrong. Remove the access of a field of a
+message.
 """
 
 from __future__ import annotations
@@ -34,6 +36,17 @@ def accesses_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _of_field(field, tables)
         for table in tables:
             yield from _of_table(table, record)
+    for message in device.messages.values():
+        yield from _of_message(message.request, "request", "sends", "ro")
+        yield from _of_message(message.response, "response", "receives", "wo")
+
+
+def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterator[Diagnostic]:
+    """The fields whose access contradicts the direction in which they are sent."""
+    for field in data.fields:
+        if field.access == refused and "access" in field.place:
+            text = f"{field.name} is a field of a {direction}, which a controller {verb}, but its access is {refused}"
+            yield finding(_CODE, field.place, "access", text, "remove it: the message says who sends the field")
 
 
 def _of_field(field: Field, tables: list[Table]) -> Iterator[Diagnostic]:

@@ -1,11 +1,12 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
 floating-point number has no scale. Texts and bytes have no range or scale, bytes have no byte order, and `big` is that
-of UTF-16 alone. Only a number of several words has a word order, and only a text, bytes and digits have a `length`.
+of UTF-16 alone. Only a number of several bytes has a byte order, only one of several words a word order, and only a
+text, bytes and digits have a `length`.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
 
-Example: `enum: mode` on an `f32`, or `byte_order: little` on `bytes`.
+Example: `enum: mode` on an `f32`, or `byte_order: little` on `bytes` or on a `u8`.
 
 Cure: Remove the key, or correct the type.
 """
@@ -15,9 +16,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.facts import values
-from fieldspec.checks.finding import finding, range_key
+from fieldspec.checks.finding import finding, plural, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.address_space import BIT
+from fieldspec.model.checksums import checksum_named
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.value import Kind, Value
@@ -53,12 +55,27 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         if value.has_characters and value.byte_order:
             text = f"{fact.name} is sent as characters, the most significant digit first, and has no byte order"
             yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
+        elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:
+            text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
+            yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
         if value.type.is_number and value.word_order and not value.has_words:
             text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
             yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")
         if kind is Kind.INTEGER and value.absent_nan:
             text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
+    yield from _ordered_checksums(device)
+
+
+def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
+    """The checksums of one byte with a byte order, which do not combine wider numbers."""
+    for part in (part for link in device.links.values() for part in (*link.request, *link.response)):
+        if part.role != "checksum" or "byte_order" not in part.place or part.digits:
+            continue
+        kind = checksum_named(part.algorithm)
+        if kind.unit_size == 1 and kind.width <= 8:
+            text = f"{part.name} is a checksum of {plural(kind.width, 'bit')}, which has no byte order"
+            yield finding("keys_fit_type", part.place, "byte_order", text, "remove it, or correct the checksum")
 
 
 def _key(place: Place, key: str) -> str:

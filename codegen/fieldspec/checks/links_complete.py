@@ -9,7 +9,7 @@ Example: a link with two messages whose requests have no part with the role `cod
 Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
 code, lengths and user fields come before the body; constants and reserved parts may be anywhere. A length
 counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself; an
-escaped one covers no length that counts what is sent. If
+escaped one covers no length that counts what is sent. What SLIP or COBS keeps out of frames is their delimiter. If
 frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
 caller of the decoder then states the message.
 """
@@ -22,9 +22,10 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.escape import SLIP
 from fieldspec.model.link import Link, Part
 from fieldspec.model.sizes import coded, messages_on
-from fieldspec.model.value import Kind
+from fieldspec.model.value import Kind, Value
 
 _CODE = "links_complete"
 _NUMBERS = ("unit_address", "code", "length")
@@ -214,6 +215,27 @@ def _of_sent_length(link: Link, direction: str) -> Iterator[Diagnostic]:
             yield finding(_CODE, part.place, "name", text, help, there)
 
 
+def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
+    """Whether something marks frames with the byte that SLIP or COBS keeps out of them."""
+    escape, parts = link.escape, link.parts(direction)
+    whole = escape is not None and not escape.first and not escape.last  # then another end mark has a finding anyway
+    mark = 0 if escape is not None and escape.method == "cobs" else SLIP[0][0]
+    if escape is None or (escape.method != "cobs" and escape.pairs != SLIP):
+        return
+    first, last = link.escaped_span(direction) or (0, len(parts) - 1)
+    beside = [part.value for at, part in enumerate(parts) if not first <= at <= last and part.value is not None]
+    marks = [*link.delimiters(direction), *(_constant_bytes(value) for value in beside if value.const is not None)]
+    if not any(mark in delimiter for delimiter in marks) and not (whole and link.delimiters(direction)[1]):
+        name = "COBS" if escape.method == "cobs" else "SLIP"
+        text = f"{name} keeps {mark:02X} out of {_frame(link, direction)}, but no such byte marks where it ends"
+        yield finding(_CODE, link.place, "escape", text, f'add `end: "{mark:02X}"`, or remove `escape`')
+
+
+def _constant_bytes(value: Value) -> bytes:
+    """The bytes of a constant, in any order."""
+    return ((value.const or 0) & (1 << 8 * value.size) - 1).to_bytes(value.size, "big")
+
+
 def _escapable(link: Link) -> Iterator[Diagnostic]:
     """Whether the escape of a link applies to parts that it has, the body among them, and hides the end mark."""
     escape = link.escape
@@ -234,6 +256,7 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
             text = f"the body of {_frame(link, direction)} is not escaped"
             yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
         yield from _of_sent_length(link, direction)
+        yield from _of_mark(link, direction)
     whole = not escape.first and not escape.last
     for end in dict.fromkeys((link.end, link.response_end)):
         bounded = {"replace": bool(end) and (end[0] in {byte for byte, _, _ in escape.pairs})}

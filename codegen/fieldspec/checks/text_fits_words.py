@@ -1,11 +1,13 @@
-"""The permitted characters of a text fit its bytes, and so does its default.
+"""The permitted characters of a text fit its bytes, and so does its default. They are fewer than its `length` has room
+for.
 
 Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
-is required, because manuals rarely state whether there is one.
+is required, because manuals rarely state whether there is one. Characters that the length allows anyway have no effect.
 
-Example: 31 characters in a text of one word.
+Example: 31 characters in a text of one word, or `length: 4` with `characters: 4`.
 
-Cure: Correct the number of characters, the words or the length, and write an erratum.
+Cure: Correct the number of characters, the words or the length, and write an erratum. Remove `characters` where the
+length says it.
 """
 
 from __future__ import annotations
@@ -28,6 +30,10 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
         elif value.characters is not None and value.characters > _most(value):
             text = f"{fact.name} can have {value.characters} characters, but has {plural(value.size, 'byte')}"
             help = "correct the characters or the size"
+            yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
+        elif value.characters == _most(value) and "characters" in fact.place and "length" in fact.place:
+            text = f"{fact.name} has room for {plural(_most(value), 'character')}, so that `characters` has no effect"
+            help = "remove it, or state the characters that the manual permits"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
         if isinstance(value.default, str) and value.type.kind is Kind.TEXT and value.text_form is None:
             length = len(value.default.encode())

@@ -1,11 +1,13 @@
-"""Every unit is one of the language, or the spec declares it under `units`, with a symbol of its own.
+"""Every unit is one of the language, or the spec declares it under `units`, with a symbol of its own. Its `ucum` has
+the form of a code: symbols with exponents, joined by points and slashes; words in braces say what is counted.
 
-Why: software that converts values must know the unit, and a misspelt unit is unknown.
+Why: software that converts values must know the unit, and a misspelt unit is unknown. Exports hand the code on to
+software that reads it.
 
-Example: `unit: Pluse`
+Example: `unit: Pluse`, or `ucum: mm//s`
 
 Cure: Use the intended unit, and write an erratum with the printed one. Declare a unit that the language does not
-have under `units`, with its quantity and its factor.
+have under `units`, with its quantity and its factor. Correct the code, or remove it.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ from fieldspec.checks.finding import finding, label, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact, Place
+from fieldspec.model.ucum import is_code
 from fieldspec.model.units import standard_unit, standard_units
 
 _CODE = "units_known"
@@ -35,6 +38,9 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             text = f"two units have the symbol {symbol}"
             yield finding(_CODE, own.place, "symbol", text, "rename one of them", there)
         declared.setdefault(symbol, own.place)
+        if own.ucum and not is_code(own.ucum):
+            text = f"`{own.ucum}` is no code of UCUM: symbols with exponents, joined by `.` and `/`"
+            yield finding(_CODE, own.place, "ucum", text, "write it as `mm/{rev}`, `m/s2` or `kg.m2`, or remove it")
     known = {*declared, *standard_units()}
     stated: list[tuple[Fact, str]] = [(fact, value.quantity_unit) for fact, value in values(device)]
     stated += [(limit, limit.unit) for limit in device.limits]

@@ -10,6 +10,9 @@ CAN_BITS = (11, 29)
 CAN_EXTENDED = 1 << 31
 """The flag of an identifier of 29 bits."""
 
+SLIP = ((0xC0, 0xDB, 0xDC), (0xDB, 0xDB, 0xDD))
+"""The pairs of SLIP: the byte that ends frames, and the one that begins an escape."""
+
 CAN_HEADER, CAN_DATA = 8, 8
 """The bytes before the data of a CAN frame, and the most bytes of its data."""
 

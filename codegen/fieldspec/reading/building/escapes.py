@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from fieldspec.model.escape import Escape
+from fieldspec.model.escape import SLIP, Escape
 from fieldspec.reading.building.context import Entry
 
-_SLIP = ((0xC0, 0xDB, 0xDC), (0xDB, 0xDB, 0xDD))
 _KEYS = {
     "slip": frozenset[str](),
     "cobs": frozenset[str](),
@@ -24,7 +23,7 @@ def escape(entry: Entry) -> Escape:
     for key in sorted(_KEYS[method]):
         if entry.get(key) is None:
             entry.refuse("wrong_form", "method", f"the method {method} needs `{key}`", f"add `{key}`")
-    pairs: tuple[tuple[int, int, int], ...] = _SLIP if method == "slip" else ()
+    pairs: tuple[tuple[int, int, int], ...] = SLIP if method == "slip" else ()
     special = bytes.fromhex(entry.text("bytes"))
     byte, mask = entry.integer("byte") or 0, entry.integer("mask") or 0
     if method == "double":
