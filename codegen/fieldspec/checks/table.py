@@ -94,6 +94,7 @@ from fieldspec.checks.restatements_agree import restatements_agree
 from fieldspec.checks.roles_unique import roles_unique
 from fieldspec.checks.segments_complete import segments_complete
 from fieldspec.checks.senses_differ import senses_differ
+from fieldspec.checks.sentinels_distinct import sentinels_distinct
 from fieldspec.checks.series_regular import series_regular
 from fieldspec.checks.siblings_agree import siblings_agree
 from fieldspec.checks.signals_placed import signals_placed
@@ -209,6 +210,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("roles_unique", roles_unique),
     ("segments_complete", segments_complete),
     ("senses_differ", senses_differ),
+    ("sentinels_distinct", sentinels_distinct),
     ("series_regular", series_regular),
     ("siblings_agree", siblings_agree),
     ("signals_placed", signals_placed),
