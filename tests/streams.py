@@ -77,7 +77,7 @@ links:
   - name: routed
     source: 1 L7
     byte_order: big
-    unit_addresses: {range: 1..500, source: 1 L7}
+    unit_addresses: {range: "1..500, 600..60000", source: 1 L7}
     request: &routed
       - {name: unit, role: unit_address, type: u16, byte_order: little}
       - {name: command, role: code, type: u16}

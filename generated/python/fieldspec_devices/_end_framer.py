@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ._error import CodecError
-from ._framers import Framer
+from ._framers import Framer, Intervals
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class EndFramer(Framer):
         begins: dict[int, bytes] | None = None,
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
-        unit_addresses: frozenset[int] = frozenset(),
+        unit_addresses: frozenset[int] | Intervals = frozenset(),
         order: str = "big",
     ) -> None:
         self.decode, self.messages, self.begins = decode, messages, begins or {}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ._error import CodecError
-from ._framers import Framer
+from ._framers import Framer, Intervals
 from ._part_frames import PartFrames
 from ._typing import TYPE_CHECKING
 
@@ -200,7 +200,7 @@ class EscapeFramer(Framer):
         most: int,
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
-        unit_addresses: frozenset[int] = frozenset(),
+        unit_addresses: frozenset[int] | Intervals = frozenset(),
         order: str = "big",
     ) -> None:
         self.escaped_frames, self.most = frames, most

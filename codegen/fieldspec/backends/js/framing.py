@@ -13,6 +13,9 @@ from fieldspec.model.link import ExceptionResponse
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
 
+MOST_LISTED = 4096
+"""How many unit addresses a framer has in a set; of more it has the intervals."""
+
 OPEN = "{ length: 0, size: -1 }"
 """The extent of frames whose code does not determine their length."""
 
@@ -138,9 +141,12 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
     part, addresses = frame.role("unit_address"), link.link.unit_addresses
     if part is None or addresses is None or addresses.ranges is None:
         return "addresses: null"
-    numbers = [n for low, high in addresses.ranges.intervals for n in range(low, high + 1)]
+    intervals = [*addresses.ranges.intervals]
     if direction == "request" and addresses.broadcast is not None:
-        numbers.append(addresses.broadcast)
+        intervals.append((addresses.broadcast, addresses.broadcast))
+    if sum(high - low + 1 for low, high in intervals) > MOST_LISTED:
+        return f"address: {_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
+    numbers = [n for low, high in intervals for n in range(low, high + 1)]
     return f"address: {_number(part)}, addresses: new Set({numbers})"
 
 

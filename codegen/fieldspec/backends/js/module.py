@@ -26,7 +26,7 @@ IMPORTS = {
     "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
     "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),
-    "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
+    "framer": ("addressIntervals", "codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),
     "quantity": ("conversion", "powerUnit", "realUnit", "unit"),

@@ -14,6 +14,9 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 Carried = Sequence[tuple[str, int | None, RecordLayout]]
 Extent = tuple[int, int, int, int]
 
+MOST_LISTED = 4096
+"""How many unit addresses a framer has in a set; of more it has the intervals."""
+
 OPEN: Extent = (0, 0, -1, 0)
 """The extent of frames whose code does not determine their length."""
 
@@ -156,13 +159,17 @@ def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> lis
     unit_address, unit_addresses = frame.role("unit_address"), link.link.unit_addresses
     if unit_address is None or unit_addresses is None or unit_addresses.ranges is None:
         return ordered
-    known = [_span(interval) for interval in unit_addresses.ranges.intervals]
+    intervals = [*unit_addresses.ranges.intervals]
     if direction == "request" and unit_addresses.broadcast is not None:
-        known.append(str(unit_addresses.broadcast))
+        intervals.append((unit_addresses.broadcast, unit_addresses.broadcast))
+    if sum(high - low + 1 for low, high in intervals) > MOST_LISTED:
+        known = f"_Intervals({', '.join(map(str, intervals))})"
+    else:
+        known = f"frozenset(({', '.join(map(_span, intervals))},))"
     return [
         f"unit_address_offset={unit_address.offset}",
         f"unit_address_size={unit_address.size}",
-        f"unit_addresses=frozenset(({', '.join(known)},))",
+        f"unit_addresses={known}",
         *ordered,
     ]
 

@@ -69,7 +69,7 @@ _SHARED = {
     "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure",
     "_escapes": "Cobs EscapeFramer EscapedFrames Insert Replace",
     "_flags": "BITS_OF Flags",
-    "_framers": "CodeFramer LengthFramer MarkFramer",
+    "_framers": "CodeFramer Intervals LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
     "_inner_lists": "InnerList InnerLists",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",

@@ -86,6 +86,11 @@ export function joined(first, second) {
   return bytes;
 }
 
+/** More numbers than a set is for, by the first and the last one of each interval. */
+export function addressIntervals(bounds) {
+  return { has: (number) => bounds.some(([low, high]) => number >= low && number <= high) };
+}
+
 export function foreign({ address, addresses }, bytes, at) {
   return addresses !== null && !addresses.has(readPart(bytes, at + address.offset, address));
 }

@@ -24,6 +24,16 @@ _NO_DIGITS = 1 << 64
 """What is read where a part has no digits: no code, no unit address, no flag of a code and no length of a frame."""
 
 
+class Intervals:
+    """More numbers than a set is for, by the first and the last one of each interval."""
+
+    def __init__(self, *bounds: tuple[int, int]) -> None:
+        self._bounds = bounds
+
+    def __contains__(self, number: int) -> bool:
+        return any(low <= number <= high for low, high in self._bounds)
+
+
 class Framer:
     """Takes bytes as they arrive and returns whole frames: all parts and the checksum are right, the address is valid.
 
@@ -39,7 +49,7 @@ class Framer:
         longest: int,
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
-        unit_addresses: frozenset[int] = frozenset(),
+        unit_addresses: frozenset[int] | Intervals = frozenset(),
         order: str = "big",
     ) -> None:
         self.frames, self.shortest, self.longest = frames, shortest, longest
@@ -66,7 +76,7 @@ class Framer:
         """The possible values of single bytes at the beginning of a frame, by their place."""
         start = self.frames.start
         known = {place: frozenset((byte,)) for place, byte in enumerate(start)}
-        if self.unit_addresses and self._address_is_byte:
+        if self.unit_addresses and self._address_is_byte and isinstance(self.unit_addresses, frozenset):
             known[len(start) + self.unit_address_offset] = self.unit_addresses
         return known
 
@@ -193,7 +203,7 @@ class LengthFramer(Framer):
         length_order: str = "",
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
-        unit_addresses: frozenset[int] = frozenset(),
+        unit_addresses: frozenset[int] | Intervals = frozenset(),
         order: str = "big",
     ) -> None:
         self.length_offset, self.length_size = frames.length_offset, length_size
@@ -259,7 +269,7 @@ class CodeFramer(Framer):
         refusal: tuple[int, int, int, int] = (0, 0, 0, 0),
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
-        unit_addresses: frozenset[int] = frozenset(),
+        unit_addresses: frozenset[int] | Intervals = frozenset(),
         order: str = "big",
     ) -> None:
         self.code_offset, self.code_size = frames.code_offset, code_size
