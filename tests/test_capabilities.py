@@ -12,7 +12,7 @@ from capability_derivation import Key, changed_outputs, is_refused, legal_keys, 
 from fieldspec import rules
 from fieldspec.backends import OUTPUTS
 from fieldspec.pipeline import layouts, load
-from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, LOSSY, REFUSED
+from fieldspec.plc.capabilities import ADAPTED, CONSTRUCTS, EXACT, REFUSED
 from fieldspec.render.capabilities import COLUMNS, capabilities, page
 from fieldspec.schema.capabilities import CHECK, effects
 
@@ -49,7 +49,7 @@ def test_the_page_is_what_the_code_writes(accept: bool) -> None:
 def test_every_construct_has_a_level_and_what_is_not_exact_has_a_reason(name: str) -> None:
     value = capabilities(name)
     assert list(value) == list(CONSTRUCTS)
-    assert {capability.level for capability in value.values()} <= {EXACT, LOSSY, REFUSED}
+    assert {capability.level for capability in value.values()} <= {EXACT, ADAPTED, REFUSED}
     assert all(bool(capability.reason) == (capability.level != EXACT) for capability in value.values())
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from fieldspec.classes import dataclass
 from fieldspec.plc.dialects import Dialect
 
-EXACT, LOSSY, REFUSED = "exact", "lossy", "refused"
+EXACT, ADAPTED, REFUSED = "exact", "adapted", "refused"
 
 CONSTRUCTS = {
     "numbers": "whole numbers up to 32 bits",
@@ -65,9 +65,9 @@ class Capability:
     reason: str = ""
 
 
-def lossy(reason: str) -> Capability:
-    """Something gets lost."""
-    return Capability(LOSSY, reason)
+def adapted(reason: str) -> Capability:
+    """Programs get it in another form."""
+    return Capability(ADAPTED, reason)
 
 
 def refused(reason: str) -> Capability:
@@ -79,23 +79,23 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     """The capabilities of a dialect, as its row of facts says; what is not named is exact."""
     capabilities: dict[str, Capability] = {}
     if dialect.widest < 8:
-        capabilities["wide_numbers"] = lossy(
+        capabilities["wide_numbers"] = adapted(
             "become two numbers of 32 bits, whose scale and range programs must apply to both"
         )
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
-        capabilities["odd_numbers"] = lossy("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
+        capabilities["odd_numbers"] = adapted("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
     capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
     capabilities["inner_lists"] = refused("there are no functions that find what is behind them: plc_lists_last")
     capabilities["formed_texts"] = refused("there are no functions that convert them: plc_texts_ascii")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
     if not dialect.enums:
-        capabilities["closed_enums"] = lossy(
+        capabilities["closed_enums"] = adapted(
             "are numbers with constants; the functions refuse numbers that are not listed"
         )
-    capabilities["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
-    capabilities["aliases"] = lossy("have the name to write; the others are in its comment")
-    capabilities["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
+    capabilities["open_enums"] = adapted("are numbers with constants, because a variable of an enum holds nothing else")
+    capabilities["aliases"] = adapted("have the name to write; the others are in its comment")
+    capabilities["floats"] = adapted("infinity and NaN are refused, because comparing them differs between controllers")
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")
@@ -103,30 +103,30 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
     capabilities["moving_tables"] = refused("the addresses of elements are constants: plc_addresses_constant")
     capabilities["pieces"] = refused("nothing puts the pieces together: plc_values_whole")
-    capabilities["choices"] = lossy(
+    capabilities["choices"] = adapted(
         "are bit strings as wide as the widest type, with a function that says which it is; whoever makes a number of "
         "them compares it with the ranges and the enum"
     )
-    capabilities["bit_numbers"] = lossy("are masks with the sign and the scale in a comment")
-    capabilities["powers"] = lossy("are counts, with the name of the exponent in a comment")
+    capabilities["bit_numbers"] = adapted("are masks with the sign and the scale in a comment")
+    capabilities["powers"] = adapted("are counts, with the name of the exponent in a comment")
     if dialect.bits == "packed":
-        capabilities["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
+        capabilities["bit_fields"] = adapted("are masks and single bits in images, because a BOOL is one bit")
         capabilities["images"] = refused("a gap would move every value behind it: plc_images_exact")
     else:
-        capabilities["flags"] = lossy("are words with masks, because a BOOL is a byte there")
-        capabilities["images"] = capabilities["aligned_images"] = lossy(
+        capabilities["flags"] = adapted("are words with masks, because a BOOL is a byte there")
+        capabilities["images"] = capabilities["aligned_images"] = adapted(
             "have the bytes of the wire; numbers are read through functions, which turn them"
         )
     if not dialect.packs:
-        capabilities["images"] = capabilities["aligned_images"] = lossy(
+        capabilities["images"] = capabilities["aligned_images"] = adapted(
             "are bytes, which functions make values of: the standard does not say how a struct lies in memory"
         )
     if not dialect.texts:
         capabilities["code_texts"] = refused("are lists of structs with values, which constants cannot be there")
     elif not dialect.wide_texts:
-        capabilities["code_texts"] = lossy("have ASCII alone, and at most 254 characters")
+        capabilities["code_texts"] = adapted("have ASCII alone, and at most 254 characters")
     capabilities["remedies"] = refused("are texts for people: see the output for operator panels")
-    capabilities["labels"] = lossy("are comments")
+    capabilities["labels"] = adapted("are comments")
     if dialect.foreign:
-        capabilities["records"] = capabilities["closed_enums"] = capabilities["constants"] = lossy(dialect.foreign)
+        capabilities["records"] = capabilities["closed_enums"] = capabilities["constants"] = adapted(dialect.foreign)
     return {name: capabilities.get(name, Capability(EXACT)) for name in CONSTRUCTS}

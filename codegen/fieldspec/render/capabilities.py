@@ -1,4 +1,4 @@
-"""The page of capabilities as Markdown: what outputs express exactly, lose or refuse, and which keys change them."""
+"""The page of capabilities as Markdown: what outputs express exactly, adapt or refuse, and which keys change them."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _INTRODUCTION = """\
 # What the outputs express
 
 The [first table](#constructs) says which constructs the outputs for
-engineering tools express, lose or refuse. The [second one](#keys) says which outputs each key of the language changes.
+engineering tools express, adapt or refuse. The [second one](#keys) says which outputs each key of the language changes.
 
 ## Constructs
 
-**exact**: programs get all of it, and nothing else. **lossy**: something gets lost; the number leads to what.
+**exact**: programs get all of it, and nothing else. **adapted**: they get it in another form; the number leads to how.
 **refused**: nothing of it is written. Where a device needs what an output refuses by a rule, the build says so and
 writes nothing; `fieldspec rule CODE` explains the rule.
 """

@@ -15,7 +15,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.names import stem
-from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, lossy, refused
+from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, adapted, refused
 from fieldspec.spreadsheet import BYTE_ORDER_MARK, csv_text
 
 
@@ -76,29 +76,29 @@ def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[
 
 _TABLE = "are in the table, for people; KV STUDIO imports comments alone"
 _NOT_EXACT = {
-    "wide_numbers": lossy("are words; no instruction of the KV takes them"),
-    "wide_lists": lossy("are words; no instruction of the KV takes them"),
+    "wide_numbers": adapted("are words; no instruction of the KV takes them"),
+    "wide_lists": adapted("are words; no instruction of the KV takes them"),
     "bits": refused("are in no word; the bytes of their messages are in the map"),
     "can_frames": refused("are no words of a serial line"),
     "byte_registers": refused("are in no word; the bytes of their messages are in the map"),
     "moving_tables": refused("addresses are constants: output_addresses_constant"),
-    "pieces": lossy("are messages whose words are in the map; nothing puts them together"),
-    "choices": lossy("stand once for each type, with the values that decide it"),
-    "aliases": lossy("have the name to write"),
-    "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),
-    "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
-    "orders": lossy("are said for each value; the ladder turns words and bytes"),
-    "scales": lossy(_TABLE),
-    "powers": lossy(_TABLE),
+    "pieces": adapted("are messages whose words are in the map; nothing puts them together"),
+    "choices": adapted("stand once for each type, with the values that decide it"),
+    "aliases": adapted("have the name to write"),
+    "other_frames": adapted("are words to fill in and to compare; nothing escapes, sums and compares them"),
+    "frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
+    "orders": adapted("are said for each value; the ladder turns words and bytes"),
+    "scales": adapted(_TABLE),
+    "powers": adapted(_TABLE),
     "conversions": refused("are formulas, which a map of words has not"),
     "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
     "inner_lists": refused("the words behind them have no place of their own: output_lists_last"),
     "formed_texts": refused("instructions copy their bytes: output_texts_ascii"),
-    "ranges": lossy(_TABLE),
-    "constants": lossy(_TABLE),
+    "ranges": adapted(_TABLE),
+    "constants": adapted(_TABLE),
     "code_texts": refused("are no words: see the output for operator panels"),
     "remedies": refused("are no words: see the output for operator panels"),
-    "labels": lossy("are in the table; comments are ASCII"),
+    "labels": adapted("are in the table; comments are ASCII"),
 }
 
 
