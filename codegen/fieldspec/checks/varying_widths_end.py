@@ -94,7 +94,7 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
         elif other in varying and other is not None:
             text = f"{field.name} measures {other.name}, which varies in width"
             yield finding(_CODE, field.place, "measures", text, "let a `length` in the frame count the message")
-    if message.accesses is not None:
+    if message.accesses is not None or message.access_steps:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
     at = body.fields.index(varying[0])
