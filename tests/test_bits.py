@@ -110,3 +110,20 @@ def test_a_field_of_bits_holds_what_its_width_and_sign_allow(width: int, signed:
     ranges = replace(bit, first=0, last=width - 1, signed=signed).as_value.ranges
     assert ranges is not None
     assert ranges.text() == text
+
+
+@pytest.mark.parametrize(("count", "data"), [(9, [5]), (8, [5, 0]), (16, [5])])
+def test_a_number_of_bits_that_takes_other_bytes_is_refused(count: int, data: list[int]) -> None:
+    message = STATION.WriteCoilsRequest(address=0, bit_count=count, bits=data)
+    with pytest.raises(CodecError) as refused:
+        message.encode()
+    assert refused.value.reason == "wrong_measure"
+    body = bytes((0, 0, 0, count, len(data), *data))
+    with pytest.raises(CodecError) as refused:
+        STATION.WriteCoilsRequest.decode(body)
+    assert (refused.value.reason, refused.value.offset) == ("wrong_measure", 2)
+
+
+def test_the_explanation_says_how_many_bits_there_may_be(run: CommandLine) -> None:
+    result = run("decode", "station", "00 02 00 00 00 08 01 0F 00 00 00 09 01 A5", "--link", "tcp")
+    assert "wrong: bit_count at byte 10: should be 1 to 8" in result.out

@@ -340,3 +340,30 @@ def test_a_simulated_station_serves_its_bits_to_a_client_of_pymodbus() -> None:
             assert client.write_coil(0x0B, True, device_id=1).isError()
         finally:
             client.close()
+
+
+def test_a_simulated_station_carries_out_the_steps_of_functions_22_and_23() -> None:
+    with simulation("station", folder=str(TEST_SPECS), ports={"tcp": "tcp://127.0.0.1:0"}) as station:
+        host, _, port = station.places["tcp"].removeprefix("tcp://").rpartition(":")
+        client = ModbusTcpClient(host, port=int(port), timeout=SECONDS)
+        assert client.connect()
+
+        def settings() -> list[int]:
+            return client.read_holding_registers(0, count=2, device_id=1).registers
+
+        try:
+            asked = {"read_address": 0, "read_count": 2, "write_address": 0, "device_id": 1}
+            assert client.readwrite_registers(**asked, values=[0x0123, 1]).registers == [0x0123, 1]
+            assert settings() == [0x0123, 1]
+            assert not client.mask_write_register(address=0, and_mask=0xF2, or_mask=0x25, device_id=1).isError()
+            assert settings() == [(0x0123 & 0xF2) | (0x25 & ~0xF2), 1]
+            before = settings()
+            # What cannot be written or read is refused before anything is written.
+            assert client.readwrite_registers(**asked, values=[7, 3]).exception_code == 3
+            assert client.readwrite_registers(**{**asked, "read_address": 0x300}, values=[7, 2]).exception_code == 2
+            assert client.readwrite_registers(**{**asked, "write_address": 0x300}, values=[7, 2]).exception_code == 2
+            assert client.mask_write_register(address=0, and_mask=0, or_mask=0xFFFF, device_id=1).exception_code == 3
+            assert client.mask_write_register(address=0x300, and_mask=0, or_mask=0, device_id=1).exception_code == 2
+            assert settings() == before
+        finally:
+            client.close()

@@ -2684,7 +2684,7 @@ class ExplainedFrame {
     for (const [name, value] of body.values) this.values.set(name, value);
     const rows = body.rows.filter((row) => this.wrapped.whole || row.kind !== "unexplained" || row.length);
     const access = this.error ? undefined : message?.access ?? message?.bitAccess;
-    if (!access) return { rows, registers: [] };
+    if (!access) return { rows, registers: this.error ? [] : this.stepRows(record, body.values, start, end) };
     const values = record.named.get(access.values);
     const at = values ? start + values.offset : start;
     const isOpen = !values || values.count === undefined;
@@ -2693,6 +2693,23 @@ class ExplainedFrame {
     const isBits = access === message.bitAccess;
     const span = accessedSpan(access, isBits, body.values, asked, at, data);
     return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
+  }
+
+  /** The rows of the registers of a message that accesses them in several steps; a response has those that read. */
+  stepRows(record, values, start, end) {
+    const isRequest = this.direction === "request";
+    const known = isRequest ? values : this.asked?.values ?? NOTHING;
+    const rows = [];
+    for (const step of this.message?.steps ?? []) {
+      if (!isRequest && step.operation === "write") continue;
+      const field = (step.operation === "read") === !isRequest ? record.named.get(step.values) : undefined;
+      const at = start + (field?.offset ?? 0);
+      const last = field?.count === undefined ? end : Math.min(end, at + field.size * field.count);
+      const data = this.data.subarray(at, field ? Math.max(at, last) : at);
+      const span = accessedSpan(step, false, known, NOTHING, at, data);
+      if (span) rows.push(...registerRows(this.device, span, this.spot, step.operation));
+    }
+    return rows;
   }
 
   /** The row of a body that nothing describes. */
@@ -3954,7 +3971,8 @@ class FrameTable {
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
       const { access, bitAccess } = device.messages.get(explanation.message);
-      const caption = `What the frame ${(access ?? bitAccess).operation}s`;
+      const single = access ?? bitAccess;
+      const caption = single ? `What the frame ${single.operation}s` : "Registers that the frame accesses";
       this.showTable(registers, caption, REGISTER_COLUMNS, explanation.registers, addressText);
     }
     byId("faults").replaceChildren(...faultTexts(explanation).map((text) => element("li", { textContent: text })));

@@ -37,7 +37,8 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
             message["broadcast"] = False
         elif "broadcast" not in message and draft.chance(5):
             message["broadcast"] = True
-            if "code" in message and message.get("accesses", {}).get("operation") != "read":
+            accesses = [message.get("accesses", {}), *message.get("access_steps", [])]
+            if "code" in message and not any(access.get("operation") == "read" for access in accesses):
                 _leave_unanswered(draft, message, message.get("links", coded_links))
     return drawn
 
@@ -80,7 +81,7 @@ def leave_unrequested(draft: Draft) -> None:
     """Only the device sends some messages."""
     if not draft.chance(25):
         return
-    of_requests = {"accesses", "segments", "broadcast", "response_code", "supplements"}
+    of_requests = {"accesses", "access_steps", "segments", "broadcast", "response_code", "supplements"}
     for message in draft.spec["messages"]:
         if draft.chance(40) and "response" in message and not of_requests & set(message):
             if any({"same_as", "parameter"} & set(field) for field in message["response"]):
@@ -154,6 +155,13 @@ def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
             if links:
                 message["links"] = list(links)
             drawn.append(message)
+    if draft.chance(40):
+        names = [name for name, unit in units.items() if unit != "bit"] or [""]
+        message = _access_steps(draft, [(name, units.get(name, "word")) for name in names])
+        message["code"] = free_code(draft, codes)
+        if links:
+            message["links"] = list(links)
+        drawn.append(message)
     for space in [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "bit"]:
         for operation in ("read", "write"):
             message = _bit_access(draft, operation, space)
@@ -162,6 +170,48 @@ def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
                 message["links"] = list(links)
             drawn.append(message)
     return drawn
+
+
+def _access_steps(draft: Draft, spaces: list[tuple[str, str]]) -> Spec:
+    """A message that writes and reads registers in several steps, or changes bits of one."""
+    request: list[Spec] = []
+    response: list[Spec] = []
+    steps: list[Spec] = []
+    kinds = draft.pick((("mask",), ("write", "read"), ("mask", "read"), ("read", "mask"), ("mask", "mask")))
+    for kind in kinds:
+        space, unit = draft.pick(spaces)
+        word = "u8" if unit == "byte" else "u16"
+        address = draft.fact(type="u16")
+        request.append(address)
+        step: Spec = {"operation": "read" if kind == "read" else "write", "start": address["name"]}
+        if space:
+            step["space"] = space
+        if kind == "mask":
+            masks = [draft.fact(type=word), draft.fact(type=word)]
+            request += masks
+            step |= {"and_mask": masks[0]["name"], "or_mask": masks[1]["name"]}
+        else:
+            most = draft.number(1, 20)
+            count = draft.fact(type="u16", range=f"1..{most}")
+            words = draft.fact(type=word, repeat=f"1..{most}")
+            request.append(count)
+            step |= {"count": count["name"], "values": words["name"]}
+            if kind == "write":
+                count["measures"] = {"items": words["name"]}
+            else:
+                response.append(words)
+        steps.append(step)
+    lists = [step["values"] for step in steps if step["operation"] == "write" and "values" in step]
+    for name in lists:
+        count = next(field for field in request if field.get("measures") == {"items": name})
+        request.append(draft.fact(type=_element(spaces, steps, name), repeat=count["range"]) | {"name": name})
+    return draft.fact(request=request, response=response, access_steps=steps)
+
+
+def _element(spaces: list[tuple[str, str]], steps: list[Spec], name: str) -> str:
+    """The type of the words or bytes that a step carries."""
+    space = next(step.get("space", "") for step in steps if step.get("values") == name)
+    return "u8" if dict(spaces).get(space) == "byte" else "u16"
 
 
 def _bit_access(draft: Draft, operation: str, space: str) -> Spec:

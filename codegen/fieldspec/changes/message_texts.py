@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.changes.comparison import Comparison
-from fieldspec.model.record import Message
+from fieldspec.model.record import STEP_FIELDS, Message
 
 
 def segments_text(comparison: Comparison | None, message: Message) -> str:
@@ -41,6 +41,20 @@ def access_text(comparison: Comparison | None, message: Message) -> str:
     )
     bits = "" if (access.set, access.clear) == (None, 0) else f", a bit as {access.set} or {access.clear}"
     return f"{access.operation} with {text}{bits}"
+
+
+def steps_text(comparison: Comparison | None, message: Message) -> str:
+    """The steps in which a message accesses registers; with the new names of a comparison."""
+    texts = []
+    for step in message.access_steps:
+        words = {key: getattr(step, key) for key in STEP_FIELDS if getattr(step, key)}
+        space = step.space
+        if comparison is not None:
+            words = {key: _renamed(comparison, message, word) for key, word in words.items()}
+            space = comparison.renamed_to("spaces", space) if space else ""
+        names = ", ".join(f"{word} as {key}" for key, word in words.items())
+        texts.append(f"{step.operation}{f' {space}' if space else ''} with {names}")
+    return ", then ".join(texts)
 
 
 def _renamed(comparison: Comparison, message: Message, name: str) -> str:

@@ -115,9 +115,10 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
     silent = [name for name in sent if not message.is_answered_on(name)]
     if not silent:
         return
-    if message.accesses is not None and message.accesses.operation == "read":
-        text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
-        yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
+    for key, accesses in (("accesses", (message.accesses,)), ("access_steps", message.access_steps)):
+        if any(access is not None and access.operation == "read" for access in accesses):
+            text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
+            yield finding(_CODE, message.place, "answered_on", text, f"remove `{key}`, or `answered_on`")
     if message.number is not None and message.code is None:
         text = f"{message.name} has no code: its request and its response are sent without each other"
         yield finding(_CODE, message.place, "answered_on", text, "remove `answered_on`")

@@ -18,7 +18,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Place
-from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.record import Field, Message, Record, RegisterAccess
 from fieldspec.model.sizes import sent_on
 from fieldspec.model.texts import Example, Lookup
 from fieldspec.model.value import UNSPECIFIED, ParameterPart, Value
@@ -163,21 +163,27 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
     yield from _within(device, message.request, None)
     yield from _within(device, message.response, message.request)
-    if message.accesses is not None:
+    yield from _of_access(device, message, "accesses", message.accesses)
+    for step in message.access_steps:
+        yield from _of_access(device, message, "access_steps", step)
+
+
+def _of_access(device: Device, message: Message, key: str, access: RegisterAccess | None) -> Iterator[Diagnostic]:
+    if access is not None:
         asked = {field.name for field in message.request.fields}
         answered = {field.name for field in message.response.fields}
-        holder = answered if message.accesses.operation == "read" else asked
+        holder = answered if access.operation == "read" else asked
         place = message.place
-        space = message.accesses.space
+        space = access.space
         if space and space not in device.spaces and is_imported(place, device):
             text = f"there is no address space `{space}`, which messages that {device.id} takes from protocols access"
             help = "add the space to `spaces`, or state under `uses` which messages the device has"
             yield finding("references_resolve", device.place, "id", text, help)
         else:
-            yield from _named(place, "accesses", "address space", space, device.spaces)
-        yield from _named(place, "accesses", "field of the request", message.accesses.start, asked)
-        yield from _named(place, "accesses", "field of the request", message.accesses.count, asked)
-        yield from _named(place, "accesses", "field", message.accesses.values, holder)
+            yield from _named(place, key, "address space", space, device.spaces)
+        for name in (access.start, access.count, access.and_mask, access.or_mask):
+            yield from _named(place, key, "field of the request", name, asked)
+        yield from _named(place, key, "field", access.values, holder)
 
 
 def _codes(device: Device, record: Record) -> frozenset[str]:

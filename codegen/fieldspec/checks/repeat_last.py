@@ -94,7 +94,7 @@ def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Dia
             if key in other.place:
                 text = f"{other.name} has no place of its own, as {field.name} before it repeats"
                 yield finding(_CODE, other.place, key, text, "remove it")
-    if message.accesses is not None:
+    if message.accesses is not None or message.access_steps:
         text = f"{message.name} reads or writes registers, and {last.name} comes after {field.name}"
         help = "list the repeated field last, or remove `accesses`"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
+from fieldspec.checks.access_steps_fit_space import access_steps_fit_space
 from fieldspec.checks.accesses_agree import accesses_agree
 from fieldspec.checks.accesses_fit_space import accesses_fit_space
 from fieldspec.checks.addresses_ascending import addresses_ascending
@@ -125,6 +126,7 @@ from fieldspec.model.device import Device
 from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
+    ("access_steps_fit_space", access_steps_fit_space),
     ("accesses_agree", accesses_agree),
     ("accesses_fit_space", accesses_fit_space),
     ("addresses_ascending", addresses_ascending),

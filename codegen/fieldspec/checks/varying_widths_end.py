@@ -97,7 +97,7 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
         elif other in varying and other is not None:
             yield from _of_count(body, field, other)
-    if message.accesses is not None:
+    if message.accesses is not None or message.access_steps:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
     at = body.fields.index(varying[0])

@@ -22,7 +22,7 @@ from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
 from fieldspec.model.quantity import count_of
-from fieldspec.model.record import RegisterAccess
+from fieldspec.model.record import Message, RegisterAccess
 from fieldspec.render.blocks import visible_text
 
 _MOST = 20
@@ -200,6 +200,7 @@ def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -
         why = forbidden(layout, span, bits.operation) if span is not None else ""
         if why:
             raise UsageError(f"{why}; no frame is written")
+    _refuse_steps(layout, own, values)
     if accesses is None:
         return
     words = values.get(accesses.values)
@@ -209,6 +210,17 @@ def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -
     why = forbidden(layout, span, accesses.operation) if span is not None else ""
     if why:
         raise UsageError(f"{why}; no frame is written")
+
+
+def _refuse_steps(layout: DeviceLayout, message: Message, values: Mapping[str, Raw]) -> None:
+    """The same for each step of a message that accesses registers in several ones."""
+    for step in message.access_steps:
+        words, size = values.get(step.values), layout.device.space(step.space).unit_size
+        count = len(words) if isinstance(words, list) else 1
+        span = accessed(step, values, {}, 0, bytes(size * count if step.operation == "write" else 0), size)
+        why = forbidden(layout, span, step.operation) if span is not None else ""
+        if why:
+            raise UsageError(f"{why}; no frame is written")
 
 
 def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> object:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from fieldspec.classes import dataclass, field, replace
+from fieldspec.explain.access_steps import step_spans
 from fieldspec.explain.body import Body
 from fieldspec.explain.registers import register_rows
 from fieldspec.explain.row import (
@@ -333,7 +334,13 @@ class _Frame:
         access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
         access = access or bits
         if access is None:
-            return rows, ()
+            within = start, self.data[start:end]
+            steps = step_spans(
+                self.layout, message, record, within, body.values, asked if self.direction == "response" else None
+            )
+            return rows, tuple(
+                row for step, span in steps for row in register_rows(self.layout, span, self.spot, step.operation)
+            )
         values = record.named(access.values)
         at = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end

@@ -43,6 +43,8 @@ def only_reads(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -
     access = message.message.accesses
     if access is not None:
         return access.operation == "read"
+    if message.message.access_steps:
+        return all(step.operation == "read" for step in message.message.access_steps)
     if message.name not in link.carried("response"):
         return False
     parts = {_parameter_part(field) for field in message.request.fields} - {""}

@@ -11,7 +11,7 @@ from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
-from fieldspec.model.record import RegisterAccess, Segments
+from fieldspec.model.record import STEP_FIELDS, RegisterAccess, Segments
 from fieldspec.model.value import ParameterPart, Value
 
 Words = tuple[object, ...]
@@ -162,6 +162,11 @@ def _access(access: RegisterAccess | None) -> str | None:
     return text if access.set is None else f"{text} set={access.set} clear={access.clear}"
 
 
+def _step(step: RegisterAccess) -> tuple[str, ...]:
+    """A step of a message that accesses registers in several ones."""
+    return ("step", step.operation, step.space, *(getattr(step, key) for key in STEP_FIELDS))
+
+
 def _segments(segments: Segments | None) -> Iterator[object]:
     """How a value follows a message in pieces; nothing where none does."""
     if segments is not None:
@@ -185,6 +190,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
             message.broadcast is True,
             _access(message.accesses),
             *_segments(message.segments),
+            *(_step(step) for step in message.access_steps),
         )
         for data in message_layout.bodies:
             yield from _record(data)

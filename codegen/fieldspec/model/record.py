@@ -129,7 +129,8 @@ class RegisterAccess:
 
     `count` is empty where it is always one. `space` is empty where the spec names none, which means the first one of
     the device. `set` and `clear` are the numbers of a single bit that is 1 and 0; `set` is None where the bits are
-    packed into bytes, the first one into the least significant bit, and in spaces of words.
+    packed into bytes, the first one into the least significant bit, and in spaces of words. Only a step of a message
+    with several has masks, and no `values` then: it writes (register AND `and_mask`) OR (`or_mask` AND NOT `and_mask`).
     """
 
     operation: str
@@ -139,6 +140,17 @@ class RegisterAccess:
     space: str = ""
     set: int | None = None
     clear: int = 0
+    and_mask: str = ""
+    or_mask: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The fields that it names."""
+        return tuple(filter(None, (self.start, self.count, self.values, self.and_mask, self.or_mask)))
+
+
+STEP_FIELDS = ("start", "count", "values", "and_mask", "or_mask")
+"""The keys of a step that name fields."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +199,8 @@ class Message(Fact):
     A response has the code of its request, or `response_code`. A message without a code may have a `number` by which
     people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
     those that it `supplements`. It is answered on those of `answered_on`, which is None for all. The lengths are the
-    frame's in bytes, and the words those of the data, as printed.
+    frame's in bytes, and the words those of the data, as printed. A message that does more with registers than one
+    access has `access_steps` in place of `accesses`; nobody chooses it to read or to write a register.
     """
 
     title: str
@@ -209,6 +222,7 @@ class Message(Fact):
     segments: Segments | None = None
     response_code: int | None = None
     is_requested: bool = True
+    access_steps: tuple[RegisterAccess, ...] = ()
 
     def code_of(self, direction: str) -> int | None:
         """The code in one direction, `request` or `response`; None where the message has none."""

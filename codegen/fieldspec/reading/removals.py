@@ -34,8 +34,10 @@ def _joined(names: list[str]) -> str:
 
 def _starts(tree: Mapping) -> frozenset[str]:
     """The fields of messages that have the address of a register."""
-    accesses = (message.values.get("accesses") for message in mappings(tree.values.get("messages")))
-    return frozenset(_text(access.values.get("start")) for access in accesses if isinstance(access, Mapping))
+    messages = list(mappings(tree.values.get("messages")))
+    accesses = [access for message in messages if isinstance(access := message.values.get("accesses"), Mapping)]
+    accesses += [step for message in messages for step in mappings(message.values.get("access_steps"))]
+    return frozenset(_text(access.values.get("start")) for access in accesses)
 
 
 def _is_about(item: Mapping, path: str, fact: Node, starts: frozenset[str]) -> bool:

@@ -37,7 +37,12 @@ def title(layout: DeviceLayout, explanation: Explanation, sure: bool) -> str:
 
 def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
-    accesses = layout.messages[explanation.message].message.accesses
+    message = layout.messages[explanation.message].message
+    accesses = message.accesses
+    if message.access_steps:
+        done = [step.operation for step in message.access_steps]
+        done = [verb for verb in done if verb == "read" or explanation.direction == "request"]
+        return f"{' and '.join(f'{verb}s' for verb in dict.fromkeys(done))} registers"
     addresses = [row.address + row.words for row in explanation.registers if row.address is not None]
     first = min(row.address for row in explanation.registers if row.address is not None)
     last = max(addresses) - 1

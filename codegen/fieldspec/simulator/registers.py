@@ -38,11 +38,26 @@ def read_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, 
 
 def write_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> None:
     """Writes the words of a request and lets the behaviour follow. Raises Refusal, and then nothing is written."""
+    before, paths = place_words(engine, access, values)
+    try:
+        engine.follow_write(paths)
+    except Refusal:
+        engine.memory.words.update(before)
+        raise
+
+
+def place_words(
+    engine: Engine, access: RegisterAccess, values: Mapping[str, Any]
+) -> tuple[dict[tuple[str, int], int], list[str]]:
+    """Puts the words of a request into the memory: what was there, and the paths of what has them.
+
+    Raises Refusal, and then nothing is written.
+    """
     content = values[access.values]
     words: Sequence[int] = content if isinstance(content, list | tuple) else [content]
     space, addresses = _span(engine, access, values, len(words), "write")
     memory = engine.memory
-    before = {address: memory.words[space, address] for address in addresses}
+    before = {(space, address): memory.words[space, address] for address in addresses}
     for address, word in zip(addresses, words, strict=True):
         memory.words[space, address] = word
     paths = []
@@ -55,11 +70,17 @@ def write_registers(engine: Engine, access: RegisterAccess, values: Mapping[str,
             if not _is_whole(occupant, addresses) and occupant.atomic and not _accepts(engine, "partial_values"):
                 raise Refusal("value_invalid", f"{occupant.path} is to be written in one request")
             paths.append(_path(occupant))
-        engine.follow_write(paths)
     except Refusal:
-        for address, word in before.items():
-            memory.words[space, address] = word
+        memory.words.update(before)
         raise
+    return before, paths
+
+
+def accessed_words(
+    engine: Engine, access: RegisterAccess, values: Mapping[str, Any], operation: str = "read"
+) -> tuple[str, list[int]]:
+    """The space of a request, and where the memory has the words that it states. Raises Refusal."""
+    return _span(engine, access, values, _count(access, values), operation)
 
 
 def read_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> int | list[int]:

@@ -13,6 +13,7 @@ from fieldspec.reference.frames import FrameCodec, codec
 from fieldspec.reference.parameters import bytes_of_value, carries, field_of_bytes, value_of_bytes
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import judging, parameters
+from fieldspec.simulator.access_steps import carry_out_steps
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.raw_values import chosen_kind, in_type, initial_value, number_of_kind, signed
@@ -144,8 +145,8 @@ class Server:
             except Refusal as refusal:
                 reasons.append(refusal)
             raise min(reasons, key=self._exception_number)
-        if message.accesses is not None:
-            raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
+        if message.access_steps:
+            return carry_out_steps(engine, announced, values, self._exception_number)
         wrong = judging.first_out_of_range(engine.layout.device, announced.request, values)
         if wrong:
             raise Refusal("value_invalid", f"{wrong} is out of range")

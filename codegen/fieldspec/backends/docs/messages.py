@@ -105,6 +105,21 @@ def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple
         yield "Subcode", (joined((code(text),) for text in texts),)
 
 
+def _steps(context: Context, message: Message) -> Iterator[Piece]:
+    """What a message does with registers, one after the other."""
+    for number, step in enumerate(message.access_steps):
+        verb = "changes bits of" if step.and_mask else f"{step.operation}s"
+        yield text_piece(f"{', then ' if number else ''}{verb} ")
+        if context.device.spaces:
+            space = context.device.space(step.space)
+            yield text_piece(space.title or space.name, f"#{space.place.path}")
+        else:
+            yield text_piece("registers", "#registers")
+        if step.and_mask:
+            yield from (text_piece(": "), code(step.and_mask), text_piece(" has those that stay, "))
+            yield from (code(step.or_mask), text_piece(" the others"))
+
+
 def _pieces(segments: Segments) -> Iterator[Piece]:
     """How the value of a message follows in pieces."""
     verb = "read" if segments.reads else "written"
@@ -176,6 +191,8 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
             yield "Accesses", ((text_piece(f"{verb} {space.title or space.name}", f"#{space.place.path}"),),)
         else:
             yield "Accesses", ((text_piece(f"{verb} registers", "#registers"),),)
+    if message.access_steps:
+        yield "Accesses", (tuple(_steps(context, message)),)
     if message.segments is not None:
         yield "In pieces", (tuple(_pieces(message.segments)),)
     examples = [example for example in context.device.examples.values() if example.message == message.name]

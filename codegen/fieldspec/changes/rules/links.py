@@ -9,7 +9,7 @@ from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair
 from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.changes.evidence import hexadecimal, value_text
-from fieldspec.changes.message_texts import access_text, segments_text
+from fieldspec.changes.message_texts import access_text, segments_text, steps_text
 from fieldspec.model.device import Detection, Device, Version, VersionLine
 from fieldspec.model.link import ExceptionResponse, Link, Part
 from fieldspec.model.record import Field, Measure, Message
@@ -200,6 +200,9 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = access_text(comparison, message.old), access_text(None, message.new)
         if before != after:
             yield _role_text(message, "accesses", "how it accesses registers", before, after)
+        before, after = steps_text(comparison, message.old), steps_text(None, message.new)
+        if before != after:
+            yield _role_text(message, "access_steps", "the sequence of its accesses to registers", before, after)
         before, after = segments_text(comparison, message.old), segments_text(None, message.new)
         if before != after:
             yield _role_text(message, "segments", "how its value follows in pieces", before, after)

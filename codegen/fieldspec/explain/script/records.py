@@ -97,6 +97,7 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
             {
                 "access": _access(device, device.register_access(own)),
                 "bitAccess": _access(device, device.bit_access(own)),
+                "steps": [_access(device, step) for step in own.access_steps],
                 "errata": list(errata_of_message(device, own)),
             }
         ),

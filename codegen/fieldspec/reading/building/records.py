@@ -117,6 +117,7 @@ def message(entry: Entry, reused: Reused) -> Message:
         segments=_segments(pieces) if pieces else None,
         response_code=_response_code(entry),
         is_requested=_is_requested(entry),
+        access_steps=tuple(_step(step) for step in entry.entries("access_steps")),
     )
 
 
@@ -133,7 +134,7 @@ def _refuse_unstated(entry: Entry) -> None:
     entry.refuse("missing_key", "name", text, help)
 
 
-_OF_REQUESTS = ("request", "accesses", "segments", "broadcast", "supplements", "response_code")
+_OF_REQUESTS = ("request", "accesses", "access_steps", "segments", "broadcast", "supplements", "response_code")
 """The keys of messages that say something of a request."""
 
 
@@ -221,6 +222,18 @@ def _access(entry: Entry) -> RegisterAccess:
         space=entry.text("space"),
         set=entry.integer("set"),
         clear=entry.integer("clear") or 0,
+    )
+
+
+def _step(entry: Entry) -> RegisterAccess:
+    return RegisterAccess(
+        operation=entry.text("operation"),
+        start=entry.text("start"),
+        count=entry.text("count"),
+        values=entry.text("values"),
+        space=entry.text("space"),
+        and_mask=entry.text("and_mask"),
+        or_mask=entry.text("or_mask"),
     )
 
 

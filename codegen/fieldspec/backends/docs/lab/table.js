@@ -57,7 +57,8 @@ class FrameTable {
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
       const { access, bitAccess } = device.messages.get(explanation.message);
-      const caption = `What the frame ${(access ?? bitAccess).operation}s`;
+      const single = access ?? bitAccess;
+      const caption = single ? `What the frame ${single.operation}s` : "Registers that the frame accesses";
       this.showTable(registers, caption, REGISTER_COLUMNS, explanation.registers, addressText);
     }
     byId("faults").replaceChildren(...faultTexts(explanation).map((text) => element("li", { textContent: text })));

@@ -1,0 +1,40 @@
+"""The registers of messages that access them in several steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec.explain.spans import Span, accessed
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.values import Raw
+from fieldspec.model.record import Message, RegisterAccess
+
+
+def step_spans(
+    layout: DeviceLayout,
+    message: Message,
+    record: RecordLayout,
+    body: tuple[int, bytes],
+    values: Mapping[str, Raw],
+    asked: Mapping[str, Raw] | None,
+) -> Iterator[tuple[RegisterAccess, Span]]:
+    """The steps of a message with the words that they access; a response has those that read.
+
+    `body` is where the data begin in the parts of a frame, and their bytes. `asked` are the values of the request that
+    a response answers, None for a request.
+    """
+    at, data = body
+    for step in message.access_steps:
+        if asked is not None and step.operation == "write":
+            continue
+        field = record.named(step.values) if (step.operation == "read") == (asked is not None) else None
+        offset, carried = 0, b""
+        if field is not None:
+            offset = field.offset
+            carried = data[offset:] if field.end is None else data[offset : field.end]
+        size = layout.device.space(step.space).unit_size
+        # The request of what a response answers may have fields of the same names as the response.
+        span = accessed(step, values if asked is None else asked, {}, at + offset, carried, size)
+        if span is not None:
+            yield step, span
