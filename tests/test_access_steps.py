@@ -7,7 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from command_line import TEST_SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
+from fieldspec import pipeline
+from fieldspec.commands.spec_files import files
+from fieldspec.evidence.redaction import Redaction
+from fieldspec.evidence.secrets import Secrets
+from fieldspec.reference import codec
 
 REQUEST = "01 17 00 00 00 02 00 00 00 02 04 00 05 00 01 16 81"
 EXCHANGE = "read_write_registers read_address=0 read_word_count=1 write_address=0 values=5,1"
@@ -49,3 +54,24 @@ def test_a_step_that_a_register_forbids_is_not_encoded(
     for message in ("mask_write_register address=1 and_mask=1 or_mask=0", EXCHANGE):
         result = run("encode", "station", *message.split(), "station=1", "--link", "rtu")
         assert "mode at 0x0001 can only be read; no frame is written" in result.err
+
+
+def test_redaction_knows_the_registers_of_steps(tmp_path: Path) -> None:
+    texts = {path.name: path.read_text("utf-8") for path in (TEST_SPECS / "station").glob("*.yaml")}
+    device = texts["device.yaml"].replace("name: limit,", "name: limit, roles: serial_number,")
+    (tmp_path / "station").mkdir()
+    (tmp_path / "station" / "device.yaml").write_text(device, "utf-8")
+    shutil.copytree(SPECS / "protocols", tmp_path / "protocols")
+    (layout,) = pipeline.layouts(pipeline.load(files(tmp_path)).devices["station"])
+    link = codec(layout).links["rtu"]
+    asked = {"read_address": 1, "read_word_count": 3, "write_address": 1, "values": [1, 0x4142, 0x4344]}
+    sent = {"station": 1, **asked}
+    cleaned = Redaction(layout, Secrets())
+    request = link.encode("request", "read_write_registers", sent)
+    clean = cleaned.frame("rtu", "request", request, link.decode(request, "request"), {})
+    assert link.decode(clean, "request").values["values"][0] == 1
+    assert b"ABCD" in request
+    assert b"ABCD" not in clean
+    response = link.encode("response", "read_write_registers", {"station": 1, "values": [1, 0x4142, 0x4344]})
+    clean = cleaned.frame("rtu", "response", response, link.decode(response, "response", "read_write_registers"), sent)
+    assert b"ABCD" not in clean

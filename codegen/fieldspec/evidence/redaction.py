@@ -17,7 +17,7 @@ from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, tail_of
 from fieldspec.live.reading import all_occupants, is_bit
 from fieldspec.model.fact import Fact
-from fieldspec.model.record import RegisterAccess
+from fieldspec.model.record import Message, RegisterAccess
 from fieldspec.model.registers import Parameter
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
@@ -83,11 +83,11 @@ class Redaction:
             if part.reserved and part.constant is not None:
                 own, at = (head, part.offset) if part in shape.header else (tail, part.at(len(parts)) - end)
                 own[at : at + part.size] = part.data(part.constant)
-        body = self._body(decoded, parts[shape.header_size : end], asked)
+        body = self._body(decoded, direction, parts[shape.header_size : end], asked)
         clean = codec_of_link.with_checksum(direction, bytes(head) + body + bytes(tail))
         return codec_of_link.joined_parts(direction, clean)
 
-    def _body(self, decoded: Decoded, data: bytes, asked: Mapping[str, Any]) -> bytes:
+    def _body(self, decoded: Decoded, direction: str, data: bytes, asked: Mapping[str, Any]) -> bytes:
         record = decoded.body
         if record is None:
             return bytes(len(data))
@@ -98,7 +98,9 @@ class Redaction:
                 return bytes(len(data))
             data = inner.image_of(data, extents)
         result = bytearray(len(data))
-        access = decoded.message.message.accesses if decoded.message is not None and not decoded.error else None
+        access = (
+            _access(decoded.message.message, direction) if decoded.message is not None and not decoded.error else None
+        )
         values = {**asked, **decoded.values}
         if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
             values[_FIRST] = values.get(indexed.name)
@@ -287,3 +289,10 @@ def _intervals(value: Value) -> Iterable[tuple[int, int]]:
     if value.ranges is None or 0 in value.ranges:
         return ()
     return value.ranges.intervals
+
+
+def _access(message: Message, direction: str) -> RegisterAccess | None:
+    """How a frame of a message carries registers; None where it carries none."""
+    operation = "write" if direction == "request" else "read"
+    steps = (step for step in message.access_steps if step.operation == operation and step.values)
+    return message.accesses or next(steps, None)
