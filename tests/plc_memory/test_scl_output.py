@@ -131,7 +131,7 @@ def test_the_workbook_of_constants_is_in_the_form_of_tag_tables(layout: DeviceLa
     assert {row[1] for row in rows} == {row[0] for row in book["TagTable Properties"].iter_rows(2, values_only=True)}
     bits = {"Byte": 8, "Word": 16, "DWord": 32, "USInt": 8, "UInt": 16, "UDInt": 32, "SInt": 7, "Int": 15, "DInt": 31}
     for name, _, kind, value, _ in rows:
-        if kind == "LReal":
+        if kind in ("Real", "LReal"):
             assert re.fullmatch(r"-?\d+\.\d+", str(value)), name
         else:
             assert kind in bits, (name, kind)

@@ -42,10 +42,10 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _messages_distinct(device, link)
         yield from _escapable(link)
         yield from _marked(link)
-        if link.unit_addresses is not None and not any(part.role == "unit_address" for part in link.request):
-            text = (
-                f"`unit_addresses` has no effect in {link.name}, whose requests have no part with the role unit_address"
-            )
+        if link.unit_addresses is not None and not any(
+            part.role == "unit_address" for part in (*link.request, *link.response)
+        ):
+            text = f"`unit_addresses` has no effect in {link.name}, which has no part with the role unit_address"
             help = "add `role: unit_address` to the part with the address, or remove `unit_addresses`"
             yield finding(_CODE, link.place, "unit_addresses", text, help)
         error = link.exception_response

@@ -13,7 +13,7 @@ from fieldspec.model.link import ExceptionResponse
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
 
-MOST_LISTED = 4096
+LARGEST_SET = 4096
 """How many unit addresses a framer has in a set; of more it has the intervals."""
 
 OPEN = "{ length: 0, size: -1 }"
@@ -144,7 +144,7 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
     intervals = [*addresses.ranges.intervals]
     if direction == "request" and addresses.broadcast is not None:
         intervals.append((addresses.broadcast, addresses.broadcast))
-    if sum(high - low + 1 for low, high in intervals) > MOST_LISTED:
+    if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
         return f"address: {_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
     numbers = [n for low, high in intervals for n in range(low, high + 1)]
     return f"address: {_number(part)}, addresses: new Set({numbers})"

@@ -14,7 +14,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 Carried = Sequence[tuple[str, int | None, RecordLayout]]
 Extent = tuple[int, int, int, int]
 
-MOST_LISTED = 4096
+LARGEST_SET = 4096
 """How many unit addresses a framer has in a set; of more it has the intervals."""
 
 OPEN: Extent = (0, 0, -1, 0)
@@ -162,7 +162,7 @@ def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> lis
     intervals = [*unit_addresses.ranges.intervals]
     if direction == "request" and unit_addresses.broadcast is not None:
         intervals.append((unit_addresses.broadcast, unit_addresses.broadcast))
-    if sum(high - low + 1 for low, high in intervals) > MOST_LISTED:
+    if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
         known = f"_Intervals({', '.join(map(str, intervals))})"
     else:
         known = f"frozenset(({', '.join(map(_span, intervals))},))"

@@ -294,13 +294,17 @@ def _call(of: Call, spelling: Spelling) -> str:
     return f"{spelling.routine.format(of.routine)}({', '.join(_arguments(of, spelling))})"
 
 
+_GREATEST_DECIMAL = (1 << 63) - 1
+
+
 def _whole(of: Whole, spelling: Spelling) -> str:
     """A number; with its type where a compiler may take it for another one.
 
     Not every compiler knows a sign behind the mark of the type, so it stands before it.
     """
     value, kind, hexadecimal = of.value, of.type, of.hexadecimal
-    if kind.family == "bits" or hexadecimal:
+    # Translators to C write decimal numbers without a suffix, and none beyond 63 bits has a type there.
+    if kind.family == "bits" or hexadecimal or value > _GREATEST_DECIMAL:
         return f"{kind.name}#16#{value:0{2 * kind.size}X}"
     if value in _COMMENT_MARKS:
         return str(value)
