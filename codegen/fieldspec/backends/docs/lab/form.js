@@ -32,7 +32,13 @@ class MessageForm {
     const direction = byId("build-direction");
     const message = byId("build-message");
     if (id === "build-link") {
-      direction.replaceChildren(...DIRECTIONS.map((way) => option(way, link.directionNames[way])));
+      const ways = DIRECTIONS.filter((way) => link.carriedMessages[way].size > 0);
+      direction.replaceChildren(...ways.map((way) => option(way, link.directionNames[way])));
+    }
+    if (direction.value === "") {
+      message.replaceChildren();
+      this.leave(`No ${link.messageName} goes over ${link.name}.`);
+      return;
     }
     if (id !== "build-message") {
       const before = message.value;
@@ -42,6 +48,13 @@ class MessageForm {
       byId("build-message-label").textContent = titled(link.messageName);
     }
     this.begin({ link: link.name, direction: direction.value, message: message.value, error: false });
+  }
+
+  // Nothing is built, and the text says why.
+  leave(text) {
+    this.choice = null;
+    this.fields.replaceChildren();
+    this.message(text);
   }
 
   begin(choice) {
@@ -58,13 +71,12 @@ class MessageForm {
     const own = device.links.get(link);
     const isKnown = own.carriedMessages[error ? "request" : direction].has(message);
     if (!isKnown) {
-      this.choice = null;
-      this.fields.replaceChildren();
-      this.message("Nothing says which message this is, so there are no fields to edit. Choose one to build it.");
+      this.leave("Nothing says which message this is, so there are no fields to edit. Choose one to build it.");
       return;
     }
     byId("build-link").value = link;
-    byId("build-direction").replaceChildren(...DIRECTIONS.map((way) => option(way, own.directionNames[way])));
+    const ways = DIRECTIONS.filter((way) => way === direction || own.carriedMessages[way].size > 0);
+    byId("build-direction").replaceChildren(...ways.map((way) => option(way, own.directionNames[way])));
     byId("build-direction").value = direction;
     const names = [...own.carriedMessages[error ? "request" : direction].values()];
     byId("build-message").replaceChildren(...names.map(messageOption));

@@ -80,7 +80,7 @@ class Lab {
     byId("known-link").replaceChildren(option("", "any"), ...[...links.keys()].map((name) => option(name, name)));
     const directions = new Map([...links.values()].flatMap(({ directionNames }) => Object.values(directionNames).map((name) => [name, name])));
     byId("known-direction").replaceChildren(option("", "any"), ...[...directions.keys()].map((name) => option(name, name)));
-    const messages = new Set([...links.values()].flatMap(({ carried }) => carried.request));
+    const messages = new Set([...links.values()].flatMap(({ carried }) => [...carried.request, ...carried.response]));
     byId("known-message").replaceChildren(option("", "any"), ...[...messages].map((name) => option(name, name)));
     const words = new Set([...links.values()].map(({ messageName }) => messageName));
     byId("known-message-label").textContent = titled(words.size === 1 ? [...words][0] : "message");
