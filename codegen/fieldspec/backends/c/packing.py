@@ -49,8 +49,12 @@ def is_packed(record: RecordLayout) -> bool:
     return record.size is not None and record.selector is None and bool(members(record)) and all(map(is_packed, inner))
 
 
-def declare_packing(naming: Naming, record: RecordLayout, checks: Body) -> list[Declaration]:
-    """The functions that move a record between its struct and bytes, and the one with the checks, if there are some."""
+def declare_packing(naming: Naming, record: RecordLayout, checks: Body, *, is_image: bool = False) -> list[Declaration]:
+    """The functions that move a record between its struct and bytes, and the one with the checks, if there are some.
+
+    The bytes of an image are not what is sent: whatever varies in size has its full size in them.
+    """
+    full = ", in which all that varies has its full size, so they are not what is sent" if is_image else ""
     struct, size = naming.type("record", record.name), f"{record.size} byte{'s' * (record.size != 1)}"
     local_variables = function_locals(naming)
     source = Variable(Type(struct, const=True, pointer=True), "in")
@@ -73,10 +77,10 @@ def declare_packing(naming: Naming, record: RecordLayout, checks: Body) -> list[
     pack, unpack = naming.function("record", record.name, "pack"), naming.function("record", record.name, "unpack")
     return [
         *declarations,
-        comment(f"Writes {struct} to {size} without checks."),
+        comment(f"Writes {struct} to {size} without checks{full}."),
         Function(Type("void"), pack, (source, Variable(OUTPUT_BYTES, "out")), stored, local_variables),
         BLANK,
-        comment(f"Reads {struct} from {size} without checks."),
+        comment(f"Reads {struct} from {size} without checks{full}."),
         Function(Type("void"), unpack, (Variable(INPUT_BYTES, "in"), target), loaded, local_variables),
     ]
 

@@ -98,7 +98,7 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
     varying, record = record, record.image
     if is_packed(record):
         checks = check_members(naming, device, record)
-        declarations += [BLANK, *declare_packing(naming, record, checks)]
+        declarations += [BLANK, *declare_packing(naming, record, checks, is_image=varying is not record)]
     writing = comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written.")
     reading = comment(f"Reads {name} from exactly {size}.")
     inner = varying.inner_lists
