@@ -147,14 +147,20 @@ def _digits(draft: Draft, place: str) -> Spec:
         size += is_signed + (places + 1 if places else 0)
     size += size % 2 if place == "register" else 0
     count = 2 * size if form == "bcd" else size - (form == "decimal" and is_signed) - bool(places)
+    has_blanks = form == "decimal" and count > places + 1 and draft.chance(50)
+    count += has_blanks and is_signed
     high = (16 if form.endswith("hex") else 10) ** count - 1
     low = 0
-    if is_signed:
+    if has_blanks and is_signed:
+        low = 1 - 10 ** (count - 1)
+    elif is_signed:
         low, high = (-high, high) if form == "decimal" else (-(high + 1) // 2, high // 2)
     bits = next(bits for bits in (8, 16, 32, 64) if high < 1 << (bits - is_signed))
     keys: Spec = {"type": f"{'i' if is_signed else 'u'}{bits}", "digits": form, "length": size}
     if places:
         keys["places"] = places
+    if has_blanks:
+        keys["padding"] = "space"
     if form == "bcd" and size > 1 and place != "signal" and draft.chance(30):
         keys["byte_order"] = draft.pick(("little", "big"))
     use = draft.pick(("bare", "range", "scaled", "enum", "sentinel"))

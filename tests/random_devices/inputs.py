@@ -86,7 +86,7 @@ def number_or_text(layout: DeviceLayout, value: Value | None, dice: random.Rando
 
 
 def _whole_number(layout: DeviceLayout, value: Value, dice: random.Random) -> int:
-    low, high = value.type.low, value.type.high
+    low, high = (value.low, value.high) if value.has_blanks else (value.type.low, value.type.high)
     if value.const is not None and dice.random() < 0.9:
         return value.const
     if value.sentinels and dice.random() < 0.1:
@@ -177,7 +177,7 @@ def spoiled(frame: bytes, dice: random.Random) -> bytes:
     data = bytearray(frame)
     for _ in range(dice.randint(0, 2) if data else 0):
         at = dice.randrange(len(data))
-        data[at] = dice.choice((data[at] ^ 1, data[at] ^ 0x80, 0, dice.randrange(256)))
+        data[at] = dice.choice((data[at] ^ 1, data[at] ^ 0x80, 0, dice.randrange(256), dice.choice(b" 0-+.")))
     if dice.random() < 0.2:
         del data[dice.randint(0, len(data)) :]
     if dice.random() < 0.1:

@@ -147,6 +147,13 @@ def _other_order(fact: Spec) -> bool:
     return True
 
 
+def _other_padding(fact: Spec) -> bool:
+    if fact.get("digits") != "decimal" or "padding" not in fact:
+        return False
+    del fact["padding"]
+    return True
+
+
 def _other_constant(fact: Spec) -> bool:
     if "const" not in fact:
         return False
@@ -192,6 +199,7 @@ def _other_open(fact: Spec) -> bool:
 CHANGES = (
     _other_sign,
     _other_order,
+    _other_padding,
     _other_constant,
     _other_code,
     _other_plus,

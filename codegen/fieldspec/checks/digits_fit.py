@@ -1,7 +1,8 @@
 """A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
 hexadecimal number has the digits of its whole type. Digits are those of fields and registers whose raw value is free:
 not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
-of a frame may be any of these; its digits have no sign. On links with `encoding: hex_ascii`, where every byte is sent
+of a frame may be any of these; its digits have no sign. `padding: space` is that of decimal digits with room for a
+blank, which do not vary in width. On links with `encoding: hex_ascii`, where every byte is sent
 as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
@@ -46,6 +47,7 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, fact.place, "places", text, "add `digits: decimal`, or use `scale`")
             continue
         yield from _of_form(fact, value)
+        yield from _of_padding(fact, value)
         if isinstance(fact, Part):
             yield from _of_part(fact, value)
             continue
@@ -98,6 +100,25 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
+
+
+def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """The finding of blanks where no leading zeros are, and of zeros, which are there anyway."""
+    if isinstance(fact, Part):
+        return  # it has no such key, which reading says
+    if value.has_blanks and value.places + 1 == digit_count(value):
+        text = f"{fact.name} has room for one digit{' before its point' * bool(value.places)}, and for no blank"
+        help = "remove it, or count the blanks in `length`"
+    elif value.has_blanks or "padding" not in fact.place:
+        return  # defaults of a group are those of the rows that they apply to
+    elif value.width or value.digits != "decimal":
+        how = "varies in width" if value.width else f"is sent as {digits_text(value)}"
+        text = f"{fact.name} {how}, and blanks are those before decimal digits of a fixed length"
+        help = "remove it"
+    else:
+        text = f"{fact.name} is sent as decimal digits, which have leading zeros where `padding` is left out"
+        help = "remove it, or use `padding: space`"
+    yield finding(_CODE, fact.place, "padding", text, help)
 
 
 def _wider(fact: Fact, value: Value) -> str:

@@ -28,7 +28,7 @@ _KEYS = ("encoding", "padding", "align", "terminator")
 
 def texts_fit(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        keys = [key for key in _KEYS if key in fact.place]
+        keys = [key for key in _KEYS if key in fact.place and not (key == "padding" and value.digits)]
         if value.type.kind is not Kind.TEXT:
             for key in keys:
                 text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"

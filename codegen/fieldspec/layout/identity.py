@@ -65,6 +65,7 @@ def _value(value: Value | None) -> Words:
         _part(value.parameter),
         *((value.write_ranges,) if value.write_ranges is not None else ()),
         *((value.digits, value.places) if value.digits else ()),
+        *(("blanks",) if value.has_blanks else ()),
         *((value.text_form,) if value.text_form is not None else ()),
         *(("turned",) if value.text_form is not None and value.text_form.is_turned else ()),
         *(("width", value.width) if value.width else ()),

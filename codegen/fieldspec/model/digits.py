@@ -20,12 +20,24 @@ _CHARACTERS = {
 
 
 def has_sign(value: Value) -> bool:
-    """Whether a sign comes before the digits; a hexadecimal number has none, as it is in two's complement."""
-    return value.digits == "decimal" and value.type.signed
+    """Whether a sign has a place of its own before the digits.
+
+    A hexadecimal number has none, as it is in two's complement. Where blanks are in place of leading zeros, `-` comes
+    behind them, and takes the place of a digit.
+    """
+    return value.digits == "decimal" and value.type.signed and not value.has_blanks
+
+
+def is_complement(value: Value) -> bool:
+    """Whether the digits are those of a number in two's complement."""
+    return value.type.signed and value.digits in ("upper_hex", "lower_hex")
 
 
 def digit_count(value: Value) -> int:
-    """How many digits a number has, without its sign and its decimal point; 0 or less where there is no room."""
+    """How many digits a number has, without its sign and its decimal point; 0 or less where there is no room.
+
+    Where blanks are in place of leading zeros, it is how many it has at most, when no sign takes the place of one.
+    """
     if value.digits == BCD:
         return 2 * value.size
     return value.size - has_sign(value) - (value.places > 0)
@@ -50,14 +62,23 @@ def digit_bounds(value: Value) -> tuple[int, int]:
     high = 10**count - 1
     if value.width:
         # The sign is sent below zero only, and takes the place of a digit; one stands before a point.
-        return (1 - 10 ** (count - 1) if has_sign(value) and count - 1 > value.places else 0), high
+        return (_least_below_zero(value, count) if has_sign(value) else 0), high
+    if value.has_blanks:
+        return (_least_below_zero(value, count) if value.type.signed else 0), high
     return (-high if has_sign(value) else 0), high
+
+
+def _least_below_zero(value: Value, count: int) -> int:
+    """The least number of `count` characters, of which one is `-` and one digit comes before the point."""
+    return 1 - 10 ** (count - 1) if count - 1 > value.places else 0
 
 
 def digits_number(value: Value, data: bytes) -> int | None:
     """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
     if value.digits == BCD:
         return int(data.hex()) if data.hex().isdecimal() else None
+    if value.has_blanks:
+        return _number_behind_blanks(value, data)
     text = data
     sign = 1
     if has_sign(value):
@@ -78,6 +99,21 @@ def digits_number(value: Value, data: bytes) -> int | None:
     return number - 16 ** len(text) if value.type.signed and number > value.type.high else number
 
 
+def _number_behind_blanks(value: Value, data: bytes) -> int | None:
+    """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
+    text = data.lstrip(b" ")
+    is_negative = value.type.signed and text.startswith(b"-")
+    behind = value.places + 1 if value.places else 0
+    whole = text[is_negative : max(len(text) - behind, 0)]
+    fraction = text[is_negative + len(whole) :]
+    if not whole or (whole.startswith(b"0") and len(whole) > 1) or (value.places and not fraction.startswith(b".")):
+        return None
+    digits = whole + fraction[1:]
+    if any(character not in _CHARACTERS["decimal"] for character in digits):
+        return None
+    return -int(digits) if is_negative else int(digits)
+
+
 def digits_bytes(value: Value, number: int) -> bytes:
     """The digits of a number within the bounds of a value, the most significant digit first."""
     count = digit_count(value)
@@ -86,9 +122,11 @@ def digits_bytes(value: Value, number: int) -> bytes:
     if value.digits != "decimal":
         text = f"{number % 16**count:0{count}{'X' if value.digits == 'upper_hex' else 'x'}}"
         return text.encode("ascii")
-    text = f"{abs(number):0{count}d}"
+    text = f"{abs(number):0{value.places + 1 if value.has_blanks else count}d}"
     if value.places:
         text = f"{text[: -value.places]}.{text[-value.places :]}"
+    if value.has_blanks:
+        return f"{'-' * (number < 0)}{text}".rjust(value.size).encode("ascii")
     return ((("-" if number < 0 else "+") if has_sign(value) else "") + text).encode("ascii")
 
 
@@ -100,7 +138,10 @@ def digits_text(value: Value) -> str:
     count = digit_count(value)
     places = f", {value.places} of them after a point" if value.places else ""
     case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
-    return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{', with a sign' if has_sign(value) else ''}"
+    sign = ", with a sign" if has_sign(value) else ""
+    if value.has_blanks:
+        sign = f", blanks in place of leading zeros{', a sign below zero' if value.type.signed else ''}"
+    return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{sign}"
 
 
 def _varying_text(value: Value, name: str) -> str:

@@ -194,6 +194,7 @@ class Value:
     device, else it is empty; `unit` then begins with that power of ten. `text_form` is how a text is sent, None for
     ASCII that is filled up with zeros behind it. `width` is the most bytes of a value that varies in width, else
     it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
+    `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
     """
 
     type: Primitive
@@ -218,6 +219,7 @@ class Value:
     scale_by: str = ""
     text_form: TextForm | None = None
     width: int = 0
+    has_blanks: bool = False
 
     @property
     def quantity_unit(self) -> str:

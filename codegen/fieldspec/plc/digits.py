@@ -62,5 +62,5 @@ def _bytes(value: Value) -> Value:
         return value
     kind = PRIMITIVES["bytes"]
     scale, offset = type(value.scale)(1), type(value.offset)(0)
-    bare = replace(value, type=kind, digits="", places=0, enum="", flags="", sentinels=(), unit="", default=None)
-    return replace(bare, scale=scale, scale_text="", offset=offset, ranges=None, write_ranges=None)
+    bare = replace(value, type=kind, digits="", places=0, has_blanks=False, scale=scale, scale_text="", offset=offset)
+    return replace(bare, enum="", flags="", sentinels=(), unit="", default=None, ranges=None, write_ranges=None)

@@ -22,7 +22,7 @@ from fieldspec.names import Name
 IMPORTS = {
     "absent": ("absentValues",),
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
-    "digits": ("bcdOf", "digitsOf", "putBcd", "putDigits"),
+    "digits": ("bcdOf", "blankDigitsOf", "digitsOf", "putBcd", "putBlankDigits", "putDigits"),
     "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
     "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),

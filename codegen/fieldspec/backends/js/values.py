@@ -84,7 +84,8 @@ class Slot:
 
     def _digits(self, at: str) -> str:
         """The expression of the number of characters."""
-        return f"digitsOf({literal(self.name)}, b, {at}, {self._form}, {flag(self.wide)})"
+        function = "blankDigitsOf" if self.value.has_blanks else "digitsOf"
+        return f"{function}({literal(self.name)}, b, {at}, {self._form}, {flag(self.wide)})"
 
     def _of_bcd(self, base: str, offset: int) -> str:
         """The expression of the number of two decimal digits in each byte."""
@@ -93,7 +94,12 @@ class Slot:
 
     @property
     def _form(self) -> str:
-        """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits."""
+        """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits.
+
+        Behind blanks, digits are decimal: bytes, places, and whether there may be a sign.
+        """
+        if self.value.has_blanks:
+            return f"{self.size}, {self.value.places}, {flag(self.value.type.signed)}"
         letters = {"upper_hex": "ABCDEF", "lower_hex": "abcdef"}.get(self.value.digits, "")
         bits = 8 * self.value.type.size if letters and self.value.type.signed else 0
         return f'{self.size}, "0123456789{letters}", {self.value.places}, {flag(has_sign(self.value))}, {bits}'
@@ -101,7 +107,8 @@ class Slot:
     def stored(self, number: str, base: str, offset: int) -> list[str]:
         """The statements that write a number, given by the name of a variable."""
         if self.value.has_characters:
-            return [f"putDigits({number}, b, {place(base, offset)}, {self._form});"]
+            function = "putBlankDigits" if self.value.has_blanks else "putDigits"
+            return [f"{function}({number}, b, {place(base, offset)}, {self._form});"]
         if self.value.digits:
             places = ", ".join(place(base, offset + at) for at in self.places)
             return [f"putBcd({number}, b, [{places}]);"]

@@ -188,7 +188,8 @@ def _item(field: Slots, expression: str) -> str:
 def digits_letters(value: Value, order: str, swapped: bool) -> str:
     """What the runtime knows of digits: order and type, their form, the bytes, and the places behind a point."""
     sign = ">" if (order == "big") != swapped else "<"
-    return f"{sign}{value.type.name} {value.digits} {value.size} {value.places}"
+    form = "blank_decimal" if value.has_blanks else value.digits
+    return f"{sign}{value.type.name} {form} {value.size} {value.places}"
 
 
 def digits_form(value: Value, order: str, swapped: bool) -> str:

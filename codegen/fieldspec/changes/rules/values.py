@@ -60,15 +60,16 @@ def _of(value: Value | None) -> str:
         return ""
     digits = f" as {value.digits} digits" if value.digits else ""
     places = f" with {value.places} places" if value.places else ""
+    blanks = " with blanks before them" if value.has_blanks else ""
     size = "" if value.type.size and not digits else f" of {value.size} bytes"
     size = f" of at most {value.width} bytes" if value.width else size
     form = f" in {text_form_title(value)}" if value.text_form is not None else ""
-    return f"{value.type.name}{digits}{places}{size}{form}"
+    return f"{value.type.name}{digits}{places}{size}{form}{blanks}"
 
 
-def _encoding(value: Value) -> tuple[Primitive, str, int, TextForm | None, int]:
+def _encoding(value: Value) -> tuple[Primitive, str, int, bool, TextForm | None, int]:
     """What the bytes of a value are read as."""
-    return value.type, value.digits, value.places, value.text_form, value.width
+    return value.type, value.digits, value.places, value.has_blanks, value.text_form, value.width
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:

@@ -8,7 +8,7 @@ from decimal import Decimal
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.row import citations
 from fieldspec.explain.script.literals import Data
-from fieldspec.model.digits import digits_text, has_sign
+from fieldspec.model.digits import digits_text, has_sign, is_complement
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact
 from fieldspec.model.ranges import Ranges
@@ -84,7 +84,8 @@ def _digits(value: Value) -> dict[str, Data]:
         "digits": value.digits,
         "places": value.places,
         "hasSign": has_sign(value),
-        "bits": 8 * value.type.size if value.type.signed and not has_sign(value) else 0,
+        "hasBlanks": value.has_blanks,
+        "bits": 8 * value.type.size if is_complement(value) else 0,
         "digitsText": digits_text(value),
         "low": value.low,
         "high": value.high,

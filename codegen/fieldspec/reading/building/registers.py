@@ -218,8 +218,13 @@ def _has_length(value: Value) -> bool:
     return value.type.kind in (Kind.TEXT, Kind.BYTES) or bool(value.digits)
 
 
+def _has_padding(value: Value) -> bool:
+    return _is_text(value) or value.has_blanks
+
+
 _APPLICABLE: dict[str, Callable[[Value], bool]] = {
-    **dict.fromkeys(("encoding", "padding", "align", "terminator"), _is_text),
+    **dict.fromkeys(("encoding", "align", "terminator"), _is_text),
+    "padding": _has_padding,
     "length": _has_length,
 }
 """The keys of defaults that only values of some types have."""

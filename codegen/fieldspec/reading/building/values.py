@@ -85,6 +85,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         if primitive.kind is Kind.TEXT
         else None,
         width=size if varies else 0,
+        has_blanks=digits == "decimal" and entry.text("padding") == "space" and not varies,
     )
 
 

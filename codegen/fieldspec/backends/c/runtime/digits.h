@@ -71,6 +71,63 @@ static inline void device_store_signed_digits(uint8_t *out, size_t size, size_t 
     device_store_digits(out + 1, size - 1u, places, 0u, digits);
 }
 
+/* ---- blank_digits ---- */
+
+/** Where the digits behind blanks and a sign begin. */
+static inline size_t device_behind_blanks(const uint8_t *in, size_t size)
+{
+    size_t at = 0;
+    while (at < size && in[at] == 0x20u) {
+        at++;
+    }
+    return at < size && in[at] == 0x2Du ? at + 1u : at;
+}
+
+/** Whether the bytes are decimal digits, of which `places` follow a point, with blanks in place of leading zeros. */
+static inline bool device_is_blank_digits(const uint8_t *in, size_t size, size_t places, bool is_signed)
+{
+    size_t at = device_behind_blanks(in, size);
+    size_t least = places == 0u ? 1u : places + 2u;
+    if (size - at < least || (in[at] == 0x30u && size - at > least) || (at > 0u && in[at - 1u] == 0x2Du && !is_signed)) {
+        return false;
+    }
+    return device_is_digits(in + at, size - at, places, 0u);
+}
+
+/** The number of such digits; one below zero has the bits of its two's complement. */
+static inline uint64_t device_load_blank_digits(const uint8_t *in, size_t size)
+{
+    size_t at = device_behind_blanks(in, size);
+    uint64_t value = device_load_digits(in + at, size - at, 10u);
+    return at > 0u && in[at - 1u] == 0x2Du ? UINT64_C(0) - value : value;
+}
+
+/** Writes the digits of a number with blanks in place of leading zeros. */
+static inline void device_store_blank_digits(uint8_t *out, size_t size, size_t places, uint64_t value)
+{
+    size_t least = places == 0u ? 1u : places + 2u;
+    size_t at;
+    device_store_digits(out, size, places, 0u, value);
+    for (at = 0; at + least < size && out[at] == 0x30u; at++) {
+        out[at] = 0x20u;
+    }
+}
+
+/* ---- signed_blank_digits ---- */
+
+/** Writes a number with blanks in place of leading zeros; `-` takes the place of one below zero. */
+static inline void device_store_signed_blank_digits(uint8_t *out, size_t size, size_t places, int64_t value)
+{
+    size_t at = 0;
+    device_store_blank_digits(out, size, places, value < 0 ? (uint64_t)-value : (uint64_t)value);
+    while (at < size && out[at] == 0x20u) {
+        at++;
+    }
+    if (value < 0 && at > 0u) {
+        out[at - 1u] = 0x2Du;
+    }
+}
+
 /* ---- bcd ---- */
 
 /** Whether four bits each are a decimal digit. */

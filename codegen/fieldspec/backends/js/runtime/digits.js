@@ -35,6 +35,29 @@ export function putDigits(number, bytes, offset, size, known, places, signed, bi
   for (let at = 0; at < size; at++) bytes[offset + at] = text.charCodeAt(at);
 }
 
+/**
+ * The number of decimal digits with blanks in place of leading zeros, `places` of them behind a point, and `-` below zero
+ * where the number is `signed`. Throws CodecError for anything else.
+ */
+export function blankDigitsOf(name, bytes, offset, size, places, signed, wide) {
+  const text = String.fromCharCode(...bytes.subarray(offset, offset + size));
+  const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
+  if (whole === undefined || fraction.length !== places || (sign && !signed)) {
+    throw new CodecError("unknown_value", `${name} is not a number behind blanks`, offset);
+  }
+  const number = BigInt(whole + fraction);
+  return sized(sign ? -number : number, wide);
+}
+
+/** Writes a number, whose digits fit, with blanks in place of leading zeros. */
+export function putBlankDigits(number, bytes, offset, size, places) {
+  const whole = BigInt(number);
+  let text = (whole < 0n ? -whole : whole).toString().padStart(places + 1, "0");
+  if (places) text = `${text.slice(0, -places)}.${text.slice(-places)}`;
+  text = (whole < 0n ? `-${text}` : text).padStart(size, " ");
+  for (let at = 0; at < size; at++) bytes[offset + at] = text.charCodeAt(at);
+}
+
 /** The number of two decimal digits in each of some bytes, the first one first. Throws CodecError for other bytes. */
 export function bcdOf(name, bytes, offset, wide) {
   const digits = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 _KNOWN = {
     "decimal": b"0123456789",
+    "blank_decimal": b"0123456789",
     "bcd": b"0123456789",
     "upper_hex": b"0123456789ABCDEF",
     "lower_hex": b"0123456789abcdef",
@@ -23,7 +24,8 @@ class Digits:
     """What reads and writes a number as digits.
 
     `letters` are the order of the bytes and the type of the number, the form of the digits, the number of bytes, and
-    how many digits follow a point: `>i32 decimal 8 2` are a sign, four digits, a point and two digits.
+    how many digits follow a point: `>i32 decimal 8 2` are a sign, four digits, a point and two digits. The form
+    `blank_decimal` has blanks in place of leading zeros, and a sign below zero only, which takes the place of a digit.
     """
 
     __slots__ = ("count", "form", "has_sign", "high", "is_reversed", "letters", "low", "places", "signed", "size")
@@ -39,6 +41,8 @@ class Digits:
         if self.signed:
             self.high = min(high, (1 << (bits - 1)) - 1)
             self.low = -self.high if self.has_sign else -self.high - 1
+            if self.form == "blank_decimal":
+                self.low = 1 - 10 ** (self.count - 1) if self.count - 1 > self.places else 0
         else:
             self.low, self.high = 0, min(high, (1 << bits) - 1)
 
@@ -84,11 +88,14 @@ class Digits:
         if self.form == "bcd":
             data = bytes.fromhex(f"{number:0{self.count}d}")
             return data[::-1] if self.is_reversed else data
-        if self.form != "decimal":
+        if self.form.endswith("hex"):
             return f"{number % 16**self.count:0{self.count}{'X' if self.form == 'upper_hex' else 'x'}}".encode("ascii")
-        text = f"{abs(number):0{self.count}d}"
+        has_blanks = self.form == "blank_decimal"
+        text = f"{abs(number):0{self.places + 1 if has_blanks else self.count}d}"
         if self.places:
             text = f"{text[: -self.places]}.{text[-self.places :]}"
+        if has_blanks:
+            return f"{'-' * (number < 0)}{text}".rjust(self.size).encode("ascii")
         if self.has_sign:
             text = ("-" if number < 0 else "+") + text
         return text.encode("ascii")
@@ -98,6 +105,8 @@ class Digits:
         if self.form == "bcd":
             text = (raw[::-1] if self.is_reversed else raw).hex()
             return int(text) if text.isdecimal() else None
+        if self.form == "blank_decimal":
+            return self._behind_blanks(raw)
         characters = raw[1:] if self.has_sign else raw
         if self.has_sign and raw[:1] not in (b"+", b"-"):
             return None
@@ -112,6 +121,20 @@ class Digits:
             return -int(characters) if raw[:1] == b"-" else int(characters)
         number = int(characters, 16)
         return number - 16**self.count if number > self.high else number
+
+    def _behind_blanks(self, raw: bytes) -> int | None:
+        """The number of ` -1.25`, whose first digit is a zero only before the point; None for anything else."""
+        text = raw.lstrip(b" ")
+        is_negative = self.signed and text[:1] == b"-"
+        behind = self.places + 1 if self.places else 0
+        whole = text[is_negative : max(len(text) - behind, 0)]
+        fraction = text[is_negative + len(whole) :]
+        digits = whole + fraction[1:]
+        if not whole or (whole[:1] == b"0" and len(whole) > 1) or fraction[:1] != b"."[: self.places]:
+            return None
+        if digits.strip(_KNOWN[self.form]):
+            return None
+        return -int(digits) if is_negative else int(digits)
 
 
 def no_digits(name: str, raw: bytes, at: int) -> CodecError:
