@@ -31,7 +31,10 @@ def devices(draw: Any) -> Spec:
         members = [{"id": name, "source": draft.source()} for name in VERSIONS]
         spec["versions"] = [{"line": "firmware", "builds": True, "members": members}]
     draft.byte_order = draft.pick(("big", "little"))
-    draft.word_order = draft.pick(("big", "little", "big", "little", ""))
+    draft.word_order = draft.pick(
+        ("big", "little", "big", "little", "big", "little", "big", "little", "big", "little", "")
+    )
+    draft.sends_characters = draft.chance(30)
     draft.code_bits = draft.pick((8, 8, 16, 8, 8, 24))
     spec["enums"] = drawn_words.enums(draft)
     spec["flags"] = drawn_words.flags(draft)

@@ -110,6 +110,12 @@ class Draft:
     code_bits: int = 8
     byte_order: str = "big"
     word_order: str = ""
+    sends_characters: bool = False
+    """Whether links may send every byte as two characters; then numbers are seldom sent as digits."""
+
+    def digits(self, percent: int) -> bool:
+        """Whether a number is sent as digits, with a probability where no link sends every byte as characters."""
+        return self.chance(1 if self.sends_characters else percent)
 
     def chance(self, percent: int) -> bool:
         """Whether something with a probability is so; shrinking makes it not so."""

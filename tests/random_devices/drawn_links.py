@@ -14,7 +14,8 @@ ALGORITHMS = tuple(schema()["$defs"]["algorithm"]["enum"])
 
 def link(draft: Draft, coded: bool) -> Spec:
     """A link whose frames carry a code, or whose messages are known otherwise."""
-    line = draft.fact(encoding=draft.pick(("binary", "binary", "hex_ascii")), byte_order=draft.byte_order)
+    encoding = draft.pick(("binary", "hex_ascii")) if draft.sends_characters else "binary"
+    line = draft.fact(encoding=encoding, byte_order=draft.byte_order)
     if draft.word_order:
         line["word_order"] = draft.word_order
     if draft.chance(15):
@@ -108,12 +109,14 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
 
 def _count(draft: Draft, *usual: str) -> str:
     """One of some unsigned types, or now and then one of a width that machines do not have."""
-    return draft.pick(ODD_COUNTS if draft.chance(15) else usual)
+    if draft.chance(1):
+        return draft.pick(ODD_COUNTS)
+    return "u24" if draft.chance(12) else draft.pick(usual)
 
 
 def _number(draft: Draft, kind: str, least: int) -> Spec:
     """The type of a part, or the digits that it is sent as, which mostly have all numbers up to one."""
-    if not draft.chance(20):
+    if not draft.digits(20):
         return {"type": kind}
     form = draft.pick(("decimal", "upper_hex", "lower_hex"))
     base = 10 if form == "decimal" else 16
@@ -162,7 +165,7 @@ def _checksum(draft: Draft) -> Spec:
             part["checksum"]["complement"] = draft.pick(("ones", "twos"))
         if draft.chance(30):
             part["checksum"]["unit_size"] = draft.pick((1, 2, 4))
-    if draft.chance(15):
+    if draft.digits(15):
         part["digits"] = draft.pick(("upper_hex", "lower_hex", "decimal"))
     elif _has_order(part) and draft.chance(40):
         part["byte_order"] = draft.pick(("big", "little"))

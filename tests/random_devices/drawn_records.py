@@ -152,7 +152,7 @@ def _texts_with_sizes(draft: Draft) -> list[Spec]:
         text = draft.fact(**varying_text(draft))
         plus = {"plus": draft.number(1, 9)} if draft.chance(25) else {}
         count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": text["name"], **plus})
-        if draft.chance(25):
+        if count["type"] == "u16" and draft.chance(25):
             count["byte_order"] = draft.pick(("big", "little"))
         if draft.chance(15):
             count["range"] = f"{plus.get('plus', 0)}..{text['length'] + plus.get('plus', 0)}"

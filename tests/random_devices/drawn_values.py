@@ -14,7 +14,7 @@ PLACES = ("field", "register", "parameter", "part", "signal", "case", "subindex"
 
 def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     """The keys of a random value at a place."""
-    if place in ("field", "register", "signal") and not types and draft.chance(5):
+    if place in ("field", "register", "signal") and not types and draft.digits(7):
         return _digits(draft, place)
     kind = draft.pick(types or _types(draft, place))
     keys: Spec = {"type": kind}
@@ -183,7 +183,7 @@ def varying_text(draft: Draft) -> Spec:
 
 def varying_value(draft: Draft) -> Spec:
     """A text, or a number of digits, of as many bytes as it needs."""
-    if draft.chance(25):
+    if not draft.digits(75):
         return varying_text(draft)
     form = draft.pick(("decimal", "decimal", "decimal", "upper_hex", "lower_hex"))
     size = draft.number(1, 9)
