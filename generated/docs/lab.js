@@ -579,12 +579,24 @@ function sentOfImage({ fixed, lists }, image, last) {
   return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
 }
 
-/** The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. */
+/**
+ * The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. An element that
+ * cannot be written counts as the longest one: whoever writes the fields before it refuses these first.
+ */
 function elementsLength(items, codec) {
   return items.reduce((sum, item) => {
     codec.check(item);
-    return sum + codec.size(item);
+    return sum + sizeOrMost(item, codec);
   }, 0);
+}
+
+function sizeOrMost(item, codec) {
+  try {
+    return codec.size(item);
+  } catch (error) {
+    if (!(error instanceof CodecError)) throw error;
+    return codec.most;
+  }
 }
 
 const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
@@ -2345,7 +2357,14 @@ class ExplainedBody {
   /** Adds the rows of a record within the body, of which all bytes are there. */
   explainRecord(record, path, at, size) {
     const values = new Map();
-    for (const field of record.fields) {
+    for (const [number, field] of record.fields.entries()) {
+      const span = record.spans?.[number];
+      if (span?.most !== undefined) {
+        const raw = this.data.subarray(at + field.offset, at + size);
+        const varying = { raw, image: widenedBytes(span, raw), form: span.formText };
+        values.set(field.name, this.explainValue(field, field.value, `${path}.${field.name}`, at + field.offset, 0, false, varying));
+        continue;
+      }
       const elements = [];
       const count = field.count ?? Math.floor((size - field.offset) / field.size);
       for (let index = 0; index < count; index++) {

@@ -13,9 +13,14 @@ def records(draft: Draft) -> list[Spec]:
 
 
 def _record_with_tail(draft: Draft) -> Spec:
-    """A record that ends with a list which it counts, so that its elements differ in size."""
+    """A record that ends with a list or a text which it counts, so that its elements differ in size."""
     record = draft.fact(fields=[])
     fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0, 2))]
+    if draft.chance(50):
+        text = draft.fact(**varying_text(draft))
+        record["fields"] = [*_inserted(draft, fields, _count_of(draft, text)), text]
+        draft.tails.append(record["name"])
+        return record
     repeated = _repeated(draft, fields, low_limits=True)
     measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
     record["fields"] = [*_inserted(draft, fields, measure), repeated]
@@ -150,12 +155,7 @@ def _texts_with_sizes(draft: Draft) -> list[Spec]:
     rest: list[Spec] = []
     for _ in range(draft.number(1, 3)):
         text = draft.fact(**varying_text(draft))
-        plus = {"plus": draft.number(1, 9)} if draft.chance(25) else {}
-        count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": text["name"], **plus})
-        if count["type"] == "u16" and draft.chance(25):
-            count["byte_order"] = draft.pick(("big", "little"))
-        if draft.chance(15):
-            count["range"] = f"{plus.get('plus', 0)}..{text['length'] + plus.get('plus', 0)}"
+        count = _count_of(draft, text)
         (counts if draft.chance(25) else rest).append(count)
         rest += [fixed_field(draft)[0] for _ in range(draft.number(0, 1))] if draft.chance(30) else []
         rest.append(text)
@@ -163,6 +163,17 @@ def _texts_with_sizes(draft: Draft) -> list[Spec]:
     if draft.chance(20):
         rest.append(draft.fact(**varying_value(draft)))
     return [*counts, *rest]
+
+
+def _count_of(draft: Draft, text: Spec) -> Spec:
+    """The field with the number of bytes of a text."""
+    plus = {"plus": draft.number(1, 9)} if draft.chance(25) else {}
+    count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": text["name"], **plus})
+    if count["type"] == "u16" and draft.chance(25):
+        count["byte_order"] = draft.pick(("big", "little"))
+    if draft.chance(15):
+        count["range"] = f"{plus.get('plus', 0)}..{text['length'] + plus.get('plus', 0)}"
+    return count
 
 
 def _limits(draft: Draft) -> str:

@@ -53,6 +53,7 @@ class Slot:
     """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
 
     Of an element of the list at the end of a record that counts it, `tail` is that list, and `number` its number there.
+    Of a text there, `text` are its bytes as a list.
     """
 
     path: str
@@ -61,6 +62,7 @@ class Slot:
     field: FieldLayout
     tail: InnerList | None = None
     number: int = 0
+    text: InnerList | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +88,8 @@ def slots(record: RecordLayout, prefix: str = "", at: int = 0, outer: FieldLayou
                 own = slots(field.record, f"{path}.", place, outer or field)
                 yield from own if tail is None else (replace(slot, tail=tail, number=index) for slot in own)
             elif field.value is not None:
-                yield Slot(path, place, field, outer or field, tail, index)
+                text = tail_of(record) if outer is not None and field.value.width else None
+                yield Slot(path, place, field, outer or field, tail, index, text)
 
 
 class BodyReader:
@@ -268,6 +271,8 @@ class BodyReader:
                 return
         place = place + slot.offset
         values = self.decoders.items[key].decode(buffer, place)
+        if slot.text is not None:
+            self._refuse_zeros(slot.text, buffer, place, values)
         for number in REFUSED:
             blame_rows(verdict, rows[values.verdict == number], number)
         if not self.emits:
@@ -280,6 +285,15 @@ class BodyReader:
             own = np.flatnonzero(index == number)
             path = slot.path.replace(name, f"{name}[{number}]", 1)
             yield number, rows[own], FieldRows(rows[own], path, value.unit, values_at(values, own))
+
+    def _refuse_zeros(self, text: InnerList, buffer: Bytes, place: Numbers, values: ValueColumns) -> None:
+        """Refuses texts at the end of records, which begin at a `place`, that have a zero among their bytes."""
+        count = number_at(buffer, place - text.room + text.count_at, text.count_size, text.count_order) - text.plus
+        for row, (first, size) in enumerate(zip(place.tolist(), count.tolist(), strict=True)):
+            sent = buffer[first : first + size].tobytes()
+            if 0 in sent:
+                values.text[row] = self.decoders.texts.place(sent.hex(" ").upper())
+                values.verdict[row] = UNKNOWN_VALUE
 
     def _measure(
         self,

@@ -1,7 +1,7 @@
 """A field that repeats comes last, and its elements have a fixed size. In a message, other fields may come behind such
 a field, if a field before it measures it; where one of them repeats too, that field is a binary number of one or two
 bytes without a sign. The elements of such a list in a message may be records that differ in size, each of which ends
-with a list that a field of it counts in the same way.
+with a list, or a text that `varies`, that a field of it counts in the same way.
 
 Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
 Elements that differ in size are separated by their own counts.
@@ -47,7 +47,8 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
                 help = (
                     "list it with `repeat` in a message, and let one field of it, a `u8` or `u16`, count its last one"
                 )
-                there = label(inner.place, "fields", "its last field repeats")
+                ending = "repeats" if inner.fields[-1].repeat is not None else "varies in width"
+                there = label(inner.place, "fields", f"its last field {ending}")
                 yield finding(_CODE, field.place, "record", text, help, there)
 
 

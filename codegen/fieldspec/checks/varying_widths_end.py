@@ -2,7 +2,8 @@
 ends with the message or before a constant of one byte that it cannot have. The number of bytes of a text may be in one
 field before it, a whole number of one or two bytes without a sign, which may be any number of bytes of the text. A
 message with a value that varies in width has no list of free length, no field of several types and no other field that
-measures that value; what comes behind it has no printed place.
+measures that value; what comes behind it has no printed place. A text that is counted so may also be the last field of
+a record, which messages list with `repeat`; it is the only value of it that varies in width.
 
 Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be
 read as a part of it.
@@ -27,6 +28,7 @@ from fieldspec.model.digits import BCD, digits_letters, has_sign
 from fieldspec.model.fact import Fact
 from fieldspec.model.ranges import merged
 from fieldspec.model.record import Field, Message, Record, text_count
+from fieldspec.model.sizes import RecordSizes
 from fieldspec.model.text_form import UTF_16
 from fieldspec.model.value import Kind, Value
 
@@ -35,15 +37,22 @@ _CODE = "varying_widths_end"
 
 def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
+    sizes = RecordSizes(device)
+    refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
+    ending = [own for name, own in device.records.items() if sizes.has_tail(name) and name not in refusing]
+    tails = {id(record.fields[-1]) for record in ending}
     for fact, value in values(device):
         if not value.width:
             continue
-        problem = _form(value) or _place(fact, id(fact) in messages)
+        is_in_place = id(fact) in messages or id(fact) in tails
+        problem = _form(value) or _place(fact, is_in_place)
         if problem:
-            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(value))
+            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(value, is_in_place))
     for message in device.messages.values():
         for body in _bodies(message):
             yield from _of_message(message, body)
+    for record in ending:
+        yield from _of_record(record)
 
 
 def _bodies(message: Message) -> tuple[Record, Record]:
@@ -66,9 +75,11 @@ def _form(value: Value) -> str:
     return ""
 
 
-def _cure(value: Value) -> str:
-    """What to write for a value of one width."""
+def _cure(value: Value, is_in_place: bool) -> str:
+    """What to write for a value of one width; `is_in_place` says that it could vary where it stands."""
     form = value.text_form
+    if not is_in_place and value.type.kind is Kind.TEXT:
+        return "remove it; or let the text end a record of a list, behind a `u8` or `u16` that `measures` its bytes"
     if form is None or form.terminator is None or form.encoding == UTF_16 or form.is_right or form.padding:
         return "remove it, and state the usual length"
     end = f"{{name: end, type: u8, const: 0x{form.terminator:02X}}}"
@@ -78,7 +89,7 @@ def _cure(value: Value) -> str:
 def _place(fact: Fact, is_in_message: bool) -> str:
     """Why a fact has one width because of where it stands; empty for a field of a message."""
     if not isinstance(fact, Field) or not is_in_message:
-        return "is no field of a message, and has the same width everywhere"
+        return "is neither a field of a message nor a counted text at the end of a record of a list"
     if fact.count is not None or fact.repeat is not None:
         return "is a list, whose elements have the same width"
     return "is reserved, and has the same width everywhere" if fact.reserved else ""
@@ -108,6 +119,20 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
                 yield finding(_CODE, field.place, key, text, "remove it")
     for field in varying:
         yield from _end(body, field)
+
+
+def _of_record(record: Record) -> Iterator[Diagnostic]:
+    """The findings of a record that ends with a text whose bytes are counted; none for others."""
+    text = record.fields[-1]
+    if text.value is None or not text.value.width:
+        return
+    for field in record.fields:
+        if field.measures is not None and field.measures.field == text.name:
+            yield from _of_count(record, field, text)
+    for key in ("span", "word_span"):
+        if key in text.place:
+            what = f"{text.name} varies in width, and has no last byte"
+            yield finding(_CODE, text.place, key, what, "remove it")
 
 
 def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:

@@ -15,7 +15,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.values import Raw
-from fieldspec.layout.widths import extents, value_form
+from fieldspec.layout.widths import extents, value_form, widened
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Message
@@ -91,16 +91,11 @@ class Body:
         self.values: dict[str, Raw] = {}
         inner = self.record.inner_lists
         self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
-        self.rows = list(self._rows())
+        rows = self._rows() if inner is None else self._rows_around(inner)
+        self.rows = list(self._varying_rows() if self.record.spans else rows)
 
     def _rows(self) -> Iterator[ExplanationRow]:
         at = self.start
-        if self.record.spans:
-            yield from self._varying_rows()
-            return
-        if self.record.inner_lists is not None:
-            yield from self._rows_around(self.record.inner_lists)
-            return
         for number, field in enumerate(self.record.fields):
             if field.cases:
                 yield self._undecided(field, at)
@@ -282,6 +277,12 @@ class Body:
         rows: list[ExplanationRow] = []
         values: dict[str, Raw] = {}
         for field in record.fields:
+            if field.value is not None and field.value.width:
+                sent = self.data[at + field.offset : at + size]
+                own_path, both = f"{path}.{field.name}", (sent, widened(field.value, sent))
+                more, values[field.name] = self._value(field, own_path, at + field.offset, 0, field.value, False, both)
+                rows += more
+                continue
             elements: list[Raw] = []
             count = (size - field.offset) // field.size if field.count is None else field.count
             for index in range(count):

@@ -23,7 +23,8 @@ class InnerList:
     It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
     image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
     bytes. `count` is empty where the number is not needed, since the data end with the list and the fields behind it.
-    `tail` is the list at the end of each element, whose count is in the element; None where all have the same size.
+    `tail` is the list at the end of each element, whose count is in the element, or the text there as a list of its
+    bytes; None where all have the same size.
     """
 
     name: str

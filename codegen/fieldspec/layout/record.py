@@ -308,14 +308,17 @@ def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) ->
 
 
 def tail_of(record: RecordLayout) -> InnerList:
-    """The list at the end of a record that counts it."""
+    """The list at the end of a record that counts it; a text whose bytes are counted is a list of these."""
     field = record.fields[-1]
-    repeat, count = field.field.repeat, list_count(record.record, field.field)
-    assert repeat is not None
+    repeat, at, size = field.field.repeat, field.offset, field.size
+    if repeat is None:
+        assert field.value is not None
+        count, tail = text_count(record.record, field.field), InnerList(field.name, at, at, 1, 0, field.value.width)
+    else:
+        count = list_count(record.record, field.field)
+        tail = InnerList(field.name, at, at, size, repeat.low * size, repeat.high * size)
     assert count is not None
-    at, size = field.offset, field.size
-    by_name = {own.name: own for own in record.fields}
-    return _with_count(InnerList(field.name, at, at, size, repeat.low * size, repeat.high * size), by_name[count.name])
+    return _with_count(tail, {own.name: own for own in record.fields}[count.name])
 
 
 def _with_count(inner: InnerList, count: FieldLayout) -> InnerList:

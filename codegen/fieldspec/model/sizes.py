@@ -6,7 +6,7 @@ from fieldspec.classes import dataclass
 from fieldspec.model.checksums import checksum_size
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
-from fieldspec.model.record import Field, Message, Record, list_count
+from fieldspec.model.record import Field, Message, Record, list_count, text_count
 
 MOST_LEVELS = 64
 """How deep records may be nested."""
@@ -74,13 +74,16 @@ class RecordSizes:
         return both[0] if both is not None and both[0] == both[1] else None
 
     def has_tail(self, name: str) -> bool:
-        """Whether a record has one size but for its last field, a list that a field before it counts."""
+        """Whether a record has one size but for its last field, a list or a text that a field before it counts."""
         record = self._records.get(name)
-        if record is None or not record.fields or record.fields[-1].repeat is None:
+        if record is None or not record.fields:
             return False
         *before, last = record.fields
-        is_fixed = all(self.element(field) is not None and field.repeat is None for field in before)
-        return is_fixed and self.element(last) is not None and list_count(record, last) is not None
+        if not all(self.element(field) is not None and field.repeat is None for field in before):
+            return False
+        if last.repeat is None:
+            return last.count is None and text_count(record, last) is not None
+        return self.element(last) is not None and list_count(record, last) is not None
 
     def named(self, name: str) -> int | None:
         """The bytes of the record with a name, None unless it always has the same size."""

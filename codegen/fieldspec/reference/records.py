@@ -9,13 +9,13 @@ from typing import Any
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.inner_lists import InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
+from fieldspec.layout.widths import WidthError, data_of, image_of, narrowed, place_in_data
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Flags
 from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
 from fieldspec.model.value import Kind, Value
-from fieldspec.reference.structs import record_struct
+from fieldspec.reference.structs import UNFIT, record_struct, value_construct
 
 
 class CodecError(ValueError):
@@ -125,6 +125,9 @@ def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) ->
 
 def _decode_element(field: FieldLayout, raw: Any, device: Device, at: int) -> Any:
     if field.record is not None:
+        last = field.record.fields[-1] if field.record.spans else None
+        if last is not None and raw[last.name] is UNFIT:  # the image of a record comes before its fields
+            raise CodecError("unknown_value", f"{last.name} has a zero", at + last.offset)
         return {f.name: _decoded_field(f, raw[f.name], device, at) for f in field.record.fields}
     if field.field.reserved:
         return raw
@@ -271,8 +274,19 @@ def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
         unknown = sorted(set(value) - {inner.name for inner in field.record.fields})
         if unknown:
             raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
-        return _encoded_fields(field.record, value, device)
+        return _with_bytes_of_text(field.record, _encoded_fields(field.record, value, device))
     return encoded_value(field.name, field.value, value, device)
+
+
+def _with_bytes_of_text(record: RecordLayout, raw: Values) -> Values:
+    """The raw values of a record within another one; one that ends with a text counts the bytes that are sent of it."""
+    if not record.spans:
+        return raw
+    span, text = record.spans[-1], record.fields[-1]
+    assert span.value is not None
+    assert span.count is not None
+    image = value_construct(span.value, text.order, text.swapped).build(raw[span.name])
+    return {**raw, record.spans[span.count].name: len(narrowed(span.value, image)) + span.plus}
 
 
 def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:

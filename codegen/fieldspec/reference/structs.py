@@ -7,6 +7,7 @@ from typing import Any
 import construct
 
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import narrowed, widened
 from fieldspec.model.digits import digits_bytes, digits_number
 from fieldspec.model.text_form import decoded_text, text_bytes
 from fieldspec.model.value import Kind, Value
@@ -27,6 +28,14 @@ def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Constr
     return elements if room is None else construct.Padded(room.most, elements)
 
 
+def _text_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    """A text at the end of a record: as many bytes as another field says."""
+    span = record.spans[-1]
+    assert span.count is not None
+    name = record.spans[span.count].name
+    return _VaryingText(construct.Bytes(lambda context: context[name] - span.plus), field)
+
+
 def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     element = _element(record, field)
     if record.room_of(field) is not None:
@@ -42,7 +51,8 @@ def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     if field.record is not None and field.record.size is None:
         *before, last = field.record.fields
         fields = [own.name / _construct(field.record, own) for own in before]
-        whole = construct.Struct(*fields, last.name / _list_of_count(field.record, last))
+        tail = _text_of_count if field.record.spans else _list_of_count
+        whole = construct.Struct(*fields, last.name / tail(field.record, last))
         return whole if record.inner_lists is not None else construct.Padded(field.size, whole)
     if field.record:
         return record_struct(field.record)
@@ -108,6 +118,26 @@ class _Text(construct.Adapter):  # type: ignore[misc]
 
     def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
         return text_bytes(self.value, self.order, text) if isinstance(text, str) else text
+
+
+UNFIT = object()
+"""What is parsed of bytes that are no text which varies in width, whatever its encoding."""
+
+
+class _VaryingText(construct.Adapter):  # type: ignore[misc]
+    """A text of as many bytes as it needs; a zero among them is parsed as `UNFIT`."""
+
+    def __init__(self, pieces: construct.Construct, field: FieldLayout) -> None:
+        super().__init__(pieces)
+        assert field.value is not None
+        self.value, self.whole = field.value, value_construct(field.value, field.order, field.swapped)
+
+    def _decode(self, data: bytes, context: Any, path: str) -> Any:
+        image = widened(self.value, data)
+        return UNFIT if image is None else self.whole.parse(image)
+
+    def _encode(self, raw: str | bytes, context: Any, path: str) -> bytes:
+        return narrowed(self.value, self.whole.build(raw))
 
 
 def _words_turned(data: bytes) -> bytes:

@@ -135,10 +135,22 @@ export function sentOfImage({ fixed, lists }, image, last) {
   return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
 }
 
-/** The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. */
+/**
+ * The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. An element that
+ * cannot be written counts as the longest one: whoever writes the fields before it refuses these first.
+ */
 export function elementsLength(items, codec) {
   return items.reduce((sum, item) => {
     codec.check(item);
-    return sum + codec.size(item);
+    return sum + sizeOrMost(item, codec);
   }, 0);
+}
+
+function sizeOrMost(item, codec) {
+  try {
+    return codec.size(item);
+  } catch (error) {
+    if (!(error instanceof CodecError)) throw error;
+    return codec.most;
+  }
 }

@@ -68,6 +68,9 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     """The functions for the numbers, texts and characters that the device has."""
     usual_texts = any(wire.kind is Kind.TEXT and wire.value.text_form is None for wire in _wire_values(layout))
     reals = {wire.size for wire in _wire_values(layout) if wire.kind is Kind.FLOAT}
+    # The functions for absent values take those of signals that no record places, too.
+    unplaced = (signal.value for signal in layout.device.signals.values() if signal.value.sentinels)
+    reals |= {value.size for value in unplaced if value.type.kind is Kind.FLOAT}
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout),

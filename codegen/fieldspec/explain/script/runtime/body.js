@@ -1,5 +1,5 @@
 import { extentsIn, placeAround } from "../lists.js";
-import { extentsOf } from "../widths.js";
+import { extentsOf, widenedBytes } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
 import { formOfData } from "./device.js";
@@ -217,7 +217,14 @@ export class ExplainedBody {
   /** Adds the rows of a record within the body, of which all bytes are there. */
   explainRecord(record, path, at, size) {
     const values = new Map();
-    for (const field of record.fields) {
+    for (const [number, field] of record.fields.entries()) {
+      const span = record.spans?.[number];
+      if (span?.most !== undefined) {
+        const raw = this.data.subarray(at + field.offset, at + size);
+        const varying = { raw, image: widenedBytes(span, raw), form: span.formText };
+        values.set(field.name, this.explainValue(field, field.value, `${path}.${field.name}`, at + field.offset, 0, false, varying));
+        continue;
+      }
       const elements = [];
       const count = field.count ?? Math.floor((size - field.offset) / field.size);
       for (let index = 0; index < count; index++) {

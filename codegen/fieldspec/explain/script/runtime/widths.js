@@ -15,7 +15,7 @@ function narrowedBytes({ form, hasSign }, image) {
 }
 
 /** The bytes in the image of a value; null for bytes that are none of it. */
-function widenedBytes(field, bytes) {
+export function widenedBytes(field, bytes) {
   const { form, size, most, places = 0, hasSign = false } = field;
   let text = latinText(bytes);
   if (text.length > most) return null;
