@@ -10,7 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captures.bulk import Sent, decoded, verdicts
+from fieldspec import pipeline
 from fieldspec.captures.decoding import Choices
+from fieldspec.evidence.redaction import Redaction
+from fieldspec.evidence.secrets import Secrets
 from fieldspec.explain.explanation import explained
 from fieldspec.reference import CodecError, codec
 from layouts import TEST_SPECS, newest
@@ -139,3 +142,36 @@ def test_a_framer_counts_the_bytes_of_a_text(size: int) -> None:
     framer = BUS.request_framer()
     taken = [frame for at in range(0, len(stream), size) for frame in framer.feed(stream[at : at + size])]
     assert (taken, framer.dropped) == (frames, len(frames) - 1)
+
+
+LEAK = """
+device: {id: leak, name: L, vendor: V, manual: {title: T, file: f, sha256: "%s", lines: 9}}
+links:
+  - name: line
+    source: 1 L1
+    byte_order: big
+    word_order: big
+    request: &parts [{name: command, role: code, type: u8}, {name: body, role: body}]
+    response: *parts
+messages:
+  - name: read
+    code: 1
+    source: 1 L2
+    request: []
+    response:
+      - {name: size, type: u8, measures: {bytes: label}}
+      - {name: label, type: text, length: 12, varies: true}
+      - {name: counts, type: u8, count: 10}
+      - {name: serial, type: u32, roles: serial_number}
+""" % ("0" * 64)
+
+
+@pytest.mark.parametrize("label", ["", "AB", "ABCDEFGHIJKL"])
+def test_redaction_takes_fields_behind_a_text_from_where_they_are_sent(label: str) -> None:
+    (layout,) = pipeline.layouts(pipeline.load({"leak/device.yaml": LEAK.encode()}).devices["leak"])
+    link = codec(layout).links["line"]
+    values = {"label": label, "counts": list(range(10)), "serial": 0x5EC2E7A1}
+    frame = link.encode("response", "read", values)
+    clean = Redaction(layout, Secrets()).frame("line", "response", frame, link.decode(frame, "response"), {})
+    expected = {"size": len(label), "label": "X" * len(label), "counts": list(range(10)), "serial": 0}
+    assert link.decode(clean, "response").values == expected

@@ -15,6 +15,7 @@ from fieldspec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_lists import InnerList
 from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, tail_of
+from fieldspec.layout.widths import Extent, Span, WidthError, data_of, image_of
 from fieldspec.live.reading import all_occupants, is_bit
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Message, RegisterAccess
@@ -97,6 +98,13 @@ class Redaction:
             if fault is not None:
                 return bytes(len(data))
             data = inner.image_of(data, extents)
+        fields: list[Extent] = []
+        size = len(data)
+        if record.spans and inner is None:
+            try:
+                data, fields = image_of(record.spans, data)
+            except WidthError:
+                return bytes(size)
         result = bytearray(len(data))
         access = (
             _access(decoded.message.message, direction) if decoded.message is not None and not decoded.error else None
@@ -104,7 +112,9 @@ class Redaction:
         values = {**asked, **decoded.values}
         if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
             values[_FIRST] = values.get(indexed.name)
-        self._record(record.image if inner is not None else record, data, result, 0, values, access)
+        self._record(record.image, data, result, 0, values, access)
+        if fields:
+            return _data_of(record.spans, fields, result, size)
         return bytes(result) if inner is None else inner.data_of(bytes(result))
 
     def _record(
@@ -296,3 +306,17 @@ def _access(message: Message, direction: str) -> RegisterAccess | None:
     operation = "write" if direction == "request" else "read"
     steps = (step for step in message.access_steps if step.operation == operation and step.values)
     return message.accesses or next(steps, None)
+
+
+def _data_of(spans: tuple[Span, ...], fields: Sequence[Extent], image: bytearray, size: int) -> bytes:
+    """The data of a redacted image, in which no text is longer than it was; zeros where another size would be sent."""
+    at = 0
+    for span, extent in zip(spans, fields, strict=True):
+        if span.value is not None and span.value.type.kind is Kind.TEXT:
+            image[at + extent.stop - extent.start : at + span.size] = bytes(span.size - (extent.stop - extent.start))
+        at += span.size
+    try:
+        data = data_of(spans, bytes(image))
+    except WidthError:
+        return bytes(size)
+    return data if len(data) == size else bytes(size)
