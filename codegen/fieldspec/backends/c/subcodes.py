@@ -11,6 +11,7 @@ from fieldspec.backends.c.expressions import (
     OUT,
     Call,
     Expression,
+    Group,
     Identifier,
     PointerMember,
     Type,
@@ -95,6 +96,7 @@ def has_subcode(naming: Naming, message: str, intervals: Sequence[tuple[int, int
     for low, high in intervals:
         most = at_most(number, unsigned(high))
         both = most if low == 0 else all_of([at_least(number, unsigned(low)), most])
+        both = Group(both) if len(intervals) > 1 and low else both
         tests.append(equal(number, unsigned(low)) if low == high else both)
     name = naming.function("message", message, "has_subcode")
     return Function(Type("bool"), name, (Variable(Type("uint32_t"), "subcode"),), (Return(any_of(tests)),))
