@@ -16,6 +16,7 @@ import canopen
 import pytest
 from canopen import objectdictionary as dictionary
 
+from fieldspec.explain.explanation import explained
 from fieldspec.explain.log import log_line
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
@@ -62,6 +63,24 @@ def test_a_number_with_more_bits_than_its_place_is_refused() -> None:
         reference["pdo"].encode("request", "position_data", {"function": 16, "node": 1, "controlword": 0, "target": 0})
     with pytest.raises(codec_error()):
         MODULE.vehicle.encode_error(1, 1 << 18, MODULE.Reason(reason=1), priority=0)
+
+
+@pytest.mark.parametrize(
+    ("at", "byte", "text"),
+    [
+        (0, 0x80, "it is no CAN frame with an identifier of 11 bits"),
+        (4, 7, "byte 4 says 7 bytes of data, but there are 8"),
+        (6, 1, "the three bytes behind the number of the data are not zero"),
+    ],
+)
+def test_what_is_wrong_with_the_header_of_a_frame_is_said_alike(at: int, byte: int, text: str) -> None:
+    frame = bytearray(MODULE.sdo.encode_request(NODE, STATUS_REQUEST))
+    frame[at] = byte
+    with pytest.raises(codec_error(), match=text):
+        MODULE.sdo.decode_request(bytes(frame))
+    with pytest.raises(CodecError, match=text):
+        codec(AXIS).links["sdo"].decode(bytes(frame), "request")
+    assert [row.verdict for row in explained(AXIS, "sdo", "request", bytes(frame)).rows] == [f"wrong: {text}"]
 
 
 def test_the_page_of_a_device_says_which_bits_of_the_identifier_a_part_is() -> None:

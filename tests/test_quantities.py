@@ -103,3 +103,9 @@ def test_a_floating_point_number_is_written_in_plain_digits(text: str, number: f
             raw_value(DEVICE, "ratio", value, text)
     else:
         assert raw_value(DEVICE, "ratio", value, text) == number
+
+
+def test_a_quantity_between_two_counts_gets_the_help_of_its_neighbours() -> None:
+    value = replace(DISTANCE, scale=Decimal("0.1"), offset=Decimal(-5), unit="mm")
+    with pytest.raises(MeaningError, match=r"the nearest ones are 1\.2mm and 1\.3mm; it has the offset -5 mm"):
+        raw_value(DEVICE, "distance", value, "1.23mm")

@@ -308,7 +308,7 @@ function canIdentifier(bits, fields) {
     original(data, offset) {
       const wrong = wrongCanHeader(bits, data);
       if (wrong >= 0) {
-        throw new CodecError("wrong_mark", `it is no CAN frame with an identifier of ${bits} bits`, offset + wrong);
+        throw new CodecError("wrong_mark", canHeaderFault(bits, data, wrong), offset + wrong);
       }
       return Uint8Array.from([...canParts(fields, data), ...data.subarray(8)]);
     },
@@ -323,6 +323,15 @@ function wrongCanHeader(bits, data) {
   if (data.length < 8 || identifier < flags || identifier >= flags + 2 ** bits) return 0;
   if (data[4] !== data.length - 8 || data[4] > 8) return 4;
   return data.subarray(5, 8).some((byte) => byte !== 0) ? 5 : -1;
+}
+
+/** What is wrong with a CAN frame at an offset that `wrongCanHeader` returns. */
+function canHeaderFault(bits, data, at) {
+  const size = data.length - 8;
+  if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
+  if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
+  if (at === 5) return "the three bytes behind the number of the data are not zero";
+  return `it is no CAN frame with an identifier of ${bits} bits`;
 }
 
 /** The bytes of the parts of the identifier of a CAN frame. */
@@ -2548,7 +2557,10 @@ class ExplainedFrame {
   /** The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on. */
   unreadableFrame(at) {
     const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
-    const text = `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
+    const { escape } = this.shape;
+    const text = escape.method === "can"
+      ? canHeaderFault(escape.bits, this.data.subarray(start, stop), at - start)
+      : `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
     const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
     rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
     rows.push(...this.outsideRows(this.shape.trailer));

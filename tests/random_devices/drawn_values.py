@@ -105,8 +105,8 @@ def _range(draft: Draft, keys: Spec, low: int, high: int, place: str, sentinel: 
     exact = "/" not in str(keys.get("scale", "1"))
     if draft.chance(20) and exact and "unit" in keys:
         scale, offset = Decimal(str(keys.get("scale", 1))), Decimal(str(keys.get("offset", 0)))
-        ends = [(format(a * scale + offset, "f"), format(b * scale + offset, "f")) for a, b in intervals]
-        keys["unit_range"] = ", ".join(f"{a}..{b}" for a, b in ends)
+        ends = [sorted((a * scale + offset, b * scale + offset)) for a, b in intervals]
+        keys["unit_range"] = ", ".join(f"{a:f}..{b:f}" for a, b in ends)
     else:
         keys["range"] = range_text(intervals)
     first, last = draft.pick(intervals)

@@ -22,7 +22,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.sizes import RecordSizes, messages_on, part_size
 
 _CODE = "can_frames_complete"
-_FOREIGN = ("start", "end", "delimiters", "escape", "serial", "network", "silence")
+_FOREIGN = ("start", "end", "delimiters", "encoding", "escape", "serial", "network", "silence")
 _MOST_PARTS = 7
 """The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
 
@@ -59,9 +59,6 @@ def _without_foreign_keys(link: Link) -> Iterator[Diagnostic]:
     for key in _FOREIGN:
         if key in link.place:
             yield finding(_CODE, link.place, key, f"`{key}` has no effect on a CAN bus", f"remove `{key}`")
-    if link.encoding != "binary":
-        text = f"{link.name} is a CAN bus, which sends no characters"
-        yield finding(_CODE, link.place, "encoding", text, "remove `encoding`")
 
 
 def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:

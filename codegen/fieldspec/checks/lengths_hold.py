@@ -111,10 +111,15 @@ def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
         if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
             text = f"the longest {what} has {longest} bytes"
         text = f"{text}; the maximum of {part.name} is {high}"
-        yield finding(_CODE, frame.place, frame.key, text, _HELP, there)
+        yield finding(_CODE, frame.place, frame.key, text, _help(part), there)
     if shortest < low:
         text = f"{part.name} would be {shortest} in the shortest {what}; its minimum is {low}"
-        yield finding(_CODE, frame.place, frame.key, text, _HELP, there)
+        yield finding(_CODE, frame.place, frame.key, text, _help(part), there)
+
+
+def _help(part: Part) -> str:
+    """What to correct for a length part that cannot hold what it counts."""
+    return "correct `plus`, the number of elements or the type" if part.plus else _HELP
 
 
 def _of_words(frames: list[_Frame]) -> Iterator[Diagnostic]:

@@ -132,6 +132,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
             text = f"{part.name} comes after the body, but nothing states its value"
             help = "give it a `const` or `reserved: true`; parts that users supply come before the body"
+            help += ", or are the last field of each message"
             yield finding(_CODE, part.place, "name", text, help)
 
 

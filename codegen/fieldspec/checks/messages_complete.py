@@ -121,7 +121,8 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
             yield finding(_CODE, message.place, "answered_on", text, f"remove `{key}`, or `answered_on`")
     if message.number is not None and message.code is None:
         text = f"{message.name} has no code: its request and its response are sent without each other"
-        yield finding(_CODE, message.place, "answered_on", text, "remove `answered_on`")
+        help = "remove `answered_on`, and add `response: []` if there is none"
+        yield finding(_CODE, message.place, "answered_on", text, help)
     printed = ("frame_length", message.response_length), ("data_words", message.response_words)
     for key, stated in printed:
         if stated is not None and not message.is_answered:

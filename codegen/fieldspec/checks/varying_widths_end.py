@@ -44,6 +44,11 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if not value.width:
             continue
+        unused = [key for key in ("padding", "align") if key in fact.place and value.type.kind is Kind.TEXT]
+        for key in unused:
+            yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
+        if unused:
+            continue
         is_in_place = id(fact) in messages or id(fact) in tails
         problem = _form(value) or _place(fact, is_in_place)
         if problem:

@@ -4,7 +4,8 @@ Why: an output would have to invent bytes that the manual does not print.
 
 Example: a register of words of type `u24`, or five digits in a register of words.
 
-Cure: State the whole words as `u32` or `u48`, with a `range` if it is known; of digits, two in each word.
+Cure: State the whole words as `u32` or `u48`, or `i32` or `i48` with a sign, with a `range` if it is known; of
+digits, two in each word.
 """
 
 from __future__ import annotations
@@ -28,5 +29,6 @@ def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, fact.place, "length", text, "state the digits of whole words of two bytes")
         elif isinstance(fact, Register) and value.type.is_odd and value.size % device.space(fact.space).unit_size:
             text = f"the register {fact.name} is {type_name}, which has no whole number of words"
-            help = "state the words as u32 or u48, with a range if it is known"
+            sign = "i" if value.type.signed else "u"
+            help = f"state the words as {sign}32 or {sign}48, with a range if it is known"
             yield finding(_CODE, fact.place, "type", text, help)

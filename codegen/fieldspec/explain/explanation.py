@@ -163,6 +163,8 @@ class _Frame:
         """The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on."""
         start, stop = self.shape.escape_start, len(self.data) + (self.shape.escape_stop or 0)
         text = f"the byte at {len(self.wrapped.start) + at} is not escaped, or its escape means nothing"
+        if self.shape.escape is not None and self.shape.escape.method == "can":
+            text = self.shape.escape.header_fault(self.data[start:stop], at - start)
         rows = [*start_rows(self.wrapped), *self._outside(self.shape.header)]
         rows.append(wrong_row(self.spot, start, self.data[start:stop], "wrong_mark", text))
         rows += self._outside(self.shape.trailer)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterable, Mapping
+from decimal import Decimal
+from math import ceil, floor
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
@@ -182,6 +184,18 @@ def _in_unit_of(device: Device, value: Value, entered: object) -> Fraction | Non
     return device.quantity_in(*quantity, value.unit) if quantity is not None and value.unit else None
 
 
+def _near(value: Value, quantity: Fraction) -> str:
+    """The quantities of the counts beside one that has none, where these are decimal numbers."""
+    if not isinstance(value.scale, Decimal):
+        return ""
+    from fractions import Fraction
+
+    count = (quantity - Fraction(value.offset)) / Fraction(value.scale)
+    below, above = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
+    offset = f"; it has the offset {value.offset:f} {value.unit}" if value.offset else ""
+    return f"; the nearest ones are {below:f}{value.unit} and {above:f}{value.unit}{offset}"
+
+
 def _is_count(entered: object) -> bool:
     return isinstance(entered, str) and count_of(entered) is not None
 
@@ -202,7 +216,8 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
     if quantity is not None:
         raw = value.from_unit(quantity)
         if raw is None:
-            raise MeaningError(path, f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}")
+            text = f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}"
+            raise MeaningError(path, f"{text}{_near(value, quantity)}")
         absent = value.sentinel(raw)
         if absent is not None:
             raise MeaningError(path, f"`{entered}` would be the count {raw}, {_meant(absent)}")

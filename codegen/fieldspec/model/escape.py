@@ -77,6 +77,16 @@ class Escape:
             return 4
         return 5 if any(data[5:CAN_HEADER]) else None
 
+    def header_fault(self, data: bytes, at: int) -> str:
+        """What is wrong with a CAN frame at an offset that `wrong_header` returns."""
+        if at == 4 and data[4] != len(data) - CAN_HEADER:
+            return f"byte 4 says {data[4]} bytes of data, but there are {len(data) - CAN_HEADER}"
+        if at == 4:
+            return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
+        if at == 5:
+            return "the three bytes behind the number of the data are not zero"
+        return f"it is no CAN frame with an identifier of {self.bits} bits"
+
     def most(self, size: int) -> int:
         """The most bytes that are sent for `size` bytes."""
         if self.method == "can":

@@ -39,7 +39,8 @@ def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
         for check in checks:
             if check.algorithm not in SIMPLE:
                 key = "checksum" if "checksum" in check.part.place else "algorithm"
-                yield check.part, key, f"the checksum {check.name} of {link.name} has the algorithm {check.algorithm}"
+                stated = f"{check.part.stated_algorithm} with a prefix" if check.part.prefix else check.algorithm
+                yield check.part, key, f"the checksum {check.name} of {link.name} has the algorithm {stated}"
             if check.digits:
                 yield check.part, "digits", f"the checksum {check.name} of {link.name} is sent as digits"
         if len(checks) > 1:

@@ -247,8 +247,14 @@ def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
 
 
+_BOUNDS = ("min", "minimum", "max", "maximum")
+"""Words of other tools for one bound of a range."""
+
+
 def _known_key(key: str, known: Schema) -> str:
     """The help for a word that other tools use, or for a key of the entries of a list here; empty for others."""
+    if "unit_range" in known and key.lower() in _BOUNDS:
+        return "write `unit_range: low..high` in the unit, or `range: low..high` in counts"
     if own := synonym(key, known):
         return f"the key for it is `{own}`"
     for name, part in known.items():

@@ -31,8 +31,7 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
     if escape.method == "can":
         wrong = escape.wrong_header(data)
         if wrong is not None:
-            text = f"it is no CAN frame with an identifier of {escape.bits} bits"
-            raise CodecError("wrong_mark", text, offset + wrong)
+            raise CodecError("wrong_mark", escape.header_fault(data, wrong), offset + wrong)
         return escape.unpacked(int.from_bytes(data[:4], "big")) + data[CAN_HEADER:]
     result = bytearray()
     rest = data

@@ -338,7 +338,8 @@ class FrameCodec:
             if number == addresses.broadcast:
                 return number
         if not part.value.low <= number <= part.value.high or (allowed is not None and number not in allowed):
-            raise CodecError("out_of_range", f"{part.name} is {number}")
+            permitted = allowed.text() if allowed is not None else f"{part.value.low}..{part.value.high}"
+            raise CodecError("out_of_range", f"{part.name} is {number}, not in {permitted}")
         return number
 
     def _marked(self, direction: str, data: bytes) -> bytes:

@@ -73,7 +73,13 @@ class CanIdentifier:
         if wrong < 0 and any(data[5:_HEADER]):
             wrong = 5
         if wrong >= 0:
-            text = f"it is no CAN frame with an identifier of {self.bits} bits"
+            text, size = f"it is no CAN frame with an identifier of {self.bits} bits", len(data) - _HEADER
+            if wrong == 4 and data[4] != size:
+                text = f"byte 4 says {data[4]} bytes of data, but there are {size}"
+            elif wrong == 4:
+                text = f"a CAN frame has at most {_DATA} bytes of data, not {size}"
+            elif wrong == 5:
+                text = "the three bytes behind the number of the data are not zero"
             raise CodecError("wrong_mark", text, offset + wrong)
         parts = [
             (identifier >> first & (1 << width) - 1).to_bytes(size, order) for size, order, first, width in self.fields

@@ -145,7 +145,7 @@ def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
 
     Why: programs mistake an exception response for an answer, or misread its reason.
 
-    Example: `error: {flag: 0x80}` that becomes `error: {flag: 0x40}`.
+    Example: `exception_response: {flag: 0x80}` that becomes `exception_response: {flag: 0x40}`.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.

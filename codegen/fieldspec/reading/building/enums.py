@@ -69,7 +69,10 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
     if span := entry.text("bits"):
         low, _, high = span.partition("..")
         first, last = int(low), int(high)
-    if first is None or last is None or last < first:
+        if last < first:
+            entry.refuse("wrong_form", "bits", "`bits` ends before it starts", f"write {last}..{first}")
+            first, last = last, first
+    if first is None or last is None:
         entry.refuse("wrong_form", "bits", "the bit has no number", "add `bit`, or `bits` as low..high")
         first = last = 0
     if highest is not None:

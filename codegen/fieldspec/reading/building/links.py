@@ -40,7 +40,7 @@ _HELP = {
     "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
     "flags": "remove `flags`; only a part without a `role` is a word of bits",
-    "algorithm": "add or remove `algorithm`",
+    "algorithm": "name its `algorithm` or state its parameters under `checksum`; other parts have neither",
     "reserved": "move it to a part without a `role`",
     "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
 }
@@ -179,7 +179,11 @@ def _bits(entry: Entry) -> tuple[int, int] | None:
     if not text:
         return None
     first, _, last = text.partition("..")
-    return int(first), max(int(first), int(last or first))
+    low, high = int(first), int(last or first)
+    if high < low:
+        entry.refuse("wrong_form", "bits", "`bits` ends before it starts", f"write {high}..{low}")
+        low, high = high, low
+    return low, high
 
 
 def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:

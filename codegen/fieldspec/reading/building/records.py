@@ -130,7 +130,9 @@ def _refuse_unstated(entry: Entry) -> None:
     if "response" in entry.own or ("answered_on" in entry.own and not entry.texts("answered_on")):
         return
     text = "the message has no `response`"
-    help = "list the fields of its data, add `response: []` if it has none, or `answered_on: []` if it never comes"
+    help = "list the fields of its data, or add `response: []` if it has none"
+    if "number" not in entry.own or "code" in entry.own:  # else requests and responses are sent without each other
+        help = "list the fields of its data, add `response: []` if it has none, or `answered_on: []` if it never comes"
     entry.refuse("missing_key", "name", text, help)
 
 

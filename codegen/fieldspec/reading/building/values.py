@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
+from decimal import Context, Decimal
+from math import ceil, floor
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.model.fact import ScalarValue
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 UNTYPED = PRIMITIVES["u16"]
 
 _ZERO, _UNITY = Decimal(0), Decimal(1)
+
+_EXACT = Context(prec=120)
 
 VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 """The keys for the encoding of a value and its meaning."""
@@ -168,13 +171,16 @@ def counts_of(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Range
     from fractions import Fraction
 
     counts = []
-    for low, high in in_unit:
-        raw = sorted((Fraction(bound) - Fraction(offset)) / Fraction(scale) for bound in (low, high))
-        if any(bound.denominator != 1 for bound in raw):
-            entry.refuse(
-                "wrong_form", "unit_range", "a bound is not a whole number of counts", "compare it with `scale`"
-            )
-        counts.append((int(raw[0]), int(raw[1])))
+    for bounds in in_unit:
+        if bounds[0] > bounds[1]:
+            entry.refuse("wrong_form", "unit_range", "an interval ends before it starts", "write the lower bound first")
+        raw = [(Fraction(bound) - Fraction(offset)) / Fraction(scale) for bound in bounds]
+        for bound, count in zip(dict.fromkeys(bounds), raw, strict=False):
+            if count.denominator != 1:
+                text = f"{bound:f} is not a whole number of counts"
+                entry.refuse("wrong_form", "unit_range", text, _nearest("unit_range", count, scale, offset))
+        low, high = sorted(raw)
+        counts.append((int(low), int(high)))
     return Ranges(tuple(counts))
 
 
@@ -187,8 +193,21 @@ def _default(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> int | 
 
     raw = (Fraction(in_unit) - Fraction(offset)) / Fraction(scale)
     if raw.denominator != 1:
-        entry.refuse("wrong_form", "unit_default", "it is not a whole number of counts", "compare it with `scale`")
+        text = f"{in_unit:f} is not a whole number of counts"
+        entry.refuse("wrong_form", "unit_default", text, _nearest("unit_default", raw, scale, offset))
     return int(raw)
+
+
+def _nearest(key: str, count: Fraction, scale: Decimal | Fraction, offset: Decimal) -> str:
+    """The help for a quantity between two counts: the quantities of these, where they are decimal numbers."""
+    if not isinstance(scale, Decimal):
+        return f"state `{key.removeprefix('unit_')}`, in counts, or compare it with `scale`"
+    quantities = sorted(
+        _EXACT.add(_EXACT.multiply(Decimal(whole), scale), offset) for whole in (floor(count), ceil(count))
+    )
+    return (
+        f"write {' or '.join(f'{quantity.normalize(_EXACT):f}' for quantity in quantities)}, or compare it with `scale`"
+    )
 
 
 def signal(entry: Entry) -> Signal:

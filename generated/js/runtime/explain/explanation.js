@@ -3,6 +3,7 @@ import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } fro
 import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
 import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
 import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
+import { canHeaderFault } from "../escapes.js";
 import { accessedSpan, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
 import { digitsNumber } from "./digits.js";
@@ -99,7 +100,10 @@ class ExplainedFrame {
   /** The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on. */
   unreadableFrame(at) {
     const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
-    const text = `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
+    const { escape } = this.shape;
+    const text = escape.method === "can"
+      ? canHeaderFault(escape.bits, this.data.subarray(start, stop), at - start)
+      : `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
     const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
     rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
     rows.push(...this.outsideRows(this.shape.trailer));
