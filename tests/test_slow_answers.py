@@ -78,6 +78,7 @@ class Carrier:
 
     name = "line"
     datagrams = False
+    keeps_pauses = True
 
     def __init__(self, clock: ManualClock, *pieces: bytes) -> None:
         self.clock, self.pieces = clock, pieces

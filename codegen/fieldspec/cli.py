@@ -237,7 +237,8 @@ def _parser() -> argparse.ArgumentParser:
         "assignments",
         nargs="*",
         metavar="MESSAGE NAME=VALUE",
-        help="raw values, quantities such as 20.00mm, or names of enum members; lists as 1,2,3, members as point.x=1",
+        help="raw values, quantities such as 20.00mm, or names of enum members and bits; lists as 1,2,3, "
+        "members as point.x=1",
     )
     sent(encode, f"{way} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")

@@ -26,6 +26,7 @@ class CanBus:
     """
 
     datagrams = True
+    keeps_pauses = True
 
     def __init__(self, url: str) -> None:
         interface, channel, bitrate = _address(url)

@@ -30,6 +30,7 @@ class Connection:
     """One TCP connection."""
 
     datagrams = False
+    keeps_pauses = False
 
     def __init__(self, connected: socket.socket, name: str) -> None:
         self._socket, self.name = connected, name
@@ -107,6 +108,7 @@ class Datagrams:
     """UDP. A server answers whoever has sent the last datagram, a client sends to the address of its URL."""
 
     datagrams = True
+    keeps_pauses = False
 
     def __init__(self, url: str, server: bool) -> None:
         host, port = address(url)

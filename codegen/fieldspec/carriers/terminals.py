@@ -3,20 +3,34 @@
 from __future__ import annotations
 
 import os
+import re
 import select
 import threading
 
 from fieldspec.carriers.carrier import CarrierError, LineSettings
-from fieldspec.classes import TYPE_CHECKING
+from fieldspec.classes import TYPE_CHECKING, replace
 
 if TYPE_CHECKING:
     from serial import SerialBase
+
+
+try:
+    import termios
+except ImportError:  # a system without terminals
+    _ERRORS: tuple[type[Exception], ...] = (OSError,)
+else:
+    _ERRORS = (OSError, termios.error)
+"""What a port raises besides the errors of pyserial; that for settings which a driver refuses is no OSError."""
+
+_PSEUDO_TERMINAL = re.compile(r"/dev/(?:pts/|ttys)[0-9]+")
+"""The paths of pseudo-terminals on Linux and macOS."""
 
 
 class PseudoTerminal:
     """A pseudo-terminal: another program opens `name` as if it were a serial port."""
 
     datagrams = False
+    keeps_pauses = True
 
     def __init__(self) -> None:
         try:
@@ -74,14 +88,18 @@ class SerialPort:
         except ImportError:
             raise CarrierError("serial ports need pyserial: pip install 'fieldspec[live]'") from None
         self.name = url
+        self._errors: tuple[type[Exception], ...] = (serial.SerialException, ValueError, *_ERRORS)
+        self.keeps_pauses = not url.startswith(("socket://", "rfc2217://"))
+        if _PSEUDO_TERMINAL.fullmatch(os.path.realpath(url)):
+            # It carries whole bytes, so that it has neither parity nor a size of characters, and refuses both.
+            settings = replace(settings, parity="none", data_bits=8)
         parity = {"none": serial.PARITY_NONE, "even": serial.PARITY_EVEN, "odd": serial.PARITY_ODD}[settings.parity]
         try:
             self._port: SerialBase = serial.serial_for_url(
                 url, settings.baud, settings.data_bits, parity, settings.stop_bits, timeout=0.0, write_timeout=5.0
             )
-        except (serial.SerialException, ValueError, OSError) as error:
+        except self._errors as error:
             raise CarrierError(f"cannot open {url}: {error}") from None
-        self._error = serial.SerialException
 
     def read(self, seconds: float) -> bytes:
         """The bytes that come within some seconds. Raises CarrierError at the end."""
@@ -91,12 +109,9 @@ class SerialPort:
             if data:
                 self._port.timeout = 0.0
                 data += self._port.read(4096)
-        except (
-            self._error,
-            OSError,
-            TypeError,
-            AttributeError,
-        ) as error:  # what a port raises that is closed meanwhile
+        except self._errors as error:
+            raise CarrierError(f"{self.name}: {error}") from None
+        except (TypeError, AttributeError) as error:  # what a port raises that is closed meanwhile
             raise CarrierError(f"{self.name}: {error}") from None
         return bytes(data)
 
@@ -105,7 +120,7 @@ class SerialPort:
         try:
             self._port.write(data)
             self._port.flush()
-        except (self._error, OSError) as error:
+        except self._errors as error:
             raise CarrierError(f"{self.name}: {error}") from None
 
     def close(self) -> None:

@@ -37,6 +37,8 @@ MOST_BYTES = 65536
 class WebSocket:
     """One connection of a browser. Each message of bytes is a piece of a stream, or a datagram."""
 
+    keeps_pauses = False
+
     def __init__(self, connection: ServerConnection, datagrams: bool) -> None:
         self._connection, self.datagrams = connection, datagrams
         self.name = f"ws://{connection.remote_address[0]}:{connection.remote_address[1]}"

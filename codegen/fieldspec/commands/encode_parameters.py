@@ -1,20 +1,25 @@
-"""Values of parameters as people write them, in the fields of a message that carry their bytes."""
+"""Values of parameters as people write them, in the fields of a message that carry them as bytes or as a number."""
 
 from __future__ import annotations
+
+import re
 
 from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.usage import UsageError
 from fieldspec.explain.parameters import parameter_number
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.values import raw_value
+from fieldspec.layout.values import MeaningError, raw_value
+from fieldspec.model.quantity import count_of
 from fieldspec.model.registers import Parameter
+from fieldspec.model.value import Kind, Value
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.parameters import part_of
 
 
 def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, texts: dict[str, object]) -> None:
-    """Replaces the name of an element by its sub-index, and a value by its bytes and what says how many they are.
+    """Replaces the name of an element by its sub-index, and a value by its bytes and what says how many they are, or by
+    the number that the field has for it.
 
     A value of a parameter that the spec does not describe is written as bytes. Raises UsageError where the message
     does not carry as many bytes, and where the element can only be read; MeaningError; and CodecError.
@@ -34,7 +39,13 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
         if isinstance(index, str):
             index = texts[indexed.name] = _index(parameter, index)
     text = texts.get(carried.name) if carried is not None else None
-    if carried is None or not carried.carries_bytes or not isinstance(text, str) or not isinstance(index, int):
+    if carried is None or not isinstance(text, str) or not isinstance(index, int):
+        return
+    if not carried.carries_bytes:
+        own = _chosen(layout, record, carried, texts).value
+        items = [item for item in re.split(r"[, ]+", text) if item] if carried.is_list else [text]
+        numbers = [_number(layout, parameter, index + at, own, item, direction) for at, item in enumerate(items)]
+        texts[carried.name] = numbers if carried.is_list else numbers[0]
         return
     if index >= (parameter.elements or 1):
         raise UsageError(f"{parameter.name} has no element {index}")
@@ -49,6 +60,48 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
     for name, content in bytes_of_value(layout.device, carried, value, known).items():
         if name == carried.name or name not in texts:
             texts[name] = content.hex() if isinstance(content, bytes) else content
+
+
+def _chosen(layout: DeviceLayout, record: RecordLayout, carried: FieldLayout, texts: dict[str, object]) -> FieldLayout:
+    """The field with a value, in the type that the entered value of the selector decides, where there is one."""
+    by = record.selector
+    if by is None or by.value is None or by.name not in texts:
+        return carried
+    chosen = record.of_number(raw_value(layout.device, by.name, by.value, texts[by.name]))
+    return chosen.fields[-1] if chosen is not None else carried
+
+
+def _number(
+    layout: DeviceLayout, parameter: Parameter, index: int, own: Value | None, item: str, direction: str
+) -> object:
+    """The number that a field of the value `own` has for an element of a parameter as people write it.
+
+    A count without a sign that the field can have is its number, so that bits may be written as they are. What only the
+    field has a meaning for stays as it is. Raises MeaningError and CodecError.
+    """
+    from fieldspec.reference.parameters import number_in_field
+    from fieldspec.reference.records import encoded_value
+
+    count = count_of(item)
+    if own is None or index >= (parameter.elements or 1) or (count is not None and 0 <= count <= own.high):
+        return item
+    value = element_value(parameter, index)
+    integers = (Kind.INTEGER, Kind.BOOLEAN)
+    if value.type.kind not in integers or own.type.kind not in integers:
+        return item
+    value = value.for_writing() if direction == "request" else value
+    try:
+        raw = raw_value(layout.device, parameter.name, value, item)
+    except MeaningError:
+        try:
+            raw_value(layout.device, parameter.name, own, item)
+        except MeaningError:
+            pass
+        else:
+            return item
+        raise
+    known = encoded_value(parameter.name, value, raw, layout.device)
+    return number_in_field(own, value, int(known) if isinstance(known, bool) else known)
 
 
 def _parameter(layout: DeviceLayout, numbered: FieldLayout | None, texts: dict[str, object]) -> Parameter | None:

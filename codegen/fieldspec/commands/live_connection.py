@@ -75,7 +75,7 @@ def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = F
 class _Nothing:
     """The carrier of a dry run: nothing is sent."""
 
-    name, datagrams = "nothing", False
+    name, datagrams, keeps_pauses = "nothing", False, True
 
     def read(self, seconds: float) -> bytes:
         """Nothing."""

@@ -20,7 +20,7 @@ from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.segments import initial_number
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
-from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes, value_of_data
+from fieldspec.reference.parameters import bytes_of_value, carries, number_in_field, value_of_bytes, value_of_data
 from fieldspec.reference.records import CodecError, encoded_value
 from fieldspec.reference.structs import value_construct
 from fieldspec.simulator.parameters import count_field, part_of
@@ -319,13 +319,15 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
         values |= pieces.size_content(len(chosen.words))
     elif carried.carries_bytes:
         values |= bytes_of_value(client.layout.device, carried, signal.value, chosen.raw)
-    else:
-        values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
     if request.selector is not None:
         form = _form(request, signal.value)
         if form is None:
             raise WriteError(f"no format of {message.name} carries {signal.path}")
         values[request.selector.name] = form
+        carried = request.chosen[form].fields[-1]
+    if carried is not None and not carried.carries_bytes:
+        number = number_in_field(carried.value, signal.value, chosen.raw)
+        values[carried.name] = [number] if carried.is_list else number
     try:
         return message.name, values, client.request(message.name, values)
     except CodecError as error:

@@ -67,6 +67,21 @@ def data_of_value(value: Value, raw: Any, order: str, swapped: bool) -> bytes:
     return bytes(value_construct(value, order, swapped).build(raw))
 
 
+def number_in_field(own: Value | None, value: Value, raw: Any) -> Any:
+    """The number that a field of the value `own` has for the bits of a parameter's raw value.
+
+    Both have as many bits, and only one of them has a sign: -2 of an `i16` is 65534 in a `u16`. Any other raw value is
+    returned as it is.
+    """
+    if own is None or isinstance(raw, bool) or not isinstance(raw, int):
+        return raw
+    kinds = {own.type.kind, value.type.kind}
+    if kinds != {Kind.INTEGER} or own.size != value.size or own.digits or value.digits:
+        return raw
+    bits = raw & ((1 << 8 * own.size) - 1)
+    return bits - (1 << 8 * own.size) if own.type.signed and bits >> (8 * own.size - 1) else bits
+
+
 def orders_of(device: Device, field: FieldLayout, value: Value) -> tuple[str, bool]:
     """The byte order of a value in a field of bytes, and whether its words are swapped."""
     return Orders(field.order, device.word_order).of(value)

@@ -22,6 +22,10 @@ class Sending:
     hang_up: bool = False
 
 
+_MOST_RECENT = 65536
+"""The bytes without a frame that are kept: no frame has more."""
+
+
 class Line:
     """One connection to a device. `message` names the message of frames that do not name it."""
 
@@ -38,13 +42,18 @@ class Line:
         self.message = message
         self._recent = bytearray()
         """The bytes since the last frame or silence."""
+        self._dropped = 0
+        """How many bytes the framer had dropped before these."""
 
     def feed(self, now: float, data: bytes) -> Iterator[Sending]:
         """What to send after some bytes have come: the answers to the frames that they complete."""
         if self.framer is None:
             yield from self._answered(now, data)
             return
+        if not self._recent:
+            self._dropped = self.framer.dropped
         self._recent += data
+        del self._recent[:-_MOST_RECENT]
         frames = self.framer.feed(data)
         if frames:
             self._recent.clear()
@@ -64,6 +73,22 @@ class Line:
             yield from self._answered(now, frame)
         if not frames:
             self.listener(now, self.link, "request", whole, "no frame")
+
+    def pause(self, now: float) -> Iterator[Sending]:
+        """What to send after a pause in a stream, in which a frame that has begun can still go on.
+
+        The bytes so far are a frame where nothing but silence ends it, or where they have the right checksum and no
+        frame can begin with them, as with a code that no message has.
+        """
+        if self.framer is None or not self._recent:
+            return
+        whole = bytes(self._recent)
+        is_foreign = self.framer.dropped != self._dropped
+        if is_foreign and self.server.codecs[self.link].has_right_checksum(whole, "request"):
+            self.framer.reset()
+        elif is_foreign or self.framer.pause() != [whole]:
+            return
+        yield from self.idle(now)
 
     @property
     def waiting(self) -> bool:

@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 LEAST_SILENCE = 0.02
 """The seconds of silence that end a frame at the least: pseudo-terminals and networks do not keep shorter ones."""
 
+PATIENCE = 5.0
+"""The seconds without a byte after which a part of a frame is dropped on a network, which may be slow."""
+
 TrafficListener = Callable[[float, str, str, bytes, str], None]
 
 
@@ -156,11 +159,15 @@ class Simulation:
         """Serves one carrier until it ends."""
         line = self.line(link, framed=not carrier.datagrams)
         silence = self.silence(link, settings)
+        waited = 0.0
         try:
             while not self._ended.is_set():
-                data = carrier.read(silence if line.waiting else 0.2)
+                seconds = silence if line.waiting else 0.2
+                data = carrier.read(seconds)
+                waited = 0.0 if data else waited + seconds
+                silent = line.idle if carrier.keeps_pauses or waited >= PATIENCE else line.pause
                 with self.lock:
-                    sendings = list(line.feed(self.now(), data) if data else line.idle(self.now()))
+                    sendings = list(line.feed(self.now(), data) if data else silent(self.now()))
                 for sending in sendings:
                     self._send(carrier, sending)
         except CarrierError:

@@ -5,7 +5,7 @@ import { CodecError, printed } from "./error.js";
  * bytes; `places` are the places of these, the most significant one first.
  */
 export function parameter(name, number, base, access, read, write, more) {
-  const own = { name, size: more.size, signed: more.signed, kind: more.kind, places: more.places, absent: more.absent ?? null, read, write };
+  const own = { name, size: more.size, signed: more.signed, carriedSigned: more.carriedSigned, kind: more.kind, places: more.places, absent: more.absent ?? null, read, write };
   const subindices = more.subindices ?? [];
   const elementOf = (index) => subindices.find(({ indices }) => indices.some(([low, high]) => index >= low && index <= high)) ?? own;
   return Object.freeze({
@@ -69,7 +69,10 @@ export function parameter(name, number, base, access, read, write, more) {
       element.write(value, bytes, 0);
       return bytes;
     },
-    /** The raw value of a value for a message: without a sign where `unsigned` is set. Throws CodecError. */
+    /**
+     * The raw value of a value for a message: with a sign where the field of the message has one, and without where
+     * `unsigned` is set. Throws CodecError.
+     */
     toRaw(value, { subindex = 0, unsigned = false } = {}) {
       return toRaw(elementOf(subindex), value, unsigned);
     },
@@ -103,7 +106,7 @@ function toRaw(element, value, unsigned) {
   if (element.kind !== "integer" && element.kind !== "boolean") return value;
   let number = 0n;
   for (const place of element.places) number = number * 256n + BigInt(bytes[place]);
-  if (element.signed && !unsigned) number = BigInt.asIntN(8 * element.size, number);
+  if ((element.carriedSigned ?? element.signed) && !unsigned) number = BigInt.asIntN(8 * element.size, number);
   return element.size > 6 ? number : Number(number);
 }
 

@@ -10,9 +10,9 @@ from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.backends.js.units import absent_of, unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import Orders
+from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
 
 _ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
@@ -30,7 +30,8 @@ def declare_parameters(parameter_set: ParameterSet, names: Names) -> Declaration
     scope = property_scope()
     rows = [(scope.take(Name.of(row.name).camel()), row) for row in parameter_set.parameters]
     code = [f"export const {name} = /* @__PURE__ */ parameterSet({literal(parameter_set.name)}, {{"]
-    code += [f"  {key}: {_parameter(row, parameter_set, names)}," for key, row in rows]
+    carrier = _carrier(parameter_set, names.layout)
+    code += [f"  {key}: {_parameter(row, parameter_set, names, carrier)}," for key, row in rows]
     carried = _carried_bytes(parameter_set, names.layout)
     code += [f"}}, {carried});" if carried else "});", ""]
     types = comment(described(parameter_set.title or Name.of(parameter_set.name).title(), parameter_set))
@@ -59,7 +60,28 @@ def _carried_bytes(parameter_set: ParameterSet, layout: DeviceLayout) -> str:
     return ""
 
 
-def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str:
+def _carrier(parameter_set: ParameterSet, layout: DeviceLayout) -> FieldLayout | None:
+    """The field of a message that carries the values of a set as numbers of one type."""
+    fields = (field for message in layout.messages.values() for body in message.bodies for field in body.fields)
+    for field in fields:
+        part = field.value.parameter if field.value is not None else None
+        if part is None or part.set not in (parameter_set.name, parameter_set.space):
+            continue
+        if part.part in ("value", "values"):
+            return field if field.primitive.kind is Kind.INTEGER else None
+    return None
+
+
+def _carried_signed(row: Parameter, carrier: FieldLayout | None) -> str:
+    """Whether the number in a message has a sign, where the value has as many bytes and is the other way."""
+    kind = row.value.type
+    if carrier is None or row.subindices or kind.kind is not Kind.INTEGER or carrier.size != row.value.size:
+        return ""
+    own = carrier.primitive.signed
+    return flag(own) if own != kind.signed else ""
+
+
+def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrier: FieldLayout | None) -> str:
     read, write = _functions(row.name, row.value, row.trigger, names)
     default = row.value.default
     more = {
@@ -67,6 +89,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str
         "kind": _kind(row.value),
         "size": str(row.value.size),
         "signed": flag(row.value.type.signed),
+        "carriedSigned": _carried_signed(row, carrier),
         "places": _places(row.value, names),
         "default": "" if default is None else literal(default) if isinstance(default, str) else str(default),
         "elements": "" if row.elements is None else str(row.elements),

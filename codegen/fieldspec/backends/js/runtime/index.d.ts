@@ -250,7 +250,10 @@ export interface Parameter<T, U = Unit | null> {
   fromBytes(bytes: Uint8Array, subindex?: number): T;
   /** The bytes of a value for a message, for the element with an index. Throws CodecError. */
   toBytes(value: T, subindex?: number): Uint8Array;
-  /** The raw value of a value for a message: without a sign where `unsigned` is set. Throws CodecError. */
+  /**
+   * The raw value of a value for a message: with a sign where the field of the message has one, and without where
+   * `unsigned` is set. Throws CodecError.
+   */
   toRaw(value: T, options?: { readonly subindex?: number; readonly unsigned?: boolean }): number | bigint | string | Uint8Array;
 }
 

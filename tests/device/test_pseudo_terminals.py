@@ -1,0 +1,63 @@
+"""Ports on pseudo-terminals, which have no parity, and ports that refuse their settings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from fieldspec.carriers import terminals
+from fieldspec.carriers.carrier import CarrierError, LineSettings
+from fieldspec.cli import main
+from fieldspec.testing import SimulatedDevice, simulation
+from serial_lines import Line, serial_line
+from simulators import SPECS
+
+
+@pytest.fixture
+def tc100() -> Iterator[SimulatedDevice]:
+    with simulation("tc100", ports={"rtu": "pty"}, folder=SPECS) as device:
+        yield device
+
+
+def live(device: SimulatedDevice, verb: str, *more: str) -> int:
+    """The exit code of a verb at the place of a device."""
+    names = ["live", "tc100", verb] if verb != "scan" else ["scan", "tc100"]
+    return main([*names, *more, "--port", device.place, "--timeout", "0.5", "--specs", SPECS])
+
+
+@pytest.mark.parametrize("parity", ["none", "even", "odd"])
+def test_a_device_is_read_whatever_the_parity(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], parity: str
+) -> None:
+    assert live(tc100, "read", "motion_speed", "--parity", parity) == 0
+    assert "100 %" in capsys.readouterr().out
+    assert live(tc100, "scan", "0x2014", "--parity", parity) == 0
+
+
+@pytest.mark.parametrize("settings", [LineSettings(9600, 7, "even", 2), LineSettings(19200, 8, "odd", 1)])
+def test_bytes_go_both_ways_whatever_the_settings(settings: LineSettings) -> None:
+    with serial_line() as (handle, path):
+        line, port = Line(handle), terminals.SerialPort(path, settings)
+        port.write(b"\x00\xff")
+        assert line.receive() == b"\x00\xff"
+        line.send(b"\xfe\x01")
+        assert port.read(1.0) + port.read(0.05) == b"\xfe\x01"
+        port.close()
+
+
+def test_settings_that_a_port_refuses_are_one_line(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import termios
+
+    def refuse(*arguments: object) -> None:
+        raise termios.error(22, "Invalid argument")
+
+    monkeypatch.setattr(termios, "tcsetattr", refuse)
+    with pytest.raises(CarrierError, match="cannot open"):
+        terminals.SerialPort(tc100.place, LineSettings())
+    assert live(tc100, "read", "motion_speed", "--parity", "even") == 2
+    error = capsys.readouterr().err
+    assert error.startswith("fieldspec: cannot open ")
+    assert error.count("\n") == 1
