@@ -281,11 +281,21 @@ def _field_lists(
     pairs: Iterable[Pair[Any]], old: _Offsets, new: _Offsets, containers: tuple[Any, Any], direction: str
 ) -> FieldLists:
     moved = [
-        (pair.old, pair.new, old.text(pair.old), new.text(pair.new))
+        (pair.old, pair.new, *_apart(old, new, pair))
         for pair in pairs
         if old.by_identity[id(pair.old)] != new.by_identity[id(pair.new)] and not getattr(pair.new, "reserved", False)
     ]
     return FieldLists(containers, direction, tuple(moved), (old.size, new.size))
+
+
+def _apart(old: _Offsets, new: _Offsets, pair: Pair[Any]) -> tuple[str, str]:
+    """The offsets of a field that has moved, as two texts that differ."""
+    before, after = old.text(pair.old), new.text(pair.new)
+    if before != after:
+        return before, after
+    runs = old.by_identity[id(pair.old)][0], new.by_identity[id(pair.new)][0]
+    before, after = (f"{before} {'behind' if run else 'before'} the body" for run in runs)
+    return before, after
 
 
 def fields_beside(field: Field, device: Device) -> tuple[Field, ...]:
