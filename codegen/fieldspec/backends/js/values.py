@@ -262,6 +262,10 @@ class Slot:
     def _bit_test(self, number: str, bit: Bit) -> str:
         """The condition that a field of bits of a word is in its range."""
         masked = f"({number} & {bit.mask}n)" if self.wide else f"(({number} & {bit.mask}) >>> 0)"
+        if self.value.size > 4 and not self.wide:
+            # `&` has 32 bits, so the bits of a number of five or six bytes are divided out.
+            first = bit.mask & -bit.mask
+            masked = f"(Math.floor({number} / {first}) % {bit.mask // first + 1} * {first})"
         end = "n" * self.wide
         tests = [
             " && ".join([f"{masked} >= {low}{end}"] * (low > 0) + [f"{masked} <= {high}{end}"] * (high < bit.mask))
