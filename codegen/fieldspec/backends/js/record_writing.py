@@ -61,8 +61,8 @@ def _write_list(member: Member, names: Names) -> list[str]:
         inner = names.records[field.record.record.name]
         ends = field.record.fields[-1] if field.record.size is None and not field.record.spans else None
         # Of two mistakes in an element, the number of its own elements is named, as by other codecs.
-        counted = [f"size{inner}(item);"] if ends is not None and ends.field.repeat is not None else []
-        body = [f"{inner}.check(item);", *counted, f"write{inner}(item, b, at);"]
+        size_checks = [f"size{inner}(item);"] if ends is not None and ends.field.repeat is not None else []
+        body = [f"{inner}.check(item);", *size_checks, f"write{inner}(item, b, at);"]
     else:
         body = slot_of(field, names).write("item", "at", 0)
     checks = []
