@@ -12,11 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.addresses import table_words
 from fieldspec.checks.finding import finding, hexadecimal, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Field, Message
+from fieldspec.model.sizes import RecordSizes
 from fieldspec.model.value import Kind, Value
 
 _CODE = "addresses_fit_messages"
@@ -38,13 +40,15 @@ def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
 
 
 def _addressed(device: Device, space: str, refused: str) -> Iterator[tuple[Fact, str, int, int]]:
-    """What a message can access of a space: facts with the addresses of their first and last elements."""
+    """What a message can access of a space: registers with the first addresses of their elements, whole tables."""
     for register in device.registers():
         if device.space_name(register.space) == space and register.access != refused:
             yield register, "at", register.address, register.address + (register.count - 1) * register.stride
+    sizes = RecordSizes(device)
     for table in device.tables.values():
         if device.space_name(table.space) == space and table.access != refused and not table.base_by:
-            yield table, "base", table.base, table.base + (table.count - 1) * table.stride
+            last = table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
+            yield table, "base", table.base, last
 
 
 def _contains(value: Value, first: int, last: int) -> bool:

@@ -100,6 +100,17 @@ class UnitAddresses:
     notes: tuple[str, ...]
     sources: tuple[Citation, ...]
 
+    def intervals(self, direction: str) -> tuple[tuple[int, int], ...]:
+        """The numbers in frames of one direction: those of devices, and in requests the broadcast address."""
+        known = self.ranges.intervals if self.ranges is not None else ()
+        if direction != "request" or self.broadcast is None:
+            return known
+        return (*known, (self.broadcast, self.broadcast))
+
+
+LARGEST_SET = 4096
+"""How many unit addresses a framer has in a set; of more it has the intervals."""
+
 
 @dataclass(frozen=True, slots=True)
 class Serial:

@@ -8,13 +8,10 @@ from fieldspec.layout.first_bytes import first_bytes
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.link import ExceptionResponse
+from fieldspec.model.link import LARGEST_SET, ExceptionResponse
 
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
-
-LARGEST_SET = 4096
-"""How many unit addresses a framer has in a set; of more it has the intervals."""
 
 OPEN = "{ length: 0, size: -1 }"
 """The extent of frames whose code does not determine their length."""
@@ -141,9 +138,7 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
     part, addresses = frame.role("unit_address"), link.link.unit_addresses
     if part is None or addresses is None or addresses.ranges is None:
         return "addresses: null"
-    intervals = [*addresses.ranges.intervals]
-    if direction == "request" and addresses.broadcast is not None:
-        intervals.append((addresses.broadcast, addresses.broadcast))
+    intervals = addresses.intervals(direction)
     if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
         return f"address: {_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
     numbers = [n for low, high in intervals for n in range(low, high + 1)]

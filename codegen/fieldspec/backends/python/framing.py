@@ -10,12 +10,10 @@ from fieldspec.layout.first_bytes import first_bytes
 from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.link import LARGEST_SET
 
 Carried = Sequence[tuple[str, int | None, RecordLayout]]
 Extent = tuple[int, int, int, int]
-
-LARGEST_SET = 4096
-"""How many unit addresses a framer has in a set; of more it has the intervals."""
 
 OPEN: Extent = (0, 0, -1, 0)
 """The extent of frames whose code does not determine their length."""
@@ -159,9 +157,7 @@ def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> lis
     unit_address, unit_addresses = frame.role("unit_address"), link.link.unit_addresses
     if unit_address is None or unit_addresses is None or unit_addresses.ranges is None:
         return ordered
-    intervals = [*unit_addresses.ranges.intervals]
-    if direction == "request" and unit_addresses.broadcast is not None:
-        intervals.append((unit_addresses.broadcast, unit_addresses.broadcast))
+    intervals = unit_addresses.intervals(direction)
     if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
         known = f"_Intervals({', '.join(map(str, intervals))})"
     else:

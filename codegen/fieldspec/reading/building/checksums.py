@@ -44,7 +44,7 @@ def preceded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
         return algorithm
     if kind.method != "crc" and len(prefix) % kind.unit_size:
         text = f"the prefix has {len(prefix)} bytes, but the algorithm takes {kind.unit_size} at a time"
-        entry.refuse("wrong_form", "prefix", text, "state whole numbers")
+        entry.refuse("wrong_form", "prefix", text, f"fill it up to a multiple of {kind.unit_size} bytes")
         return algorithm
     return algorithm_name(preceded(kind, prefix, order))
 
