@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import zlib
 
 import anycrc
 import crccheck.crc
@@ -53,7 +54,7 @@ def _name(text: str) -> str:
 
 def test_the_schema_has_each_name() -> None:
     words = schema()["$defs"]["algorithm"]["enum"]
-    assert sorted(words) == sorted({*ROWS, *OTHERS, *SUMS, "lrc"})
+    assert sorted(words) == sorted({*ROWS, *OTHERS, *SUMS, "lrc", "fletcher16", "fletcher32", "adler32"})
 
 
 @pytest.mark.parametrize(
@@ -82,6 +83,46 @@ def test_a_sum_is_that_of_its_definition(name: str, order: str, expected: int) -
     assert checksum(name, data, order) == reference_checksum(name, data, order) == expected
 
 
-@pytest.mark.parametrize("name", [*ROWS, *SUMS, "lrc", "sum24_of3_from_1_twos", "crc16_8005_1_fr_2"])
+@pytest.mark.parametrize(
+    ("name", "data", "expected"),
+    [
+        ("fletcher16", b"abcde", 0xC8F0),
+        ("fletcher16", b"abcdef", 0x2057),
+        ("fletcher16", b"abcdefgh", 0x0627),
+        ("fletcher32", b"abcde", 0xF04FC729),
+        ("fletcher32", b"abcdef", 0x56502D2A),
+        ("fletcher32", b"abcdefgh", 0xEBE19591),
+        ("fletcher16_of1_modulo_100_from_0", bytes.fromhex("0A040000"), 0x340E),
+    ],
+)
+def test_a_fletcher_checksum_is_that_of_public_examples(name: str, data: bytes, expected: int) -> None:
+    assert checksum(name, data, "little") == reference_checksum(name, data, "little") == expected
+
+
+@pytest.mark.parametrize("data", DATA)
+def test_adler32_is_that_of_zlib(data: bytes) -> None:
+    assert checksum("adler32", data) == reference_checksum("adler32", data) == zlib.adler32(data)
+
+
+@pytest.mark.parametrize("width", [16, 32, 48, 64])
+@pytest.mark.parametrize("order", ["big", "little"])
+def test_both_computations_of_a_fletcher_checksum_agree(width: int, order: str) -> None:
+    half = 1 << width // 2
+    for modulus, start in ((half, half | 1), (half - 1, 0), (251, 250 * half + 250)):
+        for unit_size in range(1, width // 16 + 1):
+            name = f"fletcher{width}_of{unit_size}_modulo_{modulus:x}_from_{start:x}"
+            for data in DATA:
+                assert checksum(name, data, order) == reference_checksum(name, data, order)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *ROWS,
+        *SUMS,
+        *("lrc", "sum24_of3_from_1_twos", "crc16_8005_1_fr_2"),
+        *("adler32", "fletcher16", "fletcher32", "fletcher48_of2_modulo_ffff_from_1"),
+    ],
+)
 def test_a_name_says_everything_about_its_algorithm(name: str) -> None:
     assert algorithm_name(checksum_named(name)) == name

@@ -8725,7 +8725,7 @@ function numbers.quotient(count, scale)
     return #digits > 0 and text .. "." .. table.concat(digits) or text
 end
 
--- Checksums: CRCs, sums and xors of up to 64 bits, as pairs of the upper and the lower 32 bits.
+-- Checksums: CRCs, sums, xors and Fletcher checksums of up to 64 bits, as pairs of the upper and the lower 32 bits.
 
 local checksums = {}
 
@@ -8786,14 +8786,35 @@ local function crc(kind, bytes)
     return numbers.bxor(high, kind.final[1]), numbers.bxor(low, kind.final[2])
 end
 
--- A sum or an xor over numbers of `unit_size` bytes; the last one is filled up with zeros behind its bytes.
-local function total(kind, bytes)
-    local high, low = kind.initial[1], kind.initial[2]
+-- The numbers of `unit_size` bytes; the last one is filled up with zeros behind its bytes.
+local function units(kind, bytes)
+    local result = {}
     bytes = bytes .. ("\0"):rep(-#bytes % kind.unit_size)
     for at = 1, #bytes, kind.unit_size do
         local unit = bytes:sub(at, at + kind.unit_size - 1)
         unit = ("\0"):rep(8 - #unit) .. (kind.order == "little" and unit:reverse() or unit)
-        local more_high, more_low = numbers.unsigned(unit:sub(1, 4)), numbers.unsigned(unit:sub(5))
+        result[#result + 1] = { numbers.unsigned(unit:sub(1, 4)), numbers.unsigned(unit:sub(5)) }
+    end
+    return result
+end
+
+-- Two sums modulo `modulus`: that of the numbers, which have no more than 32 bits, and that of all values of the first.
+local function fletcher(kind, bytes)
+    local upper, lower = kind.initial[1], kind.initial[2]
+    for _, unit in ipairs(units(kind, bytes)) do
+        lower = (lower + unit[2]) % kind.modulus
+        upper = (upper + lower) % kind.modulus
+    end
+    local half = 2 ^ (kind.width / 2)
+    local above = FULL / half
+    return math.floor(upper / above), upper % above * half + lower
+end
+
+-- A sum or an xor over numbers of `unit_size` bytes.
+local function total(kind, bytes)
+    local high, low = kind.initial[1], kind.initial[2]
+    for _, unit in ipairs(units(kind, bytes)) do
+        local more_high, more_low = unit[1], unit[2]
         if kind.method == "sum" then
             local sum = low + more_low
             high, low = (high + more_high + math.floor(sum / FULL)) % FULL, sum % FULL
@@ -8817,6 +8838,8 @@ function checksums.bytes(part, bytes)
     local high, low
     if kind.method == "crc" then
         high, low = crc(kind, bytes)
+    elseif kind.method == "fletcher" then
+        high, low = fletcher(kind, bytes)
     else
         high, low = total(kind, bytes)
     end

@@ -17,6 +17,13 @@ from js_output.javascript import package
 NAMES = [
     *(line.split()[0] for line in CRC_CATALOGUE.splitlines()),
     *("crc16_modbus", "lrc", "sum8", "sum16", "sum24_ones", "sum32_of2_twos", "xor8", "xor16", "xor32_from_ff_ones"),
+    *(
+        "adler32",
+        "fletcher16",
+        "fletcher32",
+        "fletcher16_of1_modulo_100_from_0",
+        "fletcher64_of3_modulo_ffffffff_from_1",
+    ),
 ]
 
 
@@ -32,7 +39,7 @@ def test_every_checksum_is_computed_as_the_layout_computes_it(tmp_path: Path) ->
     runtime = (package() / "runtime" / "checksums.js").as_uri()
     script = tmp_path / "checksums.mjs"
     lines = [
-        f"import {{ crc16, crcOf, lrc, sum8, totalOf }} from {json.dumps(runtime)};",
+        f"import {{ crc16, crcOf, fletcherOf, lrc, sum8, totalOf }} from {json.dumps(runtime)};",
         f"const samples = {json.dumps([sample.hex() for sample in samples])};",
         'const bytes = samples.map((hex) => new Uint8Array(Buffer.from(hex, "hex")));',
         f"const algorithms = [{' '.join(rows)}];",

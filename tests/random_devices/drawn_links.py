@@ -158,6 +158,8 @@ def _checksum(draft: Draft) -> Spec:
             if draft.chance(50):
                 parameters[key] = True
         part["checksum"] = parameters
+    elif draft.chance(40):
+        part["checksum"] = _fletcher(draft)
     else:
         method, width = draft.pick(("sum", "xor")), draft.pick((8, 16, 32))
         part["checksum"] = {"method": method, "width": width}
@@ -170,6 +172,20 @@ def _checksum(draft: Draft) -> Spec:
     elif _has_order(part) and draft.chance(40):
         part["byte_order"] = draft.pick(("big", "little"))
     return part
+
+
+def _fletcher(draft: Draft) -> Spec:
+    """The parameters of a Fletcher checksum."""
+    width = draft.pick((16, 32, 48, 64))
+    half = 1 << width // 2
+    parameters: Spec = {"method": "fletcher", "width": width}
+    if draft.chance(70):
+        parameters["modulus"] = draft.pick((half, half - 1, half - 15, 251))
+    if draft.chance(40):
+        parameters["initial"] = draft.pick((1, half | 1, 250 * half + 250))
+    if draft.chance(40):
+        parameters["unit_size"] = draft.pick(range(1, width // 16 + 1))
+    return parameters
 
 
 def _has_order(part: Spec) -> bool:

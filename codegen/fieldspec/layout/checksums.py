@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from fieldspec.model.checksums import Checksum, checksum_named
+from fieldspec.model.checksums import Checksum, checksum_named, combined
 
 
 def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
@@ -12,12 +12,7 @@ def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     kind = checksum_named(algorithm)
     if kind.method == "crc":
         return _crc(kind, data)
-    size = kind.unit_size
-    filled = data + bytes(-len(data) % size)
-    number = kind.initial
-    for at in range(0, len(filled), size):
-        unit = int.from_bytes(filled[at : at + size], "little" if order == "little" else "big")
-        number = number + unit if kind.method == "sum" else number ^ unit
+    number = combined(kind, data, order)
     if kind.complement:
         number = -number if kind.complement == "twos" else ~number
     return number & kind.mask

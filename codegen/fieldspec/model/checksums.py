@@ -12,11 +12,13 @@ MOST_BITS = 64
 
 @dataclass(frozen=True, slots=True)
 class Checksum:
-    """An algorithm. Its `method` is `crc`, `sum` or `xor`; `width` is the number of bits of its result.
+    """An algorithm. Its `method` is `crc`, `sum`, `xor` or `fletcher`; `width` is the number of bits of its result.
 
     The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
     last number that is not complete is filled up with zeros behind its bytes. `complement` is `ones`, `twos` or empty.
+    A Fletcher checksum has two sums modulo `modulus`: the lower half of its bits is the sum of the numbers, the upper
+    half the sum of all values that the lower one takes.
     """
 
     method: str
@@ -28,6 +30,7 @@ class Checksum:
     final_xor: int = 0
     complement: str = ""
     unit_size: int = 1
+    modulus: int = 0
 
     @property
     def size(self) -> int:
@@ -47,8 +50,16 @@ SIMPLE = {
 }
 """The algorithms that every output computes, and for which the codecs have shorter code."""
 
+FLETCHER = {
+    "adler32": Checksum("fletcher", 32, initial=1, modulus=65521),
+    "fletcher16": Checksum("fletcher", 16, modulus=0xFF),
+    "fletcher32": Checksum("fletcher", 32, unit_size=2, modulus=0xFFFF),
+}
+"""The Fletcher checksums that have public names: those of Fletcher's article, and the one of RFC 1950."""
+
 _DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)")
 _DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
+_DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)_modulo_([0-9a-f]+)_from_([0-9a-f]+)")
 
 
 @cache
@@ -73,8 +84,9 @@ def _catalogue() -> dict[str, Checksum]:
 @cache
 def checksum_named(name: str) -> Checksum:
     """The algorithm with a name: a word of the schema, or what `algorithm_name` returns. Raises KeyError."""
-    if name in SIMPLE:
-        return SIMPLE[name]
+    for algorithms in (SIMPLE, FLETCHER):
+        if name in algorithms:
+            return algorithms[name]
     derived = _DERIVED_CRC.fullmatch(name)
     if derived is not None:
         width, polynomial, initial, reflect_in, reflect_out, final_xor = derived.groups()
@@ -86,6 +98,11 @@ def checksum_named(name: str) -> Checksum:
         unit = int(unit_size) if unit_size else 1 if method == "sum" else int(width) // 8
         start = int(initial, 16) if initial else 0
         return Checksum(method, int(width), initial=start, complement=complement or "", unit_size=unit)
+    derived = _DERIVED_FLETCHER.fullmatch(name)
+    if derived is not None:
+        width, unit_size, modulus, initial = derived.groups()
+        start = int(initial, 16)
+        return Checksum("fletcher", int(width), initial=start, unit_size=int(unit_size), modulus=int(modulus, 16))
     return _catalogue()[name]
 
 
@@ -101,7 +118,7 @@ def catalogue_name(name: str) -> str:
 
 def algorithm_name(checksum: Checksum) -> str:
     """The name of an algorithm: the public one where it has one, else one that states its parameters."""
-    for algorithms in (SIMPLE, _catalogue()):
+    for algorithms in (SIMPLE, FLETCHER, _catalogue()):
         for name, algorithm in algorithms.items():
             if algorithm == checksum:
                 return name
@@ -109,6 +126,9 @@ def algorithm_name(checksum: Checksum) -> str:
         reflected = ("r" if checksum.reflect_in else "f") + ("r" if checksum.reflect_out else "f")
         numbers = f"{checksum.polynomial:x}_{checksum.initial:x}_{reflected}_{checksum.final_xor:x}"
         return f"crc{checksum.width}_{numbers}"
+    if checksum.method == "fletcher":
+        parameters = f"of{checksum.unit_size}_modulo_{checksum.modulus:x}_from_{checksum.initial:x}"
+        return f"fletcher{checksum.width}_{parameters}"
     usual = 1 if checksum.method == "sum" else checksum.width // 8
     unit = f"_of{checksum.unit_size}" if checksum.unit_size != usual else ""
     start = f"_from_{checksum.initial:x}" if checksum.initial else ""
@@ -119,7 +139,8 @@ def algorithm_name(checksum: Checksum) -> str:
 def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
     """The algorithm whose result is that of some bytes behind a prefix: its computation begins where the prefix ends.
 
-    `order` is that of the bytes which a sum or an xor takes as one number; the prefix has whole numbers.
+    `order` is that of the bytes which a sum, an xor or a Fletcher checksum takes as one number; the prefix has whole
+    numbers.
     """
     number = checksum.initial
     if checksum.method == "crc":
@@ -129,11 +150,27 @@ def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
                 feedback = number >> highest & 1 ^ byte >> bit & 1
                 number = (number << 1 & checksum.mask) ^ (checksum.polynomial if feedback else 0)
         return replace(checksum, initial=number)
-    size = checksum.unit_size
-    for at in range(0, len(prefix), size):
-        unit = int.from_bytes(prefix[at : at + size], "little" if order == "little" else "big")
+    return replace(checksum, initial=combined(checksum, prefix, order))
+
+
+def combined(checksum: Checksum, data: bytes, order: str) -> int:
+    """The numbers of some data as a sum, an xor or a Fletcher checksum combines them, before any complement."""
+    size, number = checksum.unit_size, checksum.initial
+    filled = data + bytes(-len(data) % size)
+    units = [
+        int.from_bytes(filled[at : at + size], "little" if order == "little" else "big")
+        for at in range(0, len(filled), size)
+    ]
+    if checksum.method == "fletcher":
+        half, modulus = checksum.width // 2, checksum.modulus
+        upper, lower = divmod(number, 1 << half)
+        for unit in units:
+            lower = (lower + unit) % modulus
+            upper = (upper + lower) % modulus
+        return upper << half | lower
+    for unit in units:
         number = number + unit if checksum.method == "sum" else number ^ unit
-    return replace(checksum, initial=number & checksum.mask)
+    return number & checksum.mask
 
 
 DIGITS = {"decimal": 10, "upper_hex": 16, "lower_hex": 16}

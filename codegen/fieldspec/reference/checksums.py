@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.model.checksums import DIGITS, Checksum, checksum_named
 
 
 def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     """The checksum of some bytes; `order` is that of the bytes of the numbers that are added."""
     kind = checksum_named(algorithm)
-    return _remainder(kind, data) if kind.method == "crc" else _total(kind, data, order)
+    methods = {"crc": _remainder, "fletcher": _two_sums}
+    return methods.get(kind.method, _total)(kind, data, order)
 
 
-def _remainder(kind: Checksum, data: bytes) -> int:
+def _remainder(kind: Checksum, data: bytes, _order: str) -> int:
     """The remainder of the division of the data by the polynomial."""
     top, register = 1 << kind.width - 1, kind.initial
     for byte in data:
@@ -23,11 +26,27 @@ def _remainder(kind: Checksum, data: bytes) -> int:
     return register ^ kind.final_xor
 
 
-def _total(kind: Checksum, data: bytes, order: str) -> int:
-    number = kind.initial
+def _terms(kind: Checksum, data: bytes, order: str) -> Iterator[int]:
     for at in range(0, len(data), kind.unit_size):
         unit = data[at : at + kind.unit_size].ljust(kind.unit_size, b"\0")
-        term = int.from_bytes(unit if order == "big" else unit[::-1], "big")
+        yield int.from_bytes(unit if order == "big" else unit[::-1], "big")
+
+
+def _two_sums(kind: Checksum, data: bytes, order: str) -> int:
+    """The sum of the terms, and in the upper half the sum of each term times its distance from the end."""
+    half = kind.width // 2
+    terms = list(_terms(kind, data, order))
+    upper, lower = kind.initial >> half, kind.initial & (1 << half) - 1
+    if terms:
+        upper += len(terms) * lower + sum(distance * term for distance, term in enumerate(reversed(terms), 1))
+        lower += sum(terms)
+        upper, lower = upper % kind.modulus, lower % kind.modulus
+    return upper << half | lower
+
+
+def _total(kind: Checksum, data: bytes, order: str) -> int:
+    number = kind.initial
+    for term in _terms(kind, data, order):
         number = (number + term if kind.method == "sum" else number ^ term) & kind.mask
     if kind.complement == "ones":
         return number ^ kind.mask

@@ -72,6 +72,8 @@ def _function(naming: Naming, name: str, part: PartLayout) -> Source:
     result = _bits(kind.width)
     if kind.method == "crc":
         form, words = _crc_words(kind, result)
+    elif kind.method == "fletcher":
+        form, words = "fletcher", _fletcher_words(kind, part.order)
     else:
         form, words = "total", _total_words(kind, part.order)
     return copy_runtime(naming, _FORMS, form, {**words, "ALGORITHM": name, "RESULT": f"uint{result}_t"})
@@ -118,14 +120,40 @@ def _crc_words(kind: Checksum, bits: int) -> tuple[str, dict[str, str]]:
     }
 
 
+def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
+    """The words in the form of a Fletcher checksum. A sum and a number that is added to it fit a register."""
+    half = kind.width // 2
+    bits = 64 if half > 16 else 32
+    result = _bits(kind.width)
+    size = kind.unit_size
+    taken = f"numbers of {size} bytes" if size > 1 else "all bytes"
+    modulo = f"& {_number(kind.modulus - 1, bits)}" if kind.modulus == 1 << half else f"% {kind.modulus}u"
+    step, complete = f"upper = (upper + lower) {modulo};", f"at % {size}u == {size - 1}u || at + 1u == size"
+    return {
+        "ABOUT": f"The Fletcher checksum of {taken}, {kind.width} bits, modulo {kind.modulus}.",
+        "REGISTER": f"uint{bits}_t",
+        "UPPER_START": _number(kind.initial >> half, bits),
+        "LOWER_START": _number(kind.initial & (1 << half) - 1, bits),
+        "TERM": _term(kind, order, f"uint{bits}_t"),
+        "MODULO": modulo,
+        "STEP": f"if ({complete}) {{\n            {step}\n        }}" if size > 1 else step,
+        "FINISH": f"return (uint{result}_t)(upper << {half} | lower);",
+    }
+
+
+def _term(kind: Checksum, order: str, register: str) -> str:
+    """What one byte adds to a sum: itself, or the part that it has of a number of several bytes."""
+    if kind.unit_size == 1:
+        return "in[at]"
+    place = f"at % {kind.unit_size}u"
+    shift = f"8u * ({place})" if order == "little" else f"8u * ({kind.unit_size - 1}u - {place})"
+    return f"(({register})in[at] << ({shift}))"
+
+
 def _total_words(kind: Checksum, order: str) -> dict[str, str]:
     """The words in the form of a sum or an xor."""
     bits = 64 if max(kind.width, 8 * kind.unit_size) > 32 else 32
-    register, term = f"uint{bits}_t", "in[at]"
-    if kind.unit_size > 1:
-        place = f"at % {kind.unit_size}u"
-        shift = f"8u * ({place})" if order == "little" else f"8u * ({kind.unit_size - 1}u - {place})"
-        term = f"(({register})in[at] << ({shift}))"
+    register = f"uint{bits}_t"
     number = {"": "number", "ones": "~number", "twos": "0u - number"}[kind.complement]
     taken = f"numbers of {kind.unit_size} bytes" if kind.unit_size > 1 else "all bytes"
     what = "sum" if kind.method == "sum" else "exclusive or"
@@ -135,7 +163,7 @@ def _total_words(kind: Checksum, order: str) -> dict[str, str]:
         "REGISTER": register,
         "START": _number(kind.initial, bits),
         "OPERATOR": "+" if kind.method == "sum" else "^",
-        "TERM": term,
+        "TERM": _term(kind, order, register),
         "FINISH": f"return (uint{_bits(kind.width)}_t)(({number}) & {_number(kind.mask, bits)});",
     }
 

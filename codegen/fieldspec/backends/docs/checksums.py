@@ -44,8 +44,10 @@ def _algorithm_text(algorithm: str) -> str:
         final = f", final xor {kind.final_xor:X}h" if kind.final_xor else ""
         start = f", start value {kind.initial:X}h{final}, of all bytes"
         return f"CRC-{kind.width} with polynomial {kind.polynomial:X}h{reflected}{start}"
-    complement = {"ones": "one's complement of the ", "twos": "two's complement of the ", "": ""}[kind.complement]
-    what = "sum" if kind.method == "sum" else "exclusive or"
     start = f", start value {kind.initial:X}h" if kind.initial else ""
     taken = "all bytes" if kind.unit_size == 1 else f"all numbers of {kind.unit_size} bytes"
+    if kind.method == "fletcher":
+        return f"Fletcher checksum of {kind.width} bits, modulo {kind.modulus}{start}, of {taken}"
+    complement = {"ones": "one's complement of the ", "twos": "two's complement of the ", "": ""}[kind.complement]
+    what = "sum" if kind.method == "sum" else "exclusive or"
     return f"low {kind.width} bits of the {complement}{what}{start}, of {taken}"

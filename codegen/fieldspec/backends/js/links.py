@@ -238,6 +238,15 @@ def checksum_function(algorithm: str, order: str) -> str:
             "finalXor": f"0x{kind.final_xor:X}n",
         }
         return f"{PURE} crcOf({object_of(parameters)})"
+    if kind.method == "fletcher":
+        parameters = {
+            "width": str(kind.width),
+            "initial": f"{kind.initial}n",
+            "modulus": f"{kind.modulus}n",
+            "unitSize": str(kind.unit_size),
+            "order": literal(order),
+        }
+        return f"{PURE} fletcherOf({object_of(parameters)})"
     parameters = {
         "method": literal(kind.method),
         "width": str(kind.width),

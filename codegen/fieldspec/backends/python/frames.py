@@ -148,8 +148,10 @@ def _function(check: PartLayout) -> str:
     if kind.method == "crc":
         numbers = f"{kind.width}, {kind.polynomial:#x}, {kind.initial:#x}"
         return f"_Crc({numbers}, {kind.reflect_in}, {kind.reflect_out}, {kind.final_xor:#x})"
-    name = "_Sum" if kind.method == "sum" else "_Xor"
     order = literal("little" if check.order == "little" else "big")
+    if kind.method == "fletcher":
+        return f"_Fletcher({kind.width}, {kind.initial:#x}, {kind.modulus}, {kind.unit_size}, {order})"
+    name = "_Sum" if kind.method == "sum" else "_Xor"
     return f"{name}({kind.width}, {kind.initial:#x}, {literal(kind.complement)}, {kind.unit_size}, {order})"
 
 

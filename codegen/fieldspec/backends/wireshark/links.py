@@ -153,6 +153,15 @@ def checksum_data(algorithm: str, order: str) -> dict[str, Data]:
             "reflect_in": kind.reflect_in,
             "reflect_out": kind.reflect_out,
         }
+    if kind.method == "fletcher":
+        half = kind.width // 2
+        return {
+            **data,
+            "initial": [kind.initial >> half, kind.initial & (1 << half) - 1],
+            "modulus": kind.modulus,
+            "unit_size": kind.unit_size,
+            "order": order,
+        }
     return {
         **data,
         "initial": _pair(kind.initial),

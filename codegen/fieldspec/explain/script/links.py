@@ -134,7 +134,7 @@ def _algorithm(part: PartLayout) -> dict[str, Data]:
         "method": kind.method,
         "width": kind.width,
         "initial": str(kind.initial),
-        "complement": kind.complement,
+        **({"modulus": str(kind.modulus)} if kind.modulus else {"complement": kind.complement}),
         "unitSize": kind.unit_size,
         "order": part.order,
     }

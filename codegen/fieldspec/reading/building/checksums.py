@@ -5,8 +5,13 @@ from __future__ import annotations
 from fieldspec.model.checksums import Checksum, algorithm_name, catalogue_name, checksum_named, preceded
 from fieldspec.reading.building.context import Entry
 
-_CRC_KEYS = ("polynomial", "reflect_in", "reflect_out", "final_xor")
-_SUM_KEYS = ("complement", "unit_size")
+_OWNERS = {
+    **dict.fromkeys(("polynomial", "reflect_in", "reflect_out", "final_xor"), (("crc",), "a CRC")),
+    "complement": (("sum", "xor"), "a sum or an xor"),
+    "unit_size": (("sum", "xor", "fletcher"), "a sum, an xor or a Fletcher checksum"),
+    "modulus": (("fletcher",), "a Fletcher checksum"),
+}
+"""The methods that have a parameter, and what these are called."""
 
 
 def algorithm_of(entry: Entry) -> str:
@@ -18,16 +23,18 @@ def algorithm_of(entry: Entry) -> str:
     if name:
         entry.refuse("wrong_form", "checksum", "`algorithm` states the checksum already", "remove one of the two")
     method, width = parameters.text("method") or "crc", parameters.integer("width") or 8
-    foreign, others = (_SUM_KEYS, "a sum or an xor") if method == "crc" else (_CRC_KEYS, "a CRC")
     for key in parameters.own:
-        if key in foreign:
+        methods, owners = _OWNERS.get(key, ((method,), ""))
+        if method not in methods:
             text = f"`{key}` has no effect on the method {method}"
-            parameters.refuse("wrong_form", key, text, f"remove it: only {others} has it")
+            parameters.refuse("wrong_form", key, text, f"remove it: only {owners} has it")
     if method == "crc" and parameters.integer("polynomial") is None:
         parameters.refuse("wrong_form", "width", "a CRC has a polynomial", "add `polynomial`")
-    if method != "crc" and width % 8:
+    if method in ("sum", "xor") and width % 8:
         parameters.refuse("wrong_form", "width", f"the width of the method {method} is not whole bytes", "correct it")
         width = 8
+    if method == "fletcher":
+        width = _fletcher_width(parameters, width)
     for key in ("polynomial", "initial", "final_xor"):
         if (parameters.integer(key) or 0) >> width:
             text = f"`{key}` has more than {width} bits"
@@ -49,12 +56,40 @@ def preceded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
     return algorithm_name(preceded(kind, prefix, order))
 
 
+def _fletcher_width(parameters: Entry, width: int) -> int:
+    """The width of a Fletcher checksum, whose sums have half of it each and are less than its modulus."""
+    if width % 16:
+        text = f"the width of the method fletcher is {width} bits, but it has two sums of whole bytes"
+        parameters.refuse("wrong_form", "width", text, "state 16, 32, 48 or 64: the bits of both sums")
+        return 16
+    half = width // 2
+    if 8 * (parameters.integer("unit_size") or 1) > half:
+        text = f"a number of {parameters.integer('unit_size')} bytes has more than the {half} bits of a sum"
+        parameters.refuse("wrong_form", "unit_size", text, "correct it or the width, which has the bits of both sums")
+    modulus, initial = parameters.integer("modulus"), parameters.integer("initial") or 0
+    if modulus is not None and modulus > 1 << half:
+        text = f"`modulus` is {modulus}, but a sum of {half} bits is less than {1 << half}"
+        parameters.refuse("wrong_form", "modulus", text, "correct it or the width, which has the bits of both sums")
+    elif max(divmod(initial, 1 << half)) >= (modulus or (1 << half) - 1):
+        text = f"a sum begins with a number that is not less than the modulus {modulus or (1 << half) - 1}"
+        parameters.refuse("wrong_form", "initial", text, f"correct it: each {half} bits of it are one sum's")
+    return width
+
+
 def _checksum(parameters: Entry, method: str, width: int) -> Checksum:
     most = (1 << width) - 1
     initial = (parameters.integer("initial") or 0) & most
     if method != "crc":
-        unit_size = parameters.integer("unit_size") or (1 if method == "sum" else width // 8)
-        return Checksum(method, width, initial=initial, complement=parameters.text("complement"), unit_size=unit_size)
+        usual_size = {"sum": 1, "xor": width // 8, "fletcher": width // 16}[method]
+        modulus = (parameters.integer("modulus") or (1 << width // 2) - 1) if method == "fletcher" else 0
+        return Checksum(
+            method,
+            width,
+            initial=initial,
+            complement=parameters.text("complement") if method != "fletcher" else "",
+            unit_size=parameters.integer("unit_size") or usual_size,
+            modulus=modulus,
+        )
     return Checksum(
         method,
         width,

@@ -1,4 +1,4 @@
-import { checksumBytes, crcOf, totalOf } from "../checksums.js";
+import { checksumBytes, crcOf, fletcherOf, totalOf } from "../checksums.js";
 import { canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
@@ -53,7 +53,9 @@ function functionOf(algorithm) {
     const initial = BigInt(algorithm.initial);
     const compute = algorithm.method === "crc"
       ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
-      : totalOf({ ...algorithm, initial });
+      : algorithm.method === "fletcher"
+        ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
+        : totalOf({ ...algorithm, initial });
     FUNCTIONS.set(algorithm, compute);
   }
   return FUNCTIONS.get(algorithm);

@@ -47,6 +47,21 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
     FINISH
 }
 
+/* ---- fletcher ---- */
+
+/** ABOUT */
+static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
+{
+    REGISTER lower = LOWER_START;
+    REGISTER upper = UPPER_START;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        lower = (lower + TERM) MODULO;
+        STEP
+    }
+    FINISH
+}
+
 /* ---- reverse ---- */
 
 /** The lowest bits of a number in the opposite order. */

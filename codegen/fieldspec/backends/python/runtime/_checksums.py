@@ -81,13 +81,8 @@ class Sum:
             number = ~number if self.complement == "ones" else -number
         return number & self.mask
 
-    def _numbers(self, data: Data) -> list[int]:
-        unit, order = self.unit, self.order
-        filled = bytes(data) + bytes(-len(data) % unit)
-        return [int.from_bytes(filled[at : at + unit], order) for at in range(0, len(filled), unit)]
-
     def _total(self, data: Data) -> int:
-        return self.initial + (sum(data) if self.unit == 1 else sum(self._numbers(data)))
+        return self.initial + (sum(data) if self.unit == 1 else sum(_numbers(data, self.unit, self.order)))
 
 
 class Xor(Sum):
@@ -97,6 +92,33 @@ class Xor(Sum):
 
     def _total(self, data: Data) -> int:
         total = self.initial
-        for number in data if self.unit == 1 else self._numbers(data):
+        for number in data if self.unit == 1 else _numbers(data, self.unit, self.order):
             total ^= number
         return total
+
+
+class Fletcher:
+    """A Fletcher checksum of numbers of `unit` bytes; zeros are behind the last one where its bytes are missing.
+
+    It has two sums modulo `modulus`: that of the numbers and, in the upper half of the bits, that of all values of the
+    first one.
+    """
+
+    __slots__ = ("half", "initial", "modulus", "order", "unit")
+
+    def __init__(self, width: int, initial: int, modulus: int, unit: int, order: Literal["big", "little"]) -> None:
+        self.half, self.initial, self.modulus, self.unit = width // 2, initial, modulus, unit
+        self.order: Literal["big", "little"] = order
+
+    def __call__(self, data: Data) -> int:
+        """The Fletcher checksum of some bytes."""
+        upper, lower = divmod(self.initial, 1 << self.half)
+        for number in data if self.unit == 1 else _numbers(data, self.unit, self.order):
+            lower += number
+            upper += lower
+        return upper % self.modulus << self.half | lower % self.modulus
+
+
+def _numbers(data: Data, unit: int, order: Literal["big", "little"]) -> list[int]:
+    filled = bytes(data) + bytes(-len(data) % unit)
+    return [int.from_bytes(filled[at : at + unit], order) for at in range(0, len(filled), unit)]

@@ -59,6 +59,16 @@ export function crcOf({ width, polynomial, initial, reflectIn, reflectOut, final
   };
 }
 
+/** The `unitSize` bytes from `at` on as one number; zeros follow where bytes before `stop` are missing. */
+function unitAt(bytes, at, stop, unitSize, order) {
+  let unit = 0n;
+  for (let place = 0; place < unitSize; place++) {
+    const offset = at + (order === "little" ? unitSize - 1 - place : place);
+    unit = (unit << 8n) | (offset < stop ? BigInt(bytes[offset]) : 0n);
+  }
+  return unit;
+}
+
 /**
  * A function that adds, or combines by exclusive or, the bytes from `start` to `stop`, `unitSize` of them at a time as
  * one number in the byte order `order`; zeros follow where the last are missing. Its numbers are bigints.
@@ -68,16 +78,27 @@ export function totalOf({ method, width, initial, complement, unitSize, order })
   return (bytes, start, stop) => {
     let total = initial;
     for (let at = start; at < stop; at += unitSize) {
-      let unit = 0n;
-      for (let place = 0; place < unitSize; place++) {
-        const offset = at + (order === "little" ? unitSize - 1 - place : place);
-        unit = (unit << 8n) | (offset < stop ? BigInt(bytes[offset]) : 0n);
-      }
-      total = combine(total, unit);
+      total = combine(total, unitAt(bytes, at, stop, unitSize, order));
     }
     if (complement === "twos") total = -total;
     if (complement === "ones") total = ~total;
     return BigInt.asUintN(width, total);
+  };
+}
+
+/**
+ * A function that computes a Fletcher checksum of the bytes from `start` to `stop`: two sums modulo `modulus`, that of
+ * the numbers and, in the upper half of the bits, that of all values of the first one. Its numbers are bigints.
+ */
+export function fletcherOf({ width, initial, modulus, unitSize, order }) {
+  const half = BigInt(width / 2);
+  return (bytes, start, stop) => {
+    let [upper, lower] = [initial >> half, BigInt.asUintN(width / 2, initial)];
+    for (let at = start; at < stop; at += unitSize) {
+      lower = (lower + unitAt(bytes, at, stop, unitSize, order)) % modulus;
+      upper = (upper + lower) % modulus;
+    }
+    return (upper << half) | lower;
   };
 }
 
