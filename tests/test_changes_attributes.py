@@ -90,6 +90,7 @@ IGNORED = {
     "Device.accepts": "it judges changes, and is none",
     "Device.stated_changes": "it gives changes their reasons, and is none",
     "Part.prefix": "the algorithm that begins behind it is compared",
+    "Part.suffix": "the algorithm that ends behind it is compared",
     "Part.stated_algorithm": "the algorithm is compared, which begins behind the prefix",
     **{
         f"StatedChange.{name}": "it gives changes their reasons, and is none"

@@ -107,6 +107,14 @@ function fletcherOf({ width, initial, modulus, unitSize, order }) {
   };
 }
 
+/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes behind them. */
+function followedBy(algorithm, suffix) {
+  return (bytes, start, stop) => {
+    const data = [...bytes.subarray(start, stop), ...suffix];
+    return algorithm(data, 0, data.length);
+  };
+}
+
 /** The bytes of a checksum in a frame: those of its number, or its digits. */
 function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   let number = algorithm(bytes, first, last);
@@ -1657,7 +1665,7 @@ function functionOf(algorithm) {
       : algorithm.method === "fletcher"
         ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
         : totalOf({ ...algorithm, initial });
-    FUNCTIONS.set(algorithm, compute);
+    FUNCTIONS.set(algorithm, algorithm.suffix ? followedBy(compute, bytesOfHex(algorithm.suffix)) : compute);
   }
   return FUNCTIONS.get(algorithm);
 }
@@ -2609,13 +2617,13 @@ class ExplainedFrame {
 
   /** The bytes whose length or checksum a part has: those that are sent, or those before they are escaped. */
   measuredBytes(part) {
-    return this.shape.escape && !part.escaped ? this.sentData : this.data;
+    return this.shape.escape && !part.beforeEscape ? this.sentData : this.data;
   }
 
   /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
-    const ofSent = (part) => !this.shape.escape || !part.escaped;
+    const ofSent = (part) => !this.shape.escape || !part.beforeEscape;
     const [length] = this.shape.lengths.filter(ofSent);
     const checks = this.shape.checks.filter(ofSent);
     if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
@@ -3791,7 +3799,7 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   const sent = () => sentBytes(shape, original());
   // What is escaped comes first: how many bytes are sent depends on all of its bytes.
   for (const bytes of [original, sent]) {
-    const isOwn = (part) => (shape.escape && !part.escaped ? sent : original) === bytes;
+    const isOwn = (part) => (shape.escape && !part.beforeEscape ? sent : original) === bytes;
     for (const length of shape.lengths.filter(isOwn)) {
       const total = bytes().length;
       const units = lengthNumber(length, total);

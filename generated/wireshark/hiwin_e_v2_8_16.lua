@@ -10060,6 +10060,9 @@ end
 -- The bytes of a checksum part over some bytes, as they are sent.
 function checksums.bytes(part, bytes)
     local kind = part.algorithm
+    if kind.suffix then
+        bytes = bytes .. string.char((table.unpack or unpack)(kind.suffix))
+    end
     local high, low
     if kind.method == "crc" then
         high, low = crc(kind, bytes)

@@ -146,6 +146,8 @@ def _checksum(draft: Draft) -> Spec:
     part = _part(draft, "checksum")
     if draft.chance(15):
         part["prefix"] = draft.pick(("34 12", "00", "A5 5A 01 FF"))
+    if draft.chance(10):
+        part["suffix"] = draft.pick(("03", "12 34", "00 FF 80"))
     if draft.chance(80):
         part["algorithm"] = draft.pick(USUAL_CHECKSUMS if draft.chance(60) else ALGORITHMS)
     elif draft.chance(60):

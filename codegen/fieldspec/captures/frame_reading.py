@@ -144,7 +144,7 @@ class FrameReader:
         if part.role == "checksum":
             rows = np.flatnonzero(verdict == OK)
             if len(rows):
-                sent = frames.sent if not part.escaped else Spans(frames.buffer, at, length)
+                sent = frames.sent if not part.before_escape else Spans(frames.buffer, at, length)
                 right = are_right(part, sent.buffer, sent.at[rows], sent.length[rows])
                 verdict[rows[~right]] = WRONG_CHECK
             return
@@ -152,7 +152,7 @@ class FrameReader:
             return
         number = part_numbers(part, frames.buffer, place)
         if part.role == "length":
-            measured = length if part.escaped else frames.sent.length
+            measured = length if part.before_escape else frames.sent.length
             blame(verdict, number * part.unit_size + part.base != measured, WRONG_LENGTH)
         elif part.role == "code":
             self._code(frames, number, asked, judges_body)

@@ -121,6 +121,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
         for part in parts:
             if part.role in ("length", "checksum"):
                 yield from _of_span(link, direction, part)
+        yield from _before_escape(link, direction)
         yield from _computable(link, direction)
     roles_in_order = [part.role for part in parts]
     for part in parts[roles_in_order.index("body") :] if "body" in roles_in_order else ():
@@ -202,18 +203,33 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
         yield finding(_CODE, part.place, "covers", text, help, label(other.place, "covers", other.name))
 
 
-def _of_sent_length(link: Link, direction: str) -> Iterator[Diagnostic]:
-    """Whether no escaped checksum covers a length that counts what is sent, as each would depend on the other."""
-    parts, escaped = link.parts(direction), link.escaped_span(direction) or (0, -1)
-    lengths = [at for at, part in enumerate(parts) if part.role == "length" and not escaped[0] <= at <= escaped[1]]
+def _of_sent_bytes(link: Link, direction: str) -> Iterator[Diagnostic]:
+    """Whether no checksum of original bytes covers a part of those that are sent, as each would depend on the other."""
+    parts, (start, stop) = link.parts(direction), link.escaped_span(direction) or (0, -1)
+    of_original = [start <= at <= stop or part.span.before_escape for at, part in enumerate(parts)]
+    of_sent = [at for at, part in enumerate(parts) if part.role in ("length", "checksum") and not of_original[at]]
     for at, part in enumerate(parts):
         first, last = link.span(direction, part) or (0, -1)
-        length = next((at for at in lengths if first <= at <= last), None)
-        if part.role == "checksum" and escaped[0] <= at <= escaped[1] and length is not None:
-            text = f"{part.name} is escaped and covers {parts[length].name}, which counts what is sent"
-            there = label(parts[length].place, "name", "the length")
-            help = "begin behind the length under `covers`, or escape both parts or neither of them"
+        covered = next((parts[at] for at in of_sent if first <= at <= last), None)
+        if part.role == "checksum" and of_original[at] and covered is not None:
+            is_length = covered.role == "length"
+            text = f"{part.name} covers the bytes before they are escaped, but {covered.name} "
+            text += "counts what is sent" if is_length else "covers what is sent"
+            there = label(covered.place, "name", f"the {covered.role}")
+            help = f"leave the {covered.role} out under `covers`, or escape both parts or neither of them"
             yield finding(_CODE, part.place, "name", text, help, there)
+
+
+def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
+    """Whether `before_escape` changes anything: where bytes are escaped, for a part that is not escaped itself."""
+    start, stop = link.escaped_span(direction) or (0, -1)
+    for at, part in enumerate(link.parts(direction)):
+        if part.span.before_escape and (link.escape is None or link.is_can or start <= at <= stop):
+            key = "counts" if part.role == "length" else "covers"
+            text = f"`before_escape` has no effect: {part.name} is escaped itself, so that it is of the original bytes"
+            if link.escape is None or link.is_can:
+                text = f"`before_escape` has no effect: the link {link.name} escapes no bytes"
+            yield finding(_CODE, part.place, key, text, "remove `before_escape`")
 
 
 def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
@@ -256,7 +272,7 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
         if not any(part.role == "body" for part in parts[first : last + 1]):
             text = f"the body of {_frame(link, direction)} is not escaped"
             yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
-        yield from _of_sent_length(link, direction)
+        yield from _of_sent_bytes(link, direction)
         yield from _of_mark(link, direction)
     whole = not escape.first and not escape.last
     for end in dict.fromkeys((link.end, link.response_end)):

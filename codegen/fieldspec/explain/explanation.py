@@ -183,12 +183,12 @@ class _Frame:
 
     def _measured(self, part: PartLayout) -> bytes:
         """The bytes whose length or checksum a part has: those that are sent, or those before they are escaped."""
-        return self.sent_data if self.shape.escape is not None and not part.escaped else self.data
+        return self.sent_data if self.shape.escape is not None and not part.before_escape else self.data
 
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
         """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
         lengths, checks = (
-            tuple(part for part in parts if self.shape.escape is None or not part.escaped)
+            tuple(part for part in parts if self.shape.escape is None or not part.before_escape)
             for parts in (self.shape.lengths, self.shape.checksums)
         )
         length = next(iter(lengths), None)

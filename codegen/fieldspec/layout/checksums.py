@@ -10,6 +10,7 @@ from fieldspec.model.checksums import Checksum, checksum_named, combined
 def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     """The checksum of some bytes. `order` is that of the bytes which a sum or an xor takes as one number."""
     kind = checksum_named(algorithm)
+    data += kind.suffix
     if kind.method == "crc":
         return _crc(kind, data)
     number = combined(kind, data, order)

@@ -104,7 +104,9 @@ class FrameLayout:
     @property
     def checksums(self) -> tuple[PartLayout, ...]:
         """All checksums in the order in which they are computed: each after those that it covers."""
-        waiting = sorted((part for part in self.parts if part.role == "checksum"), key=lambda part: not part.escaped)
+        waiting = sorted(
+            (part for part in self.parts if part.role == "checksum"), key=lambda part: not part.before_escape
+        )
         computed: list[PartLayout] = []
         while waiting:
             ready = next((part for part in waiting if not any(_covers(part, other) for other in waiting)), waiting[0])
@@ -297,6 +299,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
     for number, part in enumerate(parts):
         first, last = link.span(direction, part) or (0, len(parts) - 1)
         stop = stop_of(last)
+        is_escaped = escaped is not None and escaped[0] <= number <= escaped[1]
         value = part.value
         order = (part.byte_order or "little") if part.algorithm else orders.of(value)[0]
         fill = (value.const or 0 if part.reserved else value.const) if value and part.role == "plain" else None
@@ -317,7 +320,8 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 constant=fill,
                 reserved=part.reserved,
                 digits=part.digits,
-                escaped=escaped is not None and escaped[0] <= number <= escaped[1],
+                escaped=is_escaped,
+                before_escape=is_escaped or (escaped is not None and part.span.before_escape),
             )
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])

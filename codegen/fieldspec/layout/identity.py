@@ -126,6 +126,8 @@ def _span(part: PartLayout) -> Iterator[Words]:
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
     if part.digits:
         yield "digits", part.digits
+    if part.before_escape and not part.escaped:
+        yield ("before escape",)
     if part.part.same_as:
         yield "repeats", part.part.same_as
 

@@ -17,7 +17,8 @@ class PartLayout:
 
     A checksum covers the bytes of the parts from `start` to `stop`, which are the bounds of a slice; negative ones
     count from the end, and None is the end. A length of n means that all parts together have `unit_size` * n + `base`
-    bytes. `constant` is the value that is always sent. In a `reserved` part, anything may be received.
+    bytes. `constant` is the value that is always sent. In a `reserved` part, anything may be received. A length or a
+    checksum with `before_escape` is that of the original bytes, as it is for each one that is `escaped` itself.
     """
 
     part: Part
@@ -36,6 +37,7 @@ class PartLayout:
     reserved: bool = False
     digits: str = ""
     escaped: bool = False
+    before_escape: bool = False
 
     @property
     def is_argument(self) -> bool:

@@ -18,7 +18,7 @@ class Checksum:
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
     last number that is not complete is filled up with zeros behind its bytes. `complement` is `ones`, `twos` or empty.
     A Fletcher checksum has two sums modulo `modulus`: the lower half of its bits is the sum of the numbers, the upper
-    half the sum of all values that the lower one takes.
+    half the sum of all values that the lower one takes. The bytes of `suffix` come behind those that it covers.
     """
 
     method: str
@@ -31,6 +31,7 @@ class Checksum:
     complement: str = ""
     unit_size: int = 1
     modulus: int = 0
+    suffix: bytes = b""
 
     @property
     def size(self) -> int:
@@ -59,6 +60,7 @@ FLETCHER = {
 
 _DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)")
 _DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
+_SUFFIX = re.compile(r"(\w+)_then_((?:[0-9a-f]{2})+)")
 _DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)_modulo_([0-9a-f]+)_from_([0-9a-f]+)")
 
 
@@ -84,6 +86,9 @@ def _catalogue() -> dict[str, Checksum]:
 @cache
 def checksum_named(name: str) -> Checksum:
     """The algorithm with a name: a word of the schema, or what `algorithm_name` returns. Raises KeyError."""
+    followed = _SUFFIX.fullmatch(name)
+    if followed is not None:
+        return replace(checksum_named(followed[1]), suffix=bytes.fromhex(followed[2]))
     for algorithms in (SIMPLE, FLETCHER):
         if name in algorithms:
             return algorithms[name]
@@ -118,6 +123,8 @@ def catalogue_name(name: str) -> str:
 
 def algorithm_name(checksum: Checksum) -> str:
     """The name of an algorithm: the public one where it has one, else one that states its parameters."""
+    if checksum.suffix:
+        return f"{algorithm_name(replace(checksum, suffix=b''))}_then_{checksum.suffix.hex()}"
     for algorithms in (SIMPLE, FLETCHER, _catalogue()):
         for name, algorithm in algorithms.items():
             if algorithm == checksum:

@@ -14,10 +14,14 @@ from fieldspec.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class PartSpan:
-    """Neighbouring parts of a frame, by the names of the first and the last one; an empty name is not printed."""
+    """Neighbouring parts of a frame, by the names of the first and the last one; an empty name is not printed.
+
+    With `before_escape`, a length or a checksum is that of their original bytes, although it is not escaped itself.
+    """
 
     first: str
     last: str
+    before_escape: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,7 +33,8 @@ class Part(Fact):
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
     response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier. The
-    computation of `algorithm` begins behind the `prefix`; `stated_algorithm` is the one that the spec states.
+    computation of `algorithm` begins behind the `prefix` and ends behind the `suffix`; `stated_algorithm` is the one
+    that the spec states.
     """
 
     role: str
@@ -44,6 +49,7 @@ class Part(Fact):
     same_as: str = ""
     bits: tuple[int, int] | None = None
     prefix: bytes = b""
+    suffix: bytes = b""
     stated_algorithm: str = ""
 
 

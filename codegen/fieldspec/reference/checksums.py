@@ -11,7 +11,7 @@ def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     """The checksum of some bytes; `order` is that of the bytes of the numbers that are added."""
     kind = checksum_named(algorithm)
     methods = {"crc": _remainder, "fletcher": _two_sums}
-    return methods.get(kind.method, _total)(kind, data, order)
+    return methods.get(kind.method, _total)(kind, data + kind.suffix, order)
 
 
 def _remainder(kind: Checksum, data: bytes, _order: str) -> int:

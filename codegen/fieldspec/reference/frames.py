@@ -124,7 +124,7 @@ class FrameCodec:
             for part in shape.parts
             if not part.escaped
         }
-        early = (part for part in shape.lengths if part in shape.digits and not part.escaped)
+        early = (part for part in shape.lengths if part in shape.digits and not part.before_escape)
         self._check_digits(early, sent, data)
         self._check_lengths(shape, sent, data, False)
         self._check_sum(shape, sent, data, False)
@@ -359,7 +359,7 @@ def _part_construct(part: PartLayout) -> construct.Construct:
 
 def _is_sent(shape: FrameLayout, part: PartLayout) -> bool:
     """Whether a length or a checksum is that of the bytes which are sent, not of those before they are escaped."""
-    return shape.escape is not None and not part.escaped
+    return shape.escape is not None and not part.before_escape
 
 
 def _checksum(part: PartLayout, data: bytes) -> int | bytes:

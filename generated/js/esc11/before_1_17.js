@@ -2257,12 +2257,12 @@ const framesOfSerial = /* @__PURE__ */ frames({
   hex: false,
   request: {
     header: [
-      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "command", role: "code", key: null, offset: 2, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
+      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "command", role: "code", key: null, offset: 2, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
     ],
     trailer: [
-      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
+      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, beforeEscape: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
     ],
     start: [],
     end: [],
@@ -2273,12 +2273,12 @@ const framesOfSerial = /* @__PURE__ */ frames({
   },
   response: {
     header: [
-      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "status", role: "plain", key: "status", offset: 2, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
+      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "status", role: "plain", key: "status", offset: 2, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
     ],
     trailer: [
-      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
+      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, beforeEscape: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
     ],
     start: [],
     end: [],

@@ -2362,10 +2362,10 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
   hex: false,
   request: {
     header: [
-      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: [[1, 255]] },
-      { name: "request_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: 0, ranges: null },
-      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: 1, ranges: null },
+      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: [[1, 255]] },
+      { name: "request_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: 0, ranges: null },
+      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: 1, ranges: null },
     ],
     trailer: [
     ],
@@ -2378,10 +2378,10 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
   },
   response: {
     header: [
-      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: [[1, 255]] },
-      { name: "response_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: 0, ranges: null },
-      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: 1, ranges: null },
+      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: [[1, 255]] },
+      { name: "response_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: 0, ranges: null },
+      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: 1, ranges: null },
     ],
     trailer: [
     ],

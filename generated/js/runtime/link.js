@@ -136,7 +136,7 @@ function place(offset, size) {
 
 /** Whether a length or a checksum is that of the bytes which are sent, not of those before they were escaped. */
 function isOfSent(shape, part) {
-  return shape.escape !== null && !part.escaped;
+  return shape.escape !== null && !part.beforeEscape;
 }
 
 /** The parts before they were escaped. Throws CodecError for what is wrong around them, and for a wrong escape. */

@@ -547,11 +547,11 @@ const framesOfRtu = /* @__PURE__ */ frames({
   hex: false,
   request: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
     ],
     trailer: [
-      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
+      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, beforeEscape: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
     ],
     start: [],
     end: [],
@@ -562,11 +562,11 @@ const framesOfRtu = /* @__PURE__ */ frames({
   },
   response: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
     ],
     trailer: [
-      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
+      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, beforeEscape: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
     ],
     start: [],
     end: [],
@@ -589,11 +589,11 @@ const framesOfAscii = /* @__PURE__ */ frames({
   hex: true,
   request: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
     ],
     trailer: [
-      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
+      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, beforeEscape: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
     ],
     start: [58],
     end: [13, 10],
@@ -604,11 +604,11 @@ const framesOfAscii = /* @__PURE__ */ frames({
   },
   response: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, constant: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, beforeEscape: false, constant: null, ranges: null },
     ],
     trailer: [
-      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
+      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, beforeEscape: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
     ],
     start: [58],
     end: [13, 10],

@@ -119,6 +119,19 @@ class Fletcher:
         return upper % self.modulus << self.half | lower % self.modulus
 
 
+class Followed:
+    """A checksum of some bytes and of more bytes behind them."""
+
+    __slots__ = ("function", "suffix")
+
+    def __init__(self, function: Crc | Fletcher | Sum, suffix: bytes) -> None:
+        self.function, self.suffix = function, suffix
+
+    def __call__(self, data: Data) -> int:
+        """The checksum of some bytes and of the suffix."""
+        return self.function(bytes(data) + self.suffix)
+
+
 def _numbers(data: Data, unit: int, order: Literal["big", "little"]) -> list[int]:
     filled = bytes(data) + bytes(-len(data) % unit)
     return [int.from_bytes(filled[at : at + unit], order) for at in range(0, len(filled), unit)]

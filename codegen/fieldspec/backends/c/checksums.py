@@ -28,6 +28,7 @@ from fieldspec.model.checksums import DIGITS, SIMPLE, Checksum, checksum_named
 
 _FORMS = "checksum_forms.h"
 _SIZES = (1, 2, 4, 8)
+_BYTE_OR_SUFFIX = "(at < size ? in[at] : suffix[at - size])"
 
 
 def checksum_parts(layout: DeviceLayout) -> list[PartLayout]:
@@ -76,7 +77,17 @@ def _function(naming: Naming, name: str, part: PartLayout) -> Source:
         form, words = "fletcher", _fletcher_words(kind, part.order)
     else:
         form, words = "total", _total_words(kind, part.order)
-    return copy_runtime(naming, _FORMS, form, {**words, "ALGORITHM": name, "RESULT": f"uint{result}_t"})
+    words |= {"ALGORITHM": name, "RESULT": f"uint{result}_t", **_suffix_words(kind)}
+    return copy_runtime(naming, _FORMS, form, words)
+
+
+def _suffix_words(kind: Checksum) -> dict[str, str]:
+    """How a loop takes the bytes that a checksum covers, and those behind them."""
+    if not kind.suffix:
+        return {"INDEX": "size_t at;", "SIZE": "size", "BYTE": "in[at]"}
+    array = ", ".join(f"0x{byte:02X}u" for byte in kind.suffix)
+    index = f"static const uint8_t suffix[{len(kind.suffix)}] = {{{array}}};\n    size_t at;"
+    return {"INDEX": index, "SIZE": f"size + {len(kind.suffix)}u", "BYTE": _BYTE_OR_SUFFIX}
 
 
 def _number(number: int, bits: int) -> str:
@@ -125,10 +136,10 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
     half = kind.width // 2
     bits = 64 if half > 16 else 32
     result = _bits(kind.width)
-    size = kind.unit_size
+    size, total = kind.unit_size, f"size + {len(kind.suffix)}u" if kind.suffix else "size"
     taken = f"numbers of {size} bytes" if size > 1 else "all bytes"
     modulo = f"& {_number(kind.modulus - 1, bits)}" if kind.modulus == 1 << half else f"% {kind.modulus}u"
-    step, complete = f"upper = (upper + lower) {modulo};", f"at % {size}u == {size - 1}u || at + 1u == size"
+    step, complete = f"upper = (upper + lower) {modulo};", f"at % {size}u == {size - 1}u || at + 1u == {total}"
     return {
         "ABOUT": f"The Fletcher checksum of {taken}, {kind.width} bits, modulo {kind.modulus}.",
         "REGISTER": f"uint{bits}_t",
@@ -143,11 +154,12 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
 
 def _term(kind: Checksum, order: str, register: str) -> str:
     """What one byte adds to a sum: itself, or the part that it has of a number of several bytes."""
+    byte = _BYTE_OR_SUFFIX if kind.suffix else "in[at]"
     if kind.unit_size == 1:
-        return "in[at]"
+        return byte
     place = f"at % {kind.unit_size}u"
     shift = f"8u * ({place})" if order == "little" else f"8u * ({kind.unit_size - 1}u - {place})"
-    return f"(({register})in[at] << ({shift}))"
+    return f"(({register}){byte} << ({shift}))"
 
 
 def _total_words(kind: Checksum, order: str) -> dict[str, str]:

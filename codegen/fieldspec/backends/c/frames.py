@@ -178,7 +178,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
 
 def _is_sent(frame: FrameLayout, part: PartLayout) -> bool:
     """Whether a length or a checksum is that of the bytes which are sent, not of those before they are escaped."""
-    return frame.escape is not None and not part.escaped
+    return frame.escape is not None and not part.before_escape
 
 
 def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:

@@ -25,9 +25,11 @@ DIGITS = {
 
 def checksum_text(part: PartLayout) -> str:
     """`CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes`"""
-    prefix = part.part.prefix.hex(" ").upper()
+    prefix, suffix = (code.hex(" ").upper() for code in (part.part.prefix, part.part.suffix))
     text = _algorithm_text(part.part.stated_algorithm)
-    return f"{text.removesuffix('all bytes')}the bytes {prefix} and all bytes" if prefix else text
+    if prefix:
+        text = f"{text.removesuffix('all bytes')}the bytes {prefix} and all bytes"
+    return f"{text} and the bytes {suffix}" if suffix else text
 
 
 def _algorithm_text(algorithm: str) -> str:

@@ -46,7 +46,7 @@ def framer(
         longest = max(record.most if record.most is not None else LONGEST for record in bodies)
         rows.append(f"most: {marks + frame.escape.most(frame.header_size + longest + frame.trailer_size)}")
         return f"escapeFramer({{ {', '.join(rows)} }})"
-    if frame.escape is not None and (length is None or length.escaped):
+    if frame.escape is not None and (length is None or length.before_escape):
         return None
     if length is not None:
         return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"

@@ -9,9 +9,10 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.framing import framer
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
+from fieldspec.classes import replace
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
 from fieldspec.layout.part import PartLayout
-from fieldspec.model.checksums import checksum_named
+from fieldspec.model.checksums import algorithm_name, checksum_named
 from fieldspec.model.link import ExceptionResponse
 from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name
@@ -195,7 +196,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "base": str(part.base),
             "start": str(part.start),
             "stop": "null" if part.stop is None else str(part.stop),
-            "escaped": flag(part.escaped),
+            "beforeEscape": flag(part.before_escape),
             "constant": "null" if part.constant is None else _number(part.constant, wide),
             "ranges": _intervals(part.value.ranges, wide) if part.value else "null",
         }
@@ -228,6 +229,9 @@ def checksum_function(algorithm: str, order: str) -> str:
     if short is not None:
         return short
     kind = checksum_named(algorithm)
+    if kind.suffix:
+        function = checksum_function(algorithm_name(replace(kind, suffix=b"")), order)
+        return f"{PURE} followedBy({function}, {list(kind.suffix)})"
     if kind.method == "crc":
         parameters = {
             "width": str(kind.width),

@@ -21,7 +21,7 @@ from fieldspec.names import Name
 
 IMPORTS = {
     "absent": ("absentValues",),
-    "checksums": ("crc16", "crcOf", "fletcherOf", "lrc", "sum8", "totalOf"),
+    "checksums": ("crc16", "crcOf", "fletcherOf", "followedBy", "lrc", "sum8", "totalOf"),
     "digits": ("bcdOf", "blankDigitsOf", "digitsOf", "putBcd", "putBlankDigits", "putDigits"),
     "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),

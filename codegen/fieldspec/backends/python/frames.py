@@ -9,7 +9,7 @@ from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
 from fieldspec.layout.part import PartLayout
-from fieldspec.model.checksums import SIMPLE, checksum_named
+from fieldspec.model.checksums import SIMPLE, Checksum, checksum_named
 from fieldspec.model.ranges import Ranges
 
 
@@ -121,8 +121,8 @@ def escape_call(frame: FrameLayout) -> str:
     if escape is None:
         return ""
     places = {place: part for place, part in enumerate(frame.parts) if part.role in ("length", "checksum")}
-    sent = sorted(place for place, part in places.items() if not part.escaped)
-    own = sorted(place for place, part in places.items() if part.escaped)
+    sent = sorted(place for place, part in places.items() if not part.before_escape)
+    own = sorted(place for place, part in places.items() if part.before_escape)
     construction = {
         "cobs": "_Cobs()",
         "replace": f"_Replace({escape.pairs})",
@@ -136,19 +136,25 @@ def escape_call(frame: FrameLayout) -> str:
 def check_rows(frame: FrameLayout) -> str:
     """The checksums in the order in which they are computed: place, function, what it covers, and its digits."""
     rows = [
-        f"({frame.parts.index(check)}, {_function(check)}, {check.start}, {check.stop}, {literal(check.digits)})"
+        f"({frame.parts.index(check)}, {_checksum(check)}, {check.start}, {check.stop}, {literal(check.digits)})"
         for check in frame.checksums
     ]
     return tuple_of(rows) if rows else "()"
 
 
-def _function(check: PartLayout) -> str:
+def _checksum(check: PartLayout) -> str:
     """`_Sum(8)`, `_Crc(16, 0x1021, 0xFFFF, False, False, 0x0)`: the function of an algorithm."""
     kind = checksum_named(check.algorithm)
+    if kind.suffix:
+        return f'_Followed({_function(kind, check.order)}, bytes.fromhex("{kind.suffix.hex()}"))'
+    return _function(kind, check.order)
+
+
+def _function(kind: Checksum, byte_order: str) -> str:
     if kind.method == "crc":
         numbers = f"{kind.width}, {kind.polynomial:#x}, {kind.initial:#x}"
         return f"_Crc({numbers}, {kind.reflect_in}, {kind.reflect_out}, {kind.final_xor:#x})"
-    order = literal("little" if check.order == "little" else "big")
+    order = literal("little" if byte_order == "little" else "big")
     if kind.method == "fletcher":
         return f"_Fletcher({kind.width}, {kind.initial:#x}, {kind.modulus}, {kind.unit_size}, {order})"
     name = "_Sum" if kind.method == "sum" else "_Xor"

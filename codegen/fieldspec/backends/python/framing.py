@@ -50,7 +50,7 @@ def framer(
         marks = len(frame.start) + len(frame.end)
         most = f"most={marks + frame.escape.most(sizes[1] - marks)}"
         return "_EscapeFramer", [*arguments, most], docstring(about, 8)
-    if frame.escape is not None and (length is None or length.escaped):
+    if frame.escape is not None and (length is None or length.before_escape):
         return "", [], []
     if length is not None:
         about.append("The length determines where a frame ends; a length that fits no message is garbage.")

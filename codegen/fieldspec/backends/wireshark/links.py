@@ -140,6 +140,8 @@ def checksum_data(algorithm: str, order: str) -> dict[str, Data]:
     """
     kind = checksum_named(algorithm)
     data: dict[str, Data] = {"method": kind.method, "width": kind.width}
+    if kind.suffix:
+        data["suffix"] = list(kind.suffix)
     if kind.method == "crc":
 
         def aligned(number: int) -> list[int]:

@@ -64,7 +64,7 @@ def _framing(link: Link, key: str) -> bytes | str:
 
 
 def check_changed(comparison: Comparison) -> Iterator[Change]:
-    """A checksum has another algorithm, prefix or digits, or covers other parts, or a length counts other parts.
+    """A checksum has another algorithm, prefix, suffix or digits; a checksum covers, or a length counts, other parts.
 
     Why: each side refuses the frames of the other.
 
@@ -76,13 +76,9 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Part):
         if pair.old.algorithm != pair.new.algorithm:
-            key, what = "algorithm", "the algorithm"
-            old, new = pair.old.stated_algorithm, pair.new.stated_algorithm
-            if old == new:
-                key, what = "prefix", "the prefix"
-                old, new = pair.old.prefix.hex(" ").upper(), pair.new.prefix.hex(" ").upper()
-            text = f"{named(pair.new)}: {difference_text(what, old, new)}"
-            yield change("check_changed", Effect.WIRE, pair, key, text, old, new)
+            for key, old, new in _computations(pair.old, pair.new):
+                text = f"{named(pair.new)}: {difference_text(f'the {key}', old, new)}"
+                yield change("check_changed", Effect.WIRE, pair, key, text, old, new)
         if pair.old.digits != pair.new.digits:
             text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
             yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
@@ -101,11 +97,22 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
             )
 
 
+def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
+    """What differs between two algorithms: the one that is stated, or else the bytes before or behind the covered."""
+    if old.stated_algorithm != new.stated_algorithm:
+        yield "algorithm", old.stated_algorithm, new.stated_algorithm
+        return
+    for key, before, after in (("prefix", old.prefix, new.prefix), ("suffix", old.suffix, new.suffix)):
+        if before != after:
+            yield key, before.hex(" ").upper(), after.hex(" ").upper()
+
+
 def _span_text(part: Part) -> str:
     """What a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
+    words += ["before escape"] if span.before_escape else []
     if part.role == "checksum":
         return " ".join(words) or "all before it"
     text = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])

@@ -111,6 +111,7 @@ def _part(part: PartLayout) -> dict[str, Data]:
                 "constant": part.constant,
                 "reserved": part.reserved,
                 "escaped": part.escaped,
+                "beforeEscape": part.before_escape,
                 "sameAs": part.part.same_as,
             }
         ),
@@ -120,8 +121,10 @@ def _part(part: PartLayout) -> dict[str, Data]:
 def _algorithm(part: PartLayout) -> dict[str, Data]:
     """The parameters of a checksum; numbers that may be wide are texts of digits."""
     kind = checksum_named(part.algorithm)
+    suffix: dict[str, Data] = {"suffix": kind.suffix.hex()} if kind.suffix else {}
     if kind.method == "crc":
         return {
+            **suffix,
             "method": "crc",
             "width": kind.width,
             "polynomial": str(kind.polynomial),
@@ -131,6 +134,7 @@ def _algorithm(part: PartLayout) -> dict[str, Data]:
             "finalXor": str(kind.final_xor),
         }
     return {
+        **suffix,
         "method": kind.method,
         "width": kind.width,
         "initial": str(kind.initial),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.classes import replace
 from fieldspec.model.checksums import Checksum, algorithm_name, catalogue_name, checksum_named, preceded
 from fieldspec.reading.building.context import Entry
 
@@ -43,17 +44,17 @@ def algorithm_of(entry: Entry) -> str:
     return algorithm_name(_checksum(parameters, method, width))
 
 
-def preceded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
-    """The algorithm of a part whose computation begins behind its prefix."""
-    prefix = bytes.fromhex(entry.text("prefix"))
+def surrounded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
+    """The algorithm of a part whose computation begins behind its prefix and ends behind its suffix."""
+    prefix, suffix = bytes.fromhex(entry.text("prefix")), bytes.fromhex(entry.text("suffix"))
     kind = checksum_named(algorithm)
     if not prefix:
-        return algorithm
+        return algorithm_name(replace(kind, suffix=suffix)) if suffix else algorithm
     if kind.method != "crc" and len(prefix) % kind.unit_size:
         text = f"the prefix has {len(prefix)} bytes, but the algorithm takes {kind.unit_size} at a time"
         entry.refuse("wrong_form", "prefix", text, f"fill it up to a multiple of {kind.unit_size} bytes")
         return algorithm
-    return algorithm_name(preceded(kind, prefix, order))
+    return algorithm_name(replace(preceded(kind, prefix, order), suffix=suffix))
 
 
 def _fletcher_width(parameters: Entry, width: int) -> int:

@@ -10,7 +10,7 @@ from fieldspec.model.escape import CAN_BITS, Escape
 from fieldspec.model.link import ExceptionResponse, Link, Network, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
-from fieldspec.reading.building.checksums import algorithm_of, preceded_algorithm
+from fieldspec.reading.building.checksums import algorithm_of, surrounded_algorithm
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.escapes import escape
 from fieldspec.reading.building.values import VALUE_KEYS, value
@@ -22,14 +22,14 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
-    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix"}),
+    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix"}),
     "plain": VALUE_KEYS
     - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "reserved", "same_as"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
@@ -37,6 +37,7 @@ _HELP = {
     "counts": "move it to the part with `role: length`",
     "covers": "move it to the part with `role: checksum`",
     "prefix": "move it to the part with `role: checksum`",
+    "suffix": "move it to the part with `role: checksum`",
     "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
     "flags": "remove `flags`; only a part without a `role` is a word of bits",
@@ -160,11 +161,12 @@ def _part(entry: Entry, link_order: str) -> Part:
         **entry.fact(),
         role=role,
         value=_value(entry, bits) if role in _VALUED else None,
-        algorithm=preceded_algorithm(entry, algorithm, order) if role == "checksum" else algorithm,
+        algorithm=surrounded_algorithm(entry, algorithm, order) if role == "checksum" else algorithm,
         stated_algorithm=algorithm,
         prefix=bytes.fromhex(entry.text("prefix")) if role == "checksum" else b"",
+        suffix=bytes.fromhex(entry.text("suffix")) if role == "checksum" else b"",
         byte_order=order,
-        span=PartSpan(span.text("from"), span.text("to")) if span is not None else PartSpan("", ""),
+        span=_span(span) if span is not None else PartSpan("", ""),
         unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
         plus=(span.integer("plus") or 0) if span is not None else 0,
         reserved=entry.flag("reserved"),
@@ -172,6 +174,10 @@ def _part(entry: Entry, link_order: str) -> Part:
         same_as=entry.text("same_as"),
         bits=bits,
     )
+
+
+def _span(entry: Entry) -> PartSpan:
+    return PartSpan(entry.text("from"), entry.text("to"), entry.flag("before_escape"))
 
 
 def _bits(entry: Entry) -> tuple[int, int] | None:

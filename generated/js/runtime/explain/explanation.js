@@ -129,13 +129,13 @@ class ExplainedFrame {
 
   /** The bytes whose length or checksum a part has: those that are sent, or those before they are escaped. */
   measuredBytes(part) {
-    return this.shape.escape && !part.escaped ? this.sentData : this.data;
+    return this.shape.escape && !part.beforeEscape ? this.sentData : this.data;
   }
 
   /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
-    const ofSent = (part) => !this.shape.escape || !part.escaped;
+    const ofSent = (part) => !this.shape.escape || !part.beforeEscape;
     const [length] = this.shape.lengths.filter(ofSent);
     const checks = this.shape.checks.filter(ofSent);
     if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];

@@ -1,4 +1,4 @@
-import { checksumBytes, crcOf, fletcherOf, totalOf } from "../checksums.js";
+import { checksumBytes, crcOf, fletcherOf, followedBy, totalOf } from "../checksums.js";
 import { canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
@@ -56,7 +56,7 @@ function functionOf(algorithm) {
       : algorithm.method === "fletcher"
         ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
         : totalOf({ ...algorithm, initial });
-    FUNCTIONS.set(algorithm, compute);
+    FUNCTIONS.set(algorithm, algorithm.suffix ? followedBy(compute, bytesOfHex(algorithm.suffix)) : compute);
   }
   return FUNCTIONS.get(algorithm);
 }

@@ -7,9 +7,9 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
 TABLE
     };
     REGISTER crc = START;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        crc = (REGISTER)(crc ^ in[at]);
+    INDEX
+    for (at = 0; at < SIZE; at++) {
+        crc = (REGISTER)(crc ^ BYTE);
         crc = (REGISTER)(crc >> 4 ^ table[crc & 15u]);
         crc = (REGISTER)(crc >> 4 ^ table[crc & 15u]);
     }
@@ -25,9 +25,9 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
 TABLE
     };
     REGISTER crc = START;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        crc = (REGISTER)(crc ^ (REGISTER)((REGISTER)in[at] << BYTE_SHIFT));
+    INDEX
+    for (at = 0; at < SIZE; at++) {
+        crc = (REGISTER)(crc ^ (REGISTER)((REGISTER)BYTE << BYTE_SHIFT));
         crc = (REGISTER)((REGISTER)(crc << 4) ^ table[crc >> DIGIT_SHIFT]);
         crc = (REGISTER)((REGISTER)(crc << 4) ^ table[crc >> DIGIT_SHIFT]);
     }
@@ -40,8 +40,8 @@ TABLE
 static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
 {
     REGISTER number = START;
-    size_t at;
-    for (at = 0; at < size; at++) {
+    INDEX
+    for (at = 0; at < SIZE; at++) {
         number = (REGISTER)(number OPERATOR TERM);
     }
     FINISH
@@ -54,8 +54,8 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
 {
     REGISTER lower = LOWER_START;
     REGISTER upper = UPPER_START;
-    size_t at;
-    for (at = 0; at < size; at++) {
+    INDEX
+    for (at = 0; at < SIZE; at++) {
         lower = (lower + TERM) MODULO;
         STEP
     }

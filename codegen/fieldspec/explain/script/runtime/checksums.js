@@ -102,6 +102,14 @@ export function fletcherOf({ width, initial, modulus, unitSize, order }) {
   };
 }
 
+/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes behind them. */
+export function followedBy(algorithm, suffix) {
+  return (bytes, start, stop) => {
+    const data = [...bytes.subarray(start, stop), ...suffix];
+    return algorithm(data, 0, data.length);
+  };
+}
+
 /** The bytes of a checksum in a frame: those of its number, or its digits. */
 export function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   let number = algorithm(bytes, first, last);

@@ -177,7 +177,7 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   const sent = () => sentBytes(shape, original());
   // What is escaped comes first: how many bytes are sent depends on all of its bytes.
   for (const bytes of [original, sent]) {
-    const isOwn = (part) => (shape.escape && !part.escaped ? sent : original) === bytes;
+    const isOwn = (part) => (shape.escape && !part.beforeEscape ? sent : original) === bytes;
     for (const length of shape.lengths.filter(isOwn)) {
       const total = bytes().length;
       const units = lengthNumber(length, total);
