@@ -262,6 +262,15 @@ function inserting(pattern, inserted) {
   };
 }
 
+/** Each byte is sent plus `byte`, without the carry. */
+function adding(byte) {
+  return {
+    escaped: (data) => data.map((own) => own + byte),
+    original: (data) => data.map((own) => own - byte),
+    end: find,
+  };
+}
+
 /** Consistent overhead byte stuffing: no zero is sent; each block begins with the distance to the next zero. */
 const cobs = {
   escaped(data) {
@@ -1705,6 +1714,7 @@ class EscapeError extends Error {
 function originalPlaces(escape, data) {
   if (escape.method === "can") return placesOfIdentifier(escape, data);
   if (escape.method === "cobs") return placesOfBlocks(data);
+  if (escape.method === "add") return Array.from(adding(escape.inserted).original(data), (byte, at) => [byte, at]);
   return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
 }
 
@@ -1766,12 +1776,14 @@ function placesOfBlocks(data) {
 function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) {
   if (method === "can") return canIdentifier(bits, fields).escaped(data);
   if (method === "cobs") return cobs.escaped(data);
+  if (method === "add") return adding(inserted).escaped(data);
   return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
 }
 
 /** The most bytes that are sent for `size` bytes. */
 function mostEscaped({ method, pattern, fields }, size) {
   if (method === "can") return size + 8 - fields.reduce((sum, [own]) => sum + own, 0);
+  if (method === "add") return size;
   if (method === "replace") return 2 * size;
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }

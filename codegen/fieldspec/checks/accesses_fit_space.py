@@ -23,7 +23,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.ranges import Ranges, merged
 from fieldspec.model.record import Field, Message, RegisterAccess
-from fieldspec.model.value import Kind
+from fieldspec.model.value import Kind, Value
 
 _CODE = "accesses_fit_space"
 
@@ -82,9 +82,17 @@ def _packed(message: Message, access: RegisterAccess, field: Field, space: Addre
     if access.set is not None:
         text = f"`set` and `clear` have no effect in {message.name}, whose bits are packed"
         yield _of(message, text, "remove them", space)
-    count = message.request.named(access.count) if access.count and access.operation == "write" else None
-    if count is not None:
+    if field.value is not None and (field.value.flags or field.value.enum):
+        key = "flags" if field.value.flags else "enum"
+        text = f"`{key}` has no effect on {field.name} in {message.name}, whose bits are packed"
+        yield finding(
+            _CODE, field.place, key, text, f"remove `{key}`, and describe the bits as registers of {space.name}"
+        )
+    count = message.request.named(access.count) if access.count else None
+    if count is not None and access.operation == "write":
         yield from _bit_count(message, count, field)
+    elif count is not None and count.value is not None and not count.value.digits:
+        yield from _bytes_of_bits(count, count.value, field)
 
 
 def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagnostic]:
@@ -99,16 +107,24 @@ def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagno
         text = f"{count.name} is the number of bits in {message.name}, but `measures` {count.measures.of}"
         help = "remove `measures`: `accesses` says that it is the number of the bits, which codecs compare"
         yield finding(_CODE, count.place, "measures", text, help, there)
-    elif packed.repeat is not None and (value.const is not None or value.ranges is not None):
-        numbers = value.ranges or Ranges(((value.low, value.high),))
-        numbers = numbers if value.const is None else Ranges(((value.const, value.const),))
-        sizes = Ranges(tuple(merged(((low + 7) // 8, (high + 7) // 8) for low, high in numbers.intervals)))
-        if merged(sizes.intervals) != merged(packed.repeat.intervals):
-            text = f"{count.name} is {numbers.text()} bits, which take {sizes.text()} bytes"
-            text = f"{text}, but {packed.name} has {packed.repeat.text()}"
-            key = "const" if value.const is not None else range_key(count.place)
-            help = "correct the number of bits or the repetitions"
-            yield finding(_CODE, count.place, key, text, help, there)
+    else:
+        yield from _bytes_of_bits(count, value, packed)
+
+
+def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Iterator[Diagnostic]:
+    """Whether the repetitions of packed bytes have room for the number of bits, and no more."""
+    if packed.repeat is None or (value.const is None and value.ranges is None):
+        return
+    numbers = value.ranges or Ranges(((value.low, value.high),))
+    numbers = numbers if value.const is None else Ranges(((value.const, value.const),))
+    sizes = Ranges(tuple(merged(((low + 7) // 8, (high + 7) // 8) for low, high in numbers.intervals)))
+    if merged(sizes.intervals) != merged(packed.repeat.intervals):
+        text = f"{count.name} is {numbers.text()} bits, which take {sizes.text()} bytes"
+        text = f"{text}, but {packed.name} has {packed.repeat.text()}"
+        key = "const" if value.const is not None else range_key(count.place)
+        help = "a byte has eight bits: correct the number or the repetitions, or leave out `accesses` if the device"
+        help += " packs them in another way"
+        yield finding(_CODE, count.place, key, text, help, label(packed.place, "repeat", f"the bytes of {packed.name}"))
 
 
 def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:

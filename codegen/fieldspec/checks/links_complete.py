@@ -277,7 +277,7 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
     whole = not escape.first and not escape.last
     for end in dict.fromkeys((link.end, link.response_end)):
         bounded = {"replace": bool(end) and (end[0] in {byte for byte, _, _ in escape.pairs})}
-        bounded |= {"cobs": end[:1] == b"\0", "insert": True}
+        bounded |= {"cobs": end[:1] == b"\0", "insert": True, "add": False}
         if whole and end and not bounded[escape.method]:
             mark = end.hex(" ").upper()
             text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"

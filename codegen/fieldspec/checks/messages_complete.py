@@ -60,10 +60,12 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
         return
     message, other = messages[-1], messages[0]
     text = f"{message.name} and {other.name} have the code {message.code:#04x}"
-    help = "correct one of the codes, or give each message its subcode: a field with a `const` at the same place"
+    help = "correct one of the codes, or give each message its subcode: a field of up to four bytes with its own"
+    help += " `const` at the same place"
     if any(map(distinct_place, ([numbers] for numbers in places))):
         text += ", and no constant at the same place of each request tells them apart"
-        help = "give each of them a byte with its own `const` or `range` at the same place, or a number of two bytes"
+        help = "give each of them a number of up to four bytes with its own `const` at the same place, or a byte with a"
+        help += " `range` of its own"
     yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
 
 
@@ -88,7 +90,8 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
 
 
 def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, Numbers]:
-    places = (numbers_at(field, offset, device.byte_order) for field, offset in sizes.offsets(record))
+    orders = device.byte_order, device.word_order
+    places = (numbers_at(field, offset, *orders) for field, offset in sizes.offsets(record))
     return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)
 
 

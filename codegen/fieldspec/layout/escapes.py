@@ -19,6 +19,8 @@ def original_places(escape: Escape, data: bytes) -> list[tuple[int, int]]:
         return _of_identifier(escape, data)
     if escape.method == "cobs":
         return _of_blocks(data)
+    if escape.method == "add":
+        return [((byte - escape.inserted) & 0xFF, at) for at, byte in enumerate(data)]
     return _replaced(escape, data) if escape.method == "replace" else _without_inserted(escape, data)
 
 

@@ -19,7 +19,7 @@ CAN_HEADER, CAN_DATA = 8, 8
 
 @dataclass(frozen=True, slots=True)
 class Escape:
-    """The method is `replace`, `insert`, `cobs` or `can`; it applies to the parts from `first` to `last`.
+    """The method is `replace`, `insert`, `add`, `cobs` or `can`; it applies to the parts from `first` to `last`.
 
     `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
     byte order, the first bit and the number of bits of each of these parts. What is sent is a frame as SocketCAN has it
@@ -27,8 +27,9 @@ class Escape:
     zeros; the data.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
-    each occurrence of `pattern`; the search begins anew behind it. Lengths and checksums among these parts are those
-    of the original bytes, all others those of the bytes that are sent. Empty names are the first and the last part.
+    each occurrence of `pattern`; the search begins anew behind it. `add` sends each byte plus `inserted`, without the
+    carry. Lengths and checksums among these parts are those of the original bytes, all others those of the bytes that
+    are sent. Empty names are the first and the last part.
     """
 
     method: str
@@ -91,6 +92,8 @@ class Escape:
         """The most bytes that are sent for `size` bytes."""
         if self.method == "can":
             return size - self.fields_size + CAN_HEADER
+        if self.method == "add":
+            return size
         if self.method == "replace":
             return 2 * size
         return size + size // 254 + 1 if self.method == "cobs" else size + size // len(self.pattern)
@@ -105,6 +108,8 @@ class Escape:
         where = " ".join(["", *(word for word in (first, last) if word)])
         if self.method == "cobs":
             return f"COBS{where}: no zero is sent, and each block begins with the distance to the next one"
+        if self.method == "add":
+            return f"{self.inserted:02X} is added to each byte{where}"
         if self.method == "insert":
             return f"{self.inserted:02X} is sent after each {self.pattern.hex(' ').upper()}{where}"
         return (

@@ -13,33 +13,41 @@ if TYPE_CHECKING:
 Place = tuple[int, int, str]
 """The offset of a constant in the data, its bytes, and its byte order."""
 
-WIDEST = 2
+WIDEST = 4
 """The bytes of the widest constant that tells messages apart."""
+
+WIDEST_MARK = 2
+"""The bytes of the widest constant that marks exception responses."""
 
 Numbers = tuple[int, ...]
 """The numbers that a field may have, in the order of the spec."""
 
 
-def constant_at(field: Field, offset: int, order: str) -> tuple[Place, int] | None:
-    """The place and the number of a field that may tell messages apart, None for any other field.
+def constant_at(
+    field: Field, offset: int, order: str, word_order: str = "", widest: int = WIDEST_MARK
+) -> tuple[Place, int] | None:
+    """The place and the unsigned number of a constant of at most `widest` bytes, None for any other field.
 
-    `order` is the byte order of values without their own. The number is unsigned.
+    `order` and `word_order` are those of values without their own. A constant whose words have another order than its
+    bytes is none.
     """
     value = field.value
     if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
         return None
-    if value.type.kind is not Kind.INTEGER or value.size > WIDEST:
+    if value.type.kind is not Kind.INTEGER or value.size > widest:
         return None
     own = (value.byte_order or order) if value.size > 1 else "big"
+    if value.has_words and (value.word_order or word_order or own) != own:
+        return None
     return (offset, value.size, own), value.const & (1 << 8 * value.size) - 1
 
 
-def numbers_at(field: Field, offset: int, order: str) -> tuple[Place, Numbers] | None:
+def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, Numbers] | None:
     """The place and the numbers of a field that may tell messages apart, None for any other field.
 
-    The numbers are its constant, or those of the range of an unsigned byte. `order` is as in `constant_at`.
+    The numbers are its constant, or those of the range of an unsigned byte. The orders are as in `constant_at`.
     """
-    constant = constant_at(field, offset, order)
+    constant = constant_at(field, offset, order, word_order, WIDEST)
     if constant is not None:
         return constant[0], (constant[1],)
     value = field.value

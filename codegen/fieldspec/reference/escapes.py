@@ -13,6 +13,8 @@ def escaped(escape: Escape, data: bytes) -> bytes:
     if escape.method == "replace":
         pairs = {byte: bytes(pair) for byte, *pair in escape.pairs}
         return b"".join(pairs.get(byte, bytes((byte,))) for byte in data)
+    if escape.method == "add":
+        return bytes((byte + escape.inserted) % 256 for byte in data)
     if escape.method == "insert":
         return data.replace(escape.pattern, escape.pattern + bytes((escape.inserted,)))
     blocks = []
@@ -33,6 +35,8 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
         if wrong is not None:
             raise CodecError("wrong_mark", escape.header_fault(data, wrong), offset + wrong)
         return escape.unpacked(int.from_bytes(data[:4], "big")) + data[CAN_HEADER:]
+    if escape.method == "add":
+        return bytes((byte - escape.inserted) % 256 for byte in data)
     result = bytearray()
     rest = data
     while rest:

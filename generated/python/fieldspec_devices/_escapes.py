@@ -85,6 +85,28 @@ class Insert:
         return data.find(end, at)
 
 
+class Add:
+    """Each byte is sent plus another one, without the carry."""
+
+    __slots__ = ("added", "taken")
+
+    def __init__(self, byte: int) -> None:
+        self.added = bytes((number + byte) & 0xFF for number in range(256))
+        self.taken = bytes((number - byte) & 0xFF for number in range(256))
+
+    def escaped(self, data: Data) -> bytes:
+        """What is sent for some bytes."""
+        return bytes(data).translate(self.added)
+
+    def original(self, data: Data, offset: int) -> bytes:
+        """The bytes for which others were sent; `offset` is the place of these."""
+        return bytes(data).translate(self.taken)
+
+    def end(self, data: bytearray, at: int, end: bytes) -> int:
+        """The place of the end delimiter, -1 where it is not there yet."""
+        return data.find(end, at)
+
+
 class Cobs:
     """Consistent overhead byte stuffing: no zero is sent; each block begins with the distance to the next zero."""
 
@@ -135,7 +157,7 @@ class EscapedFrames(PartFrames):
 
     def escaping(
         self,
-        escape: Replace | Insert | Cobs | CanIdentifier,
+        escape: Replace | Insert | Add | Cobs | CanIdentifier,
         first: int,
         last: int | None,
         sent: frozenset[int],

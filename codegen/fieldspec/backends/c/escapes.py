@@ -17,7 +17,8 @@ def declare_escapes(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     """The functions of the escapes of all links."""
     links = [link for link in layout.links.values() if link.link.escape is not None]
     functions = [[_functions(naming, link, link.link.escape)] for link in links if link.link.escape is not None]
-    return [[copy_runtime(naming, _FORMS, "moving")], *functions] if functions else []
+    is_moving = any(link.link.escape is not None and link.link.escape.method != "add" for link in links)
+    return [*([[copy_runtime(naming, _FORMS, "moving")]] if is_moving else []), *functions]
 
 
 def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:

@@ -218,6 +218,8 @@ def _escape(frame: FrameLayout) -> str:
     if escape.method == "can":
         fields = [[size, int(order == "little"), first, width] for size, order, first, width in escape.fields]
         return f"{PURE} canIdentifier({escape.bits}, {fields})"
+    if escape.method == "add":
+        return f"{PURE} adding({escape.inserted})"
     if escape.method == "insert":
         return f"{PURE} inserting({list(escape.pattern)}, {escape.inserted})"
     return f"{PURE} replacing({[list(pair) for pair in escape.pairs]})"

@@ -25,7 +25,7 @@ IMPORTS = {
     "digits": ("bcdOf", "blankDigitsOf", "digitsOf", "putBcd", "putBlankDigits", "putDigits"),
     "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
-    "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),
+    "escapes": ("adding", "canIdentifier", "cobs", "inserting", "replacing"),
     "framer": ("addressIntervals", "codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),

@@ -127,6 +127,7 @@ def escape_call(frame: FrameLayout) -> str:
         "cobs": "_Cobs()",
         "replace": f"_Replace({escape.pairs})",
         "can": f"_CanIdentifier({', '.join(map(str, (escape.bits, *escape.fields)))})",
+        "add": f"_Add({escape.inserted:#04x})",
         "insert": f'_Insert(bytes.fromhex("{escape.pattern.hex()}"), {escape.inserted:#04x})',
     }[escape.method]
     bounds = f"{frame.escape_start}, {frame.escape_stop}"

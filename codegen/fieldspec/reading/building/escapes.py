@@ -11,6 +11,7 @@ _KEYS = {
     "double": frozenset({"bytes"}),
     "xor": frozenset({"bytes", "byte", "mask"}),
     "insert": frozenset({"pattern", "byte"}),
+    "add": frozenset({"byte"}),
 }
 
 
@@ -34,8 +35,10 @@ def escape(entry: Entry) -> Escape:
         if any(second in all_special for _, _, second in pairs):
             text = "an escaped byte is sent as one that must be escaped itself"
             entry.refuse("wrong_form", "mask", text, "correct the mask, or the bytes that are escaped")
+    if method == "add" and byte == 0:
+        entry.refuse("wrong_form", "byte", "0 changes no byte", "state what is added, or remove `escape`")
     return Escape(
-        method="replace" if pairs else "cobs" if method == "cobs" else "insert",
+        method="replace" if pairs else method if method in ("cobs", "add") else "insert",
         pairs=pairs,
         pattern=bytes.fromhex(entry.text("pattern")) or b"\0",
         inserted=byte,

@@ -1,5 +1,5 @@
 import { checksumBytes, crcOf, fletcherOf, followedBy, totalOf } from "../checksums.js";
-import { canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
+import { adding, canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
@@ -96,6 +96,7 @@ export class EscapeError extends Error {
 export function originalPlaces(escape, data) {
   if (escape.method === "can") return placesOfIdentifier(escape, data);
   if (escape.method === "cobs") return placesOfBlocks(data);
+  if (escape.method === "add") return Array.from(adding(escape.inserted).original(data), (byte, at) => [byte, at]);
   return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
 }
 
@@ -157,12 +158,14 @@ function placesOfBlocks(data) {
 export function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) {
   if (method === "can") return canIdentifier(bits, fields).escaped(data);
   if (method === "cobs") return cobs.escaped(data);
+  if (method === "add") return adding(inserted).escaped(data);
   return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
 }
 
 /** The most bytes that are sent for `size` bytes. */
 export function mostEscaped({ method, pattern, fields }, size) {
   if (method === "can") return size + 8 - fields.reduce((sum, [own]) => sum + own, 0);
+  if (method === "add") return size;
   if (method === "replace") return 2 * size;
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }

@@ -152,6 +152,30 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
     return DEVICE_OK;
 }
 
+/* ---- add ---- */
+
+/** Turns the bytes between `head` and `tail` bytes into those that are sent. */
+static inline device_codec_status device_ESCAPE(
+    uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
+{
+    size_t at;
+    (void)capacity;
+    for (at = head; at < *length - tail; at++) {
+        data[at] = (uint8_t)((data[at] + INSERTED) & 0xFFu);
+    }
+    return DEVICE_OK;
+}
+
+/** Turns the bytes between `head` and `tail` bytes back into the original ones. */
+static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
+{
+    size_t at;
+    for (at = head; at < *length - tail; at++) {
+        data[at] = (uint8_t)((data[at] - INSERTED) & 0xFFu);
+    }
+    return DEVICE_OK;
+}
+
 /* ---- cobs ---- */
 
 /** Turns the bytes between `head` and `tail` bytes into blocks without zeros. */

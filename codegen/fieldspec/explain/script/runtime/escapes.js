@@ -64,6 +64,15 @@ export function inserting(pattern, inserted) {
   };
 }
 
+/** Each byte is sent plus `byte`, without the carry. */
+export function adding(byte) {
+  return {
+    escaped: (data) => data.map((own) => own + byte),
+    original: (data) => data.map((own) => own - byte),
+    end: find,
+  };
+}
+
 /** Consistent overhead byte stuffing: no zero is sent; each block begins with the distance to the next zero. */
 export const cobs = {
   escaped(data) {
