@@ -12,6 +12,7 @@ from fieldspec.explain.log import LogLine, Unreadable, log_line
 from layouts import TEST_SPECS, newest
 
 LINKS = [link.link for link in newest(TEST_SPECS, "widget").links.values()]
+LADDER_LINKS = [link.link for link in newest(TEST_SPECS, "ladder").links.values()]
 BYTES = bytes.fromhex("01 06 20 1E 00 03 A2 0D")
 CHARACTERS = b":010310000002EA\r\n"
 
@@ -134,6 +135,23 @@ def test_a_missing_end_delimiter_is_added_and_reported(text: str, lacks: str) ->
     assert line == LogLine(
         CHARACTERS, "", (f"{lacks} is missing at the end of the text and is assumed to have been sent",)
     )
+
+
+LADDER_CHARACTERS = [
+    ("@10RD0010000157*\\r", b"@10RD0010000157*\r", ""),
+    ("12:00:01 @10RD0010000157*<CR>", b"@10RD0010000157*\r", ""),
+    ("'@10RD0010000157*\\r'", b"@10RD0010000157*\r", ""),
+    ("@10RD0010000157*", b"@10RD0010000157*\r", "CR"),
+    ("@10RD0010000157", b"@10RD0010000157*\r", "2A CR"),
+    ("@1 RD0010000146*\\r", b"@1 RD0010000146*\r", ""),
+    ("%0F0410703150107\\r", b"%0F0410703150107\r", ""),
+]
+
+
+@pytest.mark.parametrize(("text", "frame", "lacks"), LADDER_CHARACTERS)
+def test_a_frame_whose_parts_are_digits_is_read_as_it_stands(text: str, frame: bytes, lacks: str) -> None:
+    remarks = (f"{lacks} is missing at the end of the text and is assumed to have been sent",) if lacks else ()
+    assert log_line(text, LADDER_LINKS) == LogLine(frame, "", remarks)
 
 
 @pytest.mark.parametrize("text", ["", " \t\n", "# a comment", "   // a comment", "\r\n"])

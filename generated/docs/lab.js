@@ -3304,15 +3304,32 @@ function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  const delimiters = links.flatMap((link) => Object.values(link.delimiters).map((marks) => [link, ...marks]));
-  for (const [link, start, close] of delimiters) {
-    const mark = String.fromCharCode(...start);
-    if (link.encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
-    const [body, end] = ended(inner);
-    const bytes = Uint8Array.from(body.replace(/\s+/gu, ""), (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
-    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), close);
+  for (const link of links.filter(sendsCharacters)) {
+    for (const direction of ["request", "response"]) {
+      const [, close] = link.delimiters[direction];
+      const mark = String.fromCharCode(...opening(link, direction));
+      if (!/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
+      const [text, end] = ended(inner);
+      const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
+      const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
+      return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
+    }
   }
   return null;
+}
+
+/** Whether people write the frames of a link as characters: parts of them are digits, or all bytes are. */
+function sendsCharacters({ encoding, request, response }) {
+  const digits = [...request.parts, ...response.parts].map(({ value }) => value?.digits);
+  return encoding === "hex_ascii" || digits.some((form) => form && form !== "bcd");
+}
+
+/** The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte. */
+function opening(link, direction) {
+  const [start] = link.delimiters[direction];
+  const first = link[direction].header[0];
+  if (start.length || first?.constant === undefined || first.reserved || first.size !== 1) return start;
+  return [Number(first.constant) & 0xff];
 }
 
 /** The text without the control characters at its end, which may be spelled as words, and these characters. */
@@ -3331,15 +3348,15 @@ function ended(text) {
 
 /** A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter. */
 function withEnd(body, end, mark) {
-  const joined = (...series) => Uint8Array.from(series.flatMap((bytes) => [...bytes]));
-  const [have, want] = [[...end].join(), [...mark].join()];
-  if (end.length >= mark.length && [...end.slice(end.length - mark.length)].join() === want) {
-    return { frame: joined(body, mark), remarks: [] };
-  }
-  if (end.length && [...mark.slice(0, end.length)].join() !== have) return { frame: joined(body, end), remarks: [] };
-  const lacking = Array.from(mark.slice(end.length), (byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
+  const endsWith = (bytes, last) => last.every((byte, at) => bytes[bytes.length - last.length + at] === byte);
+  let size = mark.length;
+  while (!endsWith(body, mark.slice(0, size))) size--;
+  const rest = mark.slice(size);
+  if (endsWith(end, rest)) return { frame: Uint8Array.from([...body, ...rest]), remarks: [] };
+  if (!end.every((byte, at) => rest[at] === byte)) return { frame: Uint8Array.from([...body, ...end]), remarks: [] };
+  const lacking = rest.slice(end.length).map((byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
   const remark = `${lacking.join(" ")} is missing at the end of the text and is assumed to have been sent`;
-  return { frame: joined(body, mark), remarks: [remark] };
+  return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
 }
 
 /** The frame in a line of candump, `605#4041` or `605 [2] 40 41`; null for any other text. */
@@ -3438,14 +3455,20 @@ function linesOf(text) {
   return text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
 }
 
+/** The requests without an answer that are remembered. */
+const MOST_OPEN = 64;
+
 /**
- * Explains the lines of a log, one after the other. A response is read as the answer to the request before it; `asked`
- * is a request that the user names, which every line answers.
+ * Explains the lines of a log, one after the other. A response is read as the answer to a request before it; `asked` is
+ * a request that the user names, which every line answers. `open` are the requests that may still be answered, the
+ * newest last: one for each of the values that responses repeat. `mark` is the direction that a line without bytes
+ * announces for the next one.
  */
 class LogReader {
   constructor(device, options = new FrameOptions(), asked = null) {
-    Object.assign(this, { device, options, asked, askedIn: 0, mark: "", number: 0 });
+    Object.assign(this, { device, options, asked, open: [], mark: "", number: 0 });
     this.links = [...device.links.values()];
+    this.repeated = new Map(this.links.map((link) => [link.name, repeatedParts(link)]));
   }
 
   /**
@@ -3459,16 +3482,44 @@ class LogReader {
     if (!line) return null;
     this.mark = line.direction || this.mark;
     if (!line.frame.length) return null;
-    const { asked, askedIn } = this;
-    const reading = readFrame(this.device, line.frame, this.options, this.mark, asked);
-    const remarks = [...line.remarks, ...remarksOn(this.device, reading, askedIn, this.options)];
+    const { reading, asked } = this.readingOf(line.frame);
+    const remarks = [...line.remarks, ...remarksOn(this.device, reading, asked?.line ?? 0, this.options)];
     this.mark = "";
-    if (!asked?.sure) {
-      this.asked = this.requestOf(reading);
-      this.askedIn = this.asked ? this.number : 0;
+    if (!this.asked) {
+      this.close(reading.explanation);
+      const request = this.requestOf(reading);
+      if (request) this.open = [...this.open.slice(1 - MOST_OPEN), { request, sure: false, line: this.number }];
     }
-    const request = reading.chosen === "request" || asked?.sure ? asked.request : null;
+    const request = asked && (reading.chosen === "request" || asked.sure) ? asked.request : null;
     return { ...reading, line: this.number, remarks, request, wrong: isWrong(reading) };
+  }
+
+  /** The reading of a frame, and the request before it that counts; null where there is none. */
+  readingOf(frame) {
+    const readAs = (asked) => ({ reading: readFrame(this.device, frame, this.options, this.mark, asked), asked });
+    if (this.asked || !this.open.length) return readAs(this.asked);
+    let newest = null;
+    for (const asked of this.open.toReversed()) {
+      const own = readAs(asked);
+      if (own.reading.chosen === "request") return own;
+      newest ??= own;
+    }
+    return newest;
+  }
+
+  /** Closes the requests that a frame answers, or leaves without an answer. */
+  close(frame) {
+    if (this.device.messages.get(frame.message)?.unrequested) return; // the device sends it of its own accord
+    const own = this.numbersOf(frame);
+    const differs = (numbers) => numbers.some((number, at) => number !== own[at]);
+    this.open = this.open.filter(
+      ({ request }) => !own.includes(undefined) && request.link === frame.link && differs(this.numbersOf(request)),
+    );
+  }
+
+  /** What responses repeat of their requests, in a request or in a response; undefined where a frame lacks it. */
+  numbersOf({ link, direction, values }) {
+    return this.repeated.get(link).map(([asked, answer]) => values.get((direction === "request" ? asked : answer).name));
   }
 
   /** The frame as the request that the next response answers; null for what nobody answers. */
@@ -3484,8 +3535,15 @@ class LogReader {
     const { unitAddress } = link.request;
     const { broadcast } = link.addresses ?? {};
     if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) === broadcast) return null;
-    return { request, sure: false };
+    return request;
   }
+}
+
+/** The parts of requests on a link that responses repeat, the unit address among them, each with its repetition. */
+function repeatedParts({ request, response }) {
+  const repetitions = response.header.filter(({ sameAs }) => sameAs).map((part) => [part.sameAs, part]);
+  const pairs = repetitions.map(([name, part]) => [request.header.find((asked) => asked.name === name), part]);
+  return [[request.unitAddress, response.unitAddress], ...pairs].filter(([asked, answer]) => asked && answer);
 }
 
 const COUNT = /^[-+]?(?:0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})$/;

@@ -20,7 +20,7 @@ from js_output.explanations import explained_by_node, explained_by_python, porta
 from js_output.javascript import module_path
 from js_output.test_javascript_frames import frames_of
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
-from test_cli_spelled import REQUESTS, RESPONSES, SPELLINGS
+from test_cli_spelled import LADDER_CHARACTERS, REQUESTS, RESPONSES, SPELLINGS
 
 LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if layout.links}
 NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
@@ -105,6 +105,7 @@ CHARACTERS = [
     ": 01 03 10 00 00 02 EA CR LF",
     r"[12:00:01] > :010310000002EA\r\n  # a comment",
     r"':010310000002EA\r\n'",
+    *(text for text, _, _ in LADDER_CHARACTERS),
     "RX:",
     "> 2026/01/31 12:00:01.000123  length=8 from=0 to=7",
     "605#4041600000000000",
@@ -138,6 +139,7 @@ PIECES = [
         "hello",
         "x",
     ),
+    *("@10RD", "0010000157", "*", "%", "\\r"),
     *("x", "?", "é", "\x00", "send [8]", "00000010: ", "1.25", ";"),
 ]
 
@@ -148,11 +150,12 @@ def random_lines(count: int) -> Iterator[str]:
         yield chance.choice(("", " ")).join(chance.choices(PIECES, k=chance.randrange(1, 9))).replace("\n", " ")
 
 
-@pytest.mark.parametrize("name", ["widget-2.0", "glider-x-1.1", "axis-1"])
+@pytest.mark.parametrize("name", ["widget-2.0", "glider-x-1.1", "axis-1", "ladder-1", "gateway-1"])
 def test_logs_are_read_as_by_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     layout = LAYOUTS[name]
     frames = [example.frame.hex(" ") for example in layout.device.examples.values()]
     lines = [*SPELLINGS, *REQUESTS, *RESPONSES, *CHARACTERS, *random_lines(400), *frames]
+    lines += random.Random(3).choices(frames, k=60)
     ends = ("\n", "\r\n")
     log = "".join(line.strip("\r\n") + ends[number % 2] for number, line in enumerate(lines))
     job = {"module": module_path(layout).replace(".js", "_explain.js"), "log": log, "options": {}}

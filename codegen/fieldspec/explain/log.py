@@ -70,11 +70,14 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
     """
     text = unquoted(text).lstrip()
     for link in links:
-        for start, end in dict.fromkeys(map(link.delimiters, ("request", "response"))):
-            mark = start.decode("latin-1")
-            if link.encoding == "hex_ascii" and mark.isprintable() and mark and text.startswith(mark):
+        for direction in ("request", "response") if link.sends_characters else ():
+            mark = link.opening(direction).decode("latin-1")
+            if mark.isprintable() and mark and text.startswith(mark):
                 body, ending = _ended(text)
-                return _split_end("".join(body.split()).encode("latin-1", "replace"), ending.encode("latin-1"), end)
+                if link.encoding == "hex_ascii":
+                    body = "".join(body.split())
+                _, end = link.delimiters(direction)
+                return _split_end(body.encode("latin-1", "replace"), ending.encode("latin-1"), end)
     return None
 
 
@@ -93,13 +96,13 @@ def _ended(text: str) -> tuple[str, str]:
 
 def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, ...]]:
     """A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter."""
-    if end.endswith(mark):
-        return body + mark, ()
-    if not mark.startswith(end):
+    rest = next(mark[size:] for size in range(len(mark), -1, -1) if body.endswith(mark[:size]))
+    if end.endswith(rest):
+        return body + rest, ()
+    if not rest.startswith(end):
         return body + end, ()
-    lacking = mark[len(end) :]
-    named = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in lacking)
-    return body + mark, (f"{named} is missing at the end of the text and is assumed to have been sent",)
+    named = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in rest[len(end) :])
+    return body + rest, (f"{named} is missing at the end of the text and is assumed to have been sent",)
 
 
 # Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.

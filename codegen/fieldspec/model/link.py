@@ -183,6 +183,21 @@ class Link(Fact):
         return self.network.ports if self.network is not None else ()
 
     @property
+    def sends_characters(self) -> bool:
+        """Whether people write its frames as characters: parts of them are digits, or all bytes are."""
+        values = (part.value for part in (*self.request, *self.response))
+        return self.encoding == "hex_ascii" or any(value is not None and value.has_characters for value in values)
+
+    def opening(self, direction: str) -> bytes:
+        """The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte."""
+        start, _ = self.delimiters(direction)
+        first = next(iter(self.parts(direction)), None)
+        value = first.value if first is not None and not first.reserved else None
+        if start or value is None or value.const is None or value.size != 1:
+            return start
+        return bytes((value.const & 0xFF,))
+
+    @property
     def is_can(self) -> bool:
         """Whether the frames are those of a CAN bus."""
         return self.escape is not None and self.escape.method == "can"

@@ -86,15 +86,32 @@ export function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  const delimiters = links.flatMap((link) => Object.values(link.delimiters).map((marks) => [link, ...marks]));
-  for (const [link, start, close] of delimiters) {
-    const mark = String.fromCharCode(...start);
-    if (link.encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
-    const [body, end] = ended(inner);
-    const bytes = Uint8Array.from(body.replace(/\s+/gu, ""), (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
-    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), close);
+  for (const link of links.filter(sendsCharacters)) {
+    for (const direction of ["request", "response"]) {
+      const [, close] = link.delimiters[direction];
+      const mark = String.fromCharCode(...opening(link, direction));
+      if (!/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
+      const [text, end] = ended(inner);
+      const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
+      const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
+      return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
+    }
   }
   return null;
+}
+
+/** Whether people write the frames of a link as characters: parts of them are digits, or all bytes are. */
+function sendsCharacters({ encoding, request, response }) {
+  const digits = [...request.parts, ...response.parts].map(({ value }) => value?.digits);
+  return encoding === "hex_ascii" || digits.some((form) => form && form !== "bcd");
+}
+
+/** The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte. */
+function opening(link, direction) {
+  const [start] = link.delimiters[direction];
+  const first = link[direction].header[0];
+  if (start.length || first?.constant === undefined || first.reserved || first.size !== 1) return start;
+  return [Number(first.constant) & 0xff];
 }
 
 /** The text without the control characters at its end, which may be spelled as words, and these characters. */
@@ -113,15 +130,15 @@ function ended(text) {
 
 /** A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter. */
 function withEnd(body, end, mark) {
-  const joined = (...series) => Uint8Array.from(series.flatMap((bytes) => [...bytes]));
-  const [have, want] = [[...end].join(), [...mark].join()];
-  if (end.length >= mark.length && [...end.slice(end.length - mark.length)].join() === want) {
-    return { frame: joined(body, mark), remarks: [] };
-  }
-  if (end.length && [...mark.slice(0, end.length)].join() !== have) return { frame: joined(body, end), remarks: [] };
-  const lacking = Array.from(mark.slice(end.length), (byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
+  const endsWith = (bytes, last) => last.every((byte, at) => bytes[bytes.length - last.length + at] === byte);
+  let size = mark.length;
+  while (!endsWith(body, mark.slice(0, size))) size--;
+  const rest = mark.slice(size);
+  if (endsWith(end, rest)) return { frame: Uint8Array.from([...body, ...rest]), remarks: [] };
+  if (!end.every((byte, at) => rest[at] === byte)) return { frame: Uint8Array.from([...body, ...end]), remarks: [] };
+  const lacking = rest.slice(end.length).map((byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
   const remark = `${lacking.join(" ")} is missing at the end of the text and is assumed to have been sent`;
-  return { frame: joined(body, mark), remarks: [remark] };
+  return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
 }
 
 /** The frame in a line of candump, `605#4041` or `605 [2] 40 41`; null for any other text. */

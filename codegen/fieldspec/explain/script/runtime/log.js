@@ -10,14 +10,20 @@ export function linesOf(text) {
   return text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
 }
 
+/** The requests without an answer that are remembered. */
+const MOST_OPEN = 64;
+
 /**
- * Explains the lines of a log, one after the other. A response is read as the answer to the request before it; `asked`
- * is a request that the user names, which every line answers.
+ * Explains the lines of a log, one after the other. A response is read as the answer to a request before it; `asked` is
+ * a request that the user names, which every line answers. `open` are the requests that may still be answered, the
+ * newest last: one for each of the values that responses repeat. `mark` is the direction that a line without bytes
+ * announces for the next one.
  */
 export class LogReader {
   constructor(device, options = new FrameOptions(), asked = null) {
-    Object.assign(this, { device, options, asked, askedIn: 0, mark: "", number: 0 });
+    Object.assign(this, { device, options, asked, open: [], mark: "", number: 0 });
     this.links = [...device.links.values()];
+    this.repeated = new Map(this.links.map((link) => [link.name, repeatedParts(link)]));
   }
 
   /**
@@ -31,16 +37,44 @@ export class LogReader {
     if (!line) return null;
     this.mark = line.direction || this.mark;
     if (!line.frame.length) return null;
-    const { asked, askedIn } = this;
-    const reading = readFrame(this.device, line.frame, this.options, this.mark, asked);
-    const remarks = [...line.remarks, ...remarksOn(this.device, reading, askedIn, this.options)];
+    const { reading, asked } = this.readingOf(line.frame);
+    const remarks = [...line.remarks, ...remarksOn(this.device, reading, asked?.line ?? 0, this.options)];
     this.mark = "";
-    if (!asked?.sure) {
-      this.asked = this.requestOf(reading);
-      this.askedIn = this.asked ? this.number : 0;
+    if (!this.asked) {
+      this.close(reading.explanation);
+      const request = this.requestOf(reading);
+      if (request) this.open = [...this.open.slice(1 - MOST_OPEN), { request, sure: false, line: this.number }];
     }
-    const request = reading.chosen === "request" || asked?.sure ? asked.request : null;
+    const request = asked && (reading.chosen === "request" || asked.sure) ? asked.request : null;
     return { ...reading, line: this.number, remarks, request, wrong: isWrong(reading) };
+  }
+
+  /** The reading of a frame, and the request before it that counts; null where there is none. */
+  readingOf(frame) {
+    const readAs = (asked) => ({ reading: readFrame(this.device, frame, this.options, this.mark, asked), asked });
+    if (this.asked || !this.open.length) return readAs(this.asked);
+    let newest = null;
+    for (const asked of this.open.toReversed()) {
+      const own = readAs(asked);
+      if (own.reading.chosen === "request") return own;
+      newest ??= own;
+    }
+    return newest;
+  }
+
+  /** Closes the requests that a frame answers, or leaves without an answer. */
+  close(frame) {
+    if (this.device.messages.get(frame.message)?.unrequested) return; // the device sends it of its own accord
+    const own = this.numbersOf(frame);
+    const differs = (numbers) => numbers.some((number, at) => number !== own[at]);
+    this.open = this.open.filter(
+      ({ request }) => !own.includes(undefined) && request.link === frame.link && differs(this.numbersOf(request)),
+    );
+  }
+
+  /** What responses repeat of their requests, in a request or in a response; undefined where a frame lacks it. */
+  numbersOf({ link, direction, values }) {
+    return this.repeated.get(link).map(([asked, answer]) => values.get((direction === "request" ? asked : answer).name));
   }
 
   /** The frame as the request that the next response answers; null for what nobody answers. */
@@ -56,6 +90,13 @@ export class LogReader {
     const { unitAddress } = link.request;
     const { broadcast } = link.addresses ?? {};
     if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) === broadcast) return null;
-    return { request, sure: false };
+    return request;
   }
+}
+
+/** The parts of requests on a link that responses repeat, the unit address among them, each with its repetition. */
+function repeatedParts({ request, response }) {
+  const repetitions = response.header.filter(({ sameAs }) => sameAs).map((part) => [part.sameAs, part]);
+  const pairs = repetitions.map(([name, part]) => [request.header.find((asked) => asked.name === name), part]);
+  return [[request.unitAddress, response.unitAddress], ...pairs].filter(([asked, answer]) => asked && answer);
 }
