@@ -23,7 +23,7 @@ from fieldspec.model.enums import Bit, Flags
 
 _CODE = "bit_numbers_apply"
 _KEYS = ("signed", "scale", "offset", "unit")
-_OF_ONE = ("zero", "one", "active")
+_LEVEL_KEYS = ("zero", "one", "active")
 
 
 def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
@@ -31,7 +31,7 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
         for bit in word.bits:
             yield from _of_number(word, bit)
             yield from _of_range(bit)
-            for key in _OF_ONE:
+            for key in _LEVEL_KEYS:
                 if bit.width > 1 and key in bit.place:
                     text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
                     yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
