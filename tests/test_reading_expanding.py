@@ -124,6 +124,11 @@ def test_masks_of_named_bits_are_members_after_the_listed_ones() -> None:
     assert members[1].sources[0].text() == "3 L9"
 
 
+def test_masks_are_those_of_bits_counted_from_the_most_significant_one() -> None:
+    members = device(ENUMS.replace("type: u32", "type: u32\n    bit_0: most")).enums["function"].members
+    assert [(member.value, member.name) for member in members] == [(0, "none"), (1 << 31, "stop"), (1, "go")]
+
+
 def test_numbers_of_members_are_the_members_of_another_enum() -> None:
     assert [(member.value, member.name, member.printed_name) for member in device(ENUMS).enums["internal"].members] == [
         (4, "system", "AL.024")

@@ -100,6 +100,33 @@ def test_a_renamed_fact_has_its_new_name_wherever_it_is_referred_to() -> None:
     assert device.notes[0].about == ("registers/mode", "enums/way/inching")
 
 
+def test_steps_limits_links_and_spaces_follow_a_new_name() -> None:
+    base = BASE.replace("- group: motion", "- group: motion\n    space: memory")
+    base += """
+spaces: [{name: memory}]
+links: [{name: bus, request: [{name: body, role: body}], response: [{name: body, role: body}]}]
+messages: [{name: ask, links: [bus], answered_on: [bus], request: [], response: []}]
+limits: [{name: delay, value: 5, within: limits/timeout}, {name: timeout, value: 9}]
+tasks: [{name: go, task: jog, steps: [{write: registers/speed, argument: speed, timeout: limits/timeout}]}]
+"""
+    names = (
+        ("registers/speed", "velocity"),
+        ("limits/timeout", "bound"),
+        ("links/bus", "line"),
+        ("spaces/memory", "ram"),
+    )
+    entries = "\n".join(f"  - {{fact: {fact}, to: {to}, reason: x}}" for fact, to in names)
+    device = at("2.1", base, v2_1=overlay(f"renames:\n{entries}\n"))
+    (step,) = device.tasks[0].steps
+    assert (step.target, step.timeout, device.limits[0].within) == (
+        "registers/velocity",
+        "limits/bound",
+        "limits/bound",
+    )
+    assert device.messages["ask"].answered_on == ("line",)
+    assert device.groups[0].space == "ram"
+
+
 def test_an_overlay_may_be_based_on_an_overlay() -> None:
     second = overlay(
         "changes: [{fact: registers/speed, set: {range: {was: 1..120, is: 1..130}}, reason: x}]", "2.2", "2.1"
@@ -126,6 +153,10 @@ def test_versions_of_several_lines_are_picked_together() -> None:
 # An overlay of 2.0 with its mark, and the code of the finding.
 SAME = "overlay_changes_nothing"
 WRONG = {
+    "adds: [{in: registers/motion, item: {at: 1, name: torque, type: i16, since: «'3.0'»}, reason: x}]": SAME,
+    "removes: [{fact: «versions/firmware/1.0», reason: x}]": "overlay_fact_missing",
+    "adds: [{in: «uses», item: {protocol: modbus}, reason: x}]": "overlay_fact_missing",
+    "changes: [{fact: device, set: {id: «{was: gadget, is: widget}»}, reason: x}]": "id_matches_path",
     "changes: [{fact: «registers/nothing», set: {unit: {was: ~, is: mm}}, reason: x}]": "overlay_fact_missing",
     "changes: [{fact: «registers», set: {unit: {was: ~, is: mm}}, reason: x}]": "overlay_fact_missing",
     "changes: [{fact: registers/speed, set: {range: {was: «1..99», is: 1..120}}, reason: x}]": "overlay_base_differs",

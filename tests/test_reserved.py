@@ -17,6 +17,7 @@ from fieldspec.reserved import TARGETS
         ("python", "register", "register"),
         ("c", "register", "register_"),
         ("c", "Register", "Register"),
+        ("c", "size_t", "size_t_"),
         ("iec", "Timer", "Timer"),
         ("iec", "Time", "TimeValue"),
         ("siemens", "Timer", '"Timer"'),

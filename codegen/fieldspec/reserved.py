@@ -29,9 +29,11 @@ C = _words(
     not not_eq operator or or_eq private protected public reinterpret_cast requires static_cast template this throw
     try typeid typename using virtual wchar_t xor xor_eq
     linux unix i386 errno stdin stdout stderr assert offsetof near far interrupt
+    int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t size_t ptrdiff_t intptr_t uintptr_t intmax_t
+    uintmax_t max_align_t memcmp memcpy memmove memset strlen
     """
 )
-"""The words of C and of C++, and the macros of common headers and compilers."""
+"""The words of C and of C++, the macros of common headers and compilers, and the types and functions of a header."""
 
 IEC = _words(
     """

@@ -20,16 +20,14 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     keys: Spec = {"type": kind}
     if kind == "text":
         keys["length"] = draft.number(1, 12)
-        if place in ("register", "table"):
-            keys["length"] += keys["length"] % 2
+        keys["length"] += keys["length"] % 2 * _fills_words(draft, place)
         if place in ("field", "register", "signal", "table") and draft.chance(40):
             _text_form(draft, keys)
         elif draft.chance(20) and keys["length"] > 1:
             keys["characters"] = draft.number(1, keys["length"] - 1)
     elif kind == "bytes":
         keys["length"] = draft.number(1, 9)
-        if place in ("register", "table"):
-            keys["length"] += keys["length"] % 2
+        keys["length"] += keys["length"] % 2 * _fills_words(draft, place)
     elif kind in ("f32", "f64"):
         _float(draft, keys, place)
     elif not kind.startswith("bool"):
@@ -38,6 +36,11 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     if SIZES.get(kind, 0) > 1 and draft.chance(15) and place not in ("signal", "subindex"):
         keys["byte_order"] = draft.pick(("little", "big"))
     return keys
+
+
+def _fills_words(draft: Draft, place: str) -> bool:
+    """Whether characters and bytes are of an even number."""
+    return place == "table" or (place == "register" and draft.chance(70))
 
 
 def size_of(keys: Spec) -> int:
@@ -51,6 +54,8 @@ def _types(draft: Draft, place: str) -> tuple[str, ...]:
     wide = place in ("register", "table")
     if wide and draft.chance(8):
         return ODD_WORDS
+    if place == "register" and draft.chance(8):
+        return ("u8", "i8", "bool8")
     if place in ("parameter", "subindex", "case"):
         if draft.chance(15):
             return ODD_INTEGERS

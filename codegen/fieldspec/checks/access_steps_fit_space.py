@@ -66,6 +66,11 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
         help = "a step has `values`, or writes one register with `and_mask` and `or_mask`"
         yield finding(_CODE, message.place, "access_steps", f"a step of {does} {wrong}", help)
     carried = (step.and_mask, step.or_mask, step.values)
+    own = (step.start, step.count, step.and_mask, step.or_mask, step.values if step.operation == "write" else "")
+    shared = next((name for name, times in Counter(filter(None, own)).items() if times > 1), "")
+    if shared:
+        text = f"{shared} is stated for two purposes in a step of {message.name}"
+        yield finding(_CODE, message.place, "access_steps", text, "name a field of its own for each purpose")
     holder = message.response if step.operation == "read" else message.request
     for name in filter(None, (step.start, step.count, *carried)):
         record = holder if name == step.values else message.request

@@ -1,6 +1,6 @@
 """The access of a table and the access of its fields fit together: every access that a field permits is
 permitted by one of its tables, and every access that a table permits is permitted by one of its fields. A field of a
-request is not read only, and one of a response not write only.
+request is not read only, and one of a response not write only; neither is `atomic`, as frames are sent whole.
 
 Why: every output uses the narrower of the two. A table of settings may contain a status field with `ro`, and
 a table with `ro` may use a record whose fields have `rw`. An access that is narrowed everywhere has no
@@ -47,6 +47,9 @@ def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterat
         if field.access == refused and "access" in field.place:
             text = f"{field.name} is a field of a {direction}, which a controller {verb}, but its access is {refused}"
             yield finding(_CODE, field.place, "access", text, "remove it: the message says who sends the field")
+        if "atomic" in field.place:
+            text = f"{field.name} is a field of a {direction}, which is sent whole, so that `atomic` does not apply"
+            yield finding(_CODE, field.place, "atomic", text, "remove it, or state it at the register")
 
 
 def _of_field(field: Field, tables: list[Table]) -> Iterator[Diagnostic]:

@@ -14,6 +14,7 @@ Codecs compare the number of bits that a request writes with its bytes, so its r
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label, range_key
@@ -40,6 +41,10 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
             text = f"{count.name} is the number of {access.values} plus {count.measures.plus} in {message.name}"
             help = "remove `plus`: what a request asks for is the number of registers"
             yield finding(_CODE, count.place, "measures", text, help)
+        shared = next((name for name, times in Counter(filter(None, _numbers(access))).items() if times > 1), "")
+        if shared:
+            text = f"{shared} is stated for two purposes in {message.name}"
+            yield _of(message, text, "name a field of its own for the address, the count and the values", space)
         if field is None or field.value is None:
             continue
         if space.unit != BIT:
@@ -48,6 +53,11 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
             yield from _packed(message, access, field, space)
         elif space.unit == BIT:
             yield from _single(message, access, field, space)
+
+
+def _numbers(access: RegisterAccess) -> tuple[str, ...]:
+    """The fields of a request that an access names, one for each purpose."""
+    return (access.start, access.count, access.values if access.operation == "write" else "")
 
 
 def _words(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:

@@ -1,5 +1,5 @@
-"""A register or field with `same_as` has the type, scale, unit and range of the one that it names. If a
-record has `same_as`, this applies to the fields that have the same name in both records.
+"""A register or field with `same_as` has the type, scale, unit and range of the one that it names. If a record has
+`same_as`, this applies to the fields that have the same name in both records, of which there is one at least.
 
 Why: two descriptions of one value must agree. If they differ, one is misprinted, or the two are not the same
 value.
@@ -34,6 +34,11 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _compare_values(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for record in device.records.values():
         alike = device.records.get(record.same_as)
+        if alike is not None and (alike is record or not any(alike.named(field.name) for field in record.fields)):
+            text = f"{record.name} is itself" if alike is record else f"no field of {record.name} is in {alike.name}"
+            yield finding(
+                "aliases_agree", record.place, "same_as", text, "give both the same names, or remove `same_as`"
+            )
         for field in record.fields:
             same = alike.named(field.name) if alike is not None else None
             yield from _echo(field, same, f"{field.name} is the same as in {record.same_as}")

@@ -1,5 +1,6 @@
-"""Only a field of several bits has a sign, a scale or a unit, and no enum or edge beside them. A signed field has
-fewer bits than its word. A range is that of several bits that always have one meaning, in the data of a message.
+"""Only a field of several bits has a sign, a scale or a unit, and no enum or edge beside them. Only a single bit has an
+active level and texts for 0 and 1. A signed field has fewer bits than its word. A range is that of several bits that
+always have one meaning, in the data of a message.
 
 Why: a single bit is true or false, and members of an enum are no quantities. A word that is one number as a
 whole is a value. Codecs do not know whether a condition holds, and compare nothing with the bits of a part of a frame.
@@ -22,6 +23,7 @@ from fieldspec.model.enums import Bit, Flags
 
 _CODE = "bit_numbers_apply"
 _KEYS = ("signed", "scale", "offset", "unit")
+_LEVEL_KEYS = ("zero", "one", "active")
 
 
 def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
@@ -29,6 +31,10 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
         for bit in word.bits:
             yield from _of_number(word, bit)
             yield from _of_range(bit)
+            for key in _LEVEL_KEYS:
+                if bit.width > 1 and key in bit.place:
+                    text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
+                    yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
     for fact, value in values(device):
         bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
         if bounded and value.sentinels:

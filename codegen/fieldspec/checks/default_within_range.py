@@ -1,4 +1,5 @@
-"""A default is a value that the fact can have: within its range, its type and its closed enum.
+"""A default is a value that the fact can have: a text of a text, and a number within the range, the type and the closed
+enum of any other value. Bytes have none.
 
 Why: a device is not delivered with a setting that it does not accept. If the two disagree, one of them is
 misprinted.
@@ -11,6 +12,7 @@ range, list it under `sentinels`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from fieldspec.checks.facts import values
@@ -18,23 +20,47 @@ from fieldspec.checks.finding import default_key, finding, label, range_key
 from fieldspec.checks.numbers import Legal
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.value import Kind
+from fieldspec.model.value import Kind, Value
+
+_CODE = "default_within_range"
+_DECIMAL = re.compile(r"-?\d+\.\d+")
 
 
 def default_within_range(device: Device) -> Iterator[Diagnostic]:
     legal = Legal(device)
     for fact, value in values(device):
-        key = default_key(fact.place)
-        if isinstance(value.default, str):
-            if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
-                text = f"the default of {fact.name} is a text"
-                yield finding("default_within_range", fact.place, key, text, "state it as a raw value")
-            continue
         if value.default is None:
             continue
-        why = legal.objection(value, value.default)
+        key = default_key(fact.place)
+        wrong = _wrong_form(value, value.default)
+        if wrong:
+            text, help = wrong
+            yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
+            continue
+        why = (
+            _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
+        )
         if why:
             text = f"the default of {fact.name} is {value.default}, which {why}"
             help = "correct one of them, or list the value under `sentinels`"
             labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
-            yield finding("default_within_range", fact.place, key, text, help, *labels)
+            yield finding(_CODE, fact.place, key, text, help, *labels)
+
+
+def _wrong_form(value: Value, default: int | str) -> tuple[str, str] | None:
+    """What a default is that the type cannot have, and what to do; None where it has the form of the value."""
+    kind = value.type.kind
+    if kind is Kind.BYTES:
+        return "that of bytes, which no output has", "remove it, and say it in `notes`"
+    if kind is Kind.TEXT:
+        return None if isinstance(default, str) else ("a number", f'write the text in quotes: "{default}"')
+    if isinstance(default, str) and not (kind is Kind.FLOAT and _DECIMAL.fullmatch(default)):
+        return "a text", "state it as a raw value"
+    return None
+
+
+def _outside(value: Value, default: str) -> str:
+    """Why a floating-point value cannot be a number with a fraction, or an empty text."""
+    if value.type.kind is not Kind.FLOAT or value.ranges is None or float(default) in value.ranges:
+        return ""
+    return f"is outside {value.ranges.text()}"

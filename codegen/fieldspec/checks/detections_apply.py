@@ -66,9 +66,24 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
             if isinstance(item, int) is not number or (isinstance(item, int) and not _holds(value, item)):
                 text = f"{detection.fact} cannot be {item}, which is to tell {version.id}"
                 yield finding(_CODE, detection.place, "fact", text, f"correct `detected_as` of {version.id}")
+            elif other := _read_as(detection, item, [v.id for v in line.versions if v is not version]):
+                text = f"{item} tells {version.id}, and is {other} in the form {detection.form}"
+                yield finding(
+                    _CODE, detection.place, "form", text, f"correct `detected_as` of {version.id}, or the form"
+                )
             elif first.setdefault(item, version.id) != version.id:
                 text = f"{item} tells both {first[item]} and {version.id}"
                 yield finding(_CODE, detection.place, "fact", text, "correct `detected_as` of one of them")
+
+
+def _read_as(detection: Detection, item: int | str, others: list[str]) -> str:
+    """The other version that a number is in the form of the detection, or an empty text."""
+    if isinstance(item, str) or item < 0 or detection.form not in ("decimal", "hexadecimal"):
+        return ""
+    digits = (f"{item:d}" if detection.form == "decimal" else f"{item:X}").rjust(detection.places + 1, "0")
+    places = detection.places
+    text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
+    return text if text in others else ""
 
 
 def _holds(value: Value, item: int) -> bool:

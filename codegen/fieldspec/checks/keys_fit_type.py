@@ -1,7 +1,9 @@
-"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
-floating-point number has no scale. Texts and bytes have no range or scale, bytes have no byte order, and `big` is that
-of UTF-16 alone. Only a number of several bytes has a byte order, only one of several words a word order, and only a
-text, bytes and digits have a `length`.
+"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers, and a truth value
+has neither constant nor unit. Numbers with names have no scale, and a word of bits has neither an enum, a scale, a
+unit nor a sign: its bits have them. A floating-point number has no scale. Texts and bytes have no range or scale, bytes
+have no byte order, and `big` is that of UTF-16 alone.
+Only a number of several bytes has a byte order, only one of several words a word order, and only a text, bytes and
+digits have a `length`.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
@@ -21,14 +23,14 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.address_space import BIT
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Place
+from fieldspec.model.fact import Fact, Place
 from fieldspec.model.value import Kind, Value
 
 _NAMED = ("enum", "flags", "const")
 _SCALED = ("scale", "offset")
 _UNFIT = {
     Kind.FLOAT: (*_NAMED, *_SCALED),
-    Kind.BOOLEAN: ("flags", *_SCALED, "sentinels"),
+    Kind.BOOLEAN: ("flags", "const", *_SCALED, "sentinels", "unit"),
     Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
     Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
 }
@@ -45,10 +47,12 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         kind = value.type.kind
         more = _OF_BITS if value.type.name == BIT else ()
-        for key in (*_UNFIT.get(kind, ()), *more):
+        for key in dict.fromkeys((*_UNFIT.get(kind, ()), *more)):
             if _has(value, key) and not (key == "byte_order" and value.has_order):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
+        if kind is Kind.INTEGER:
+            yield from _of_names(fact, value)
         if value.type.is_number and not value.digits and "length" in fact.place:
             text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
             yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
@@ -65,6 +69,25 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
             text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
     yield from _ordered_checksums(device)
+
+
+def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """What a number with an enum or a word of bits cannot have beside it."""
+    keys = ("enum", *_SCALED, "unit") if value.flags else _SCALED if value.enum else ()
+    names = "is a word of bits" if value.flags else f"has the names of {value.enum}"
+    cure = (
+        "state it at the bits that it concerns"
+        if value.flags
+        else "remove it; a number that is no quantity can be a special value, under `sentinels`"
+    )
+    for key in keys:
+        if _has(value, key):
+            text = f"{fact.name} {names}, to which `{key}` does not apply"
+            yield finding("keys_fit_type", fact.place, key, text, cure)
+    if value.flags and value.type.signed:
+        text = f"{fact.name} is {value.type.name}, and a word of bits has no sign"
+        help = f"use u{value.type.name[1:]}; several adjacent bits can be `signed`"
+        yield finding("keys_fit_type", fact.place, "type", text, help)
 
 
 def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:

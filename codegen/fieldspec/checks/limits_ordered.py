@@ -1,10 +1,11 @@
-"""The minimum of a limit is not greater than its maximum, and its value is between them.
+"""A limit has a number or a text. Its minimum is not greater than its maximum, and its value is between them.
 
-Why: no time is both at least 400 ms and at most 200 ms. Two columns are swapped, or a digit is wrong.
+Why: no time is both at least 400 ms and at most 200 ms. Two columns are swapped, or a digit is wrong. A limit without
+a number and a text limits nothing.
 
-Example: `{min: 400, max: 200, unit: ms}`.
+Example: `{min: 400, max: 200, unit: ms}`, or `{name: timeout, unit: ms}`.
 
-Cure: Correct one of them, and write an erratum if the manual prints it that way.
+Cure: Correct one of them, or state the number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -23,6 +24,9 @@ def limits_ordered(device: Device) -> Iterator[Diagnostic]:
         rising = [
             (key, number) for key, number in _limit_text(limit.low, limit.value, limit.high) if number is not None
         ]
+        if not rising and not limit.text:
+            text = f"{limit.name} has neither a number nor a text"
+            yield finding("limits_ordered", limit.place, "name", text, "state `value`, `min`, `max` or `text`")
         for (before, less), (behind, more) in pairwise(rising):
             if less > more:
                 text = f"{limit.name} has the {before} {less} and the {behind} {more}"

@@ -1,4 +1,4 @@
-"""A limit with parts is their sum, and a limit with a bound does not exceed it.
+"""A limit with parts is their sum, and a limit with a bound does not exceed it. None is its own part or bound.
 
 Why: a timeout of 600 ms is too short for a device that takes up to 400 ms to answer and 280 ms to send. The
 manual prints these numbers on different pages, and nobody adds them up.
@@ -27,6 +27,10 @@ _SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
 def limits_within(device: Device) -> Iterator[Diagnostic]:
     limits = {limit.place.path: limit for limit in device.limits}
     for limit in device.limits:
+        for key, paths in (("sum_of", limit.sum_of), ("within", (limit.within,))):
+            if limit.place.path in paths:
+                text = f"{limit.name} names itself under `{key}`"
+                yield finding("limits_within", limit.place, key, text, "name another limit")
         if limit.sum_of:
             yield from _sum(limit, [limits[path] for path in limit.sum_of if path in limits])
         bound = limits.get(limit.within)

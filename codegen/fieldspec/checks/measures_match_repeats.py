@@ -1,8 +1,8 @@
 """The range of a field that carries the size of another field is from the least to the greatest size of that
-field, and its type has no sign.
+field. It is a whole number in a type without a sign, and nothing but its range restricts, scales or names it.
 
-Why: the number of bytes or elements follows from the permitted repetitions. The manual prints both limits, so
-a misprint in one of them shows. No number of bytes or elements is below zero.
+Why: the number of bytes or elements follows from the permitted repetitions, and encoders compute it. The manual prints
+both limits, so a misprint in one of them shows. No number of bytes or elements is below zero.
 
 Example: `values` has 1 to 60 words, and the byte count has the range `2..127`, but the maximum is 120 bytes.
 
@@ -19,8 +19,10 @@ from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Record
 from fieldspec.model.sizes import RecordSizes
+from fieldspec.model.value import Kind, Value
 
 _CODE = "measures_match_repeats"
+_KEYS = ("const", "default", "unit_default", "scale", "offset", "enum", "flags", "sentinels", "parameter")
 
 
 def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
@@ -28,11 +30,25 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         for field in layer.fields:
             yield from _compare_sizes(layer, field, sizes)
-            if field.measures is not None and field.value is not None and field.value.type.signed:
+            if field.measures is not None and field.value is not None:
+                yield from _of_number(field, field.value)
+            if field.measures is not None and field.value is not None and field.value.type.name[0] == "i":
                 text = f"{field.name} counts {field.measures.of} of {field.measures.field}, and {field.value.type.name}"
                 help = "use a type without a sign, or allow it with a reason"
                 severity = Severity.WARNING
                 yield finding(_CODE, field.place, "type", f"{text} has a sign", help, severity=severity)
+
+
+def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
+    """What a number that encoders compute cannot be."""
+    assert field.measures is not None
+    what = f"{field.name} counts {field.measures.of} of {field.measures.field}"
+    if value.type.kind is not Kind.INTEGER:
+        yield finding(_CODE, field.place, "type", f"{what}, and is {value.type.name}", "use a whole number")
+    for key in _KEYS:
+        if key in field.place:
+            text = f"{what}, which encoders compute, so that `{key}` does not apply"
+            yield finding(_CODE, field.place, key, text, "remove it, or remove `measures`")
 
 
 def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:

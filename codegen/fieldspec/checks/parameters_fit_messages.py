@@ -1,11 +1,15 @@
-"""The type of a parameter has as many bytes as a field that carries its value.
+"""The type of a parameter has as many bytes as a field that carries its value. The `number` of a value is a field that
+has a number of the same set, and a field with a number, a subindex or a value is a single one, without a scale or bits
+of its own.
 
 Why: a parameter of four bytes cannot be read by a message whose value has two. The manual prints the sizes in the
-list of parameters and again with the messages, so a misprint in one of them shows.
+list of parameters and again with the messages, so a misprint in one of them shows. Programs look for a value by its
+number, and each parameter has its own scale.
 
-Example: a parameter of the type `u32`, and messages that all have its value as `u16`.
+Example: a parameter of the type `u32`, and messages that all have its value as `u16`, or `number: index` where `index`
+has the numbers of another set.
 
-Cure: Correct the type of the parameter, or that of the field.
+Cure: Correct the type of the parameter, or that of the field. Name the field with the number.
 """
 
 from __future__ import annotations
@@ -20,10 +24,14 @@ from fieldspec.model.record import Field
 from fieldspec.model.value import Kind
 from fieldspec.source import Span
 
+_CODE = "parameters_fit_messages"
 _VALUES = ("value", "values")
+_BARRED = ("scale", "offset", "flags", "count", "repeat", "reserved")
+"""Keys that a field with a single number, subindex or value of a parameter cannot have."""
 
 
 def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
+    yield from _references(device)
     carriers: dict[str, list[tuple[int, Field]]] = {}
     for field in fields(device):
         for value in (field.value, *(case.value for case in cases(field))):
@@ -43,6 +51,39 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
                 text = f"{parameter.name} has {parameter.value.size} bytes, which no message can carry"
                 there = label(field.place, "name", "a field with the values of these parameters")
                 help = "correct the type of the parameter or of the field"
-                yield finding(
-                    "parameters_fit_messages", parameter.place, "type", text, help, there, severity=Severity.WARNING
-                )
+                yield finding(_CODE, parameter.place, "type", text, help, there, severity=Severity.WARNING)
+
+
+def _references(device: Device) -> Iterator[Diagnostic]:
+    """The findings of fields with numbers, subindices and values, and of the numbers that they name."""
+    for record in device.records.values():
+        yield from _of_layer(device, record.fields, record.fields)
+    for message in device.messages.values():
+        asked, answered = message.request.fields, message.response.fields
+        yield from _of_layer(device, asked, asked)
+        yield from _of_layer(device, answered, (*answered, *asked))
+
+
+def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]) -> Iterator[Diagnostic]:
+    for field in layer:
+        part = field.value.parameter if field.value is not None else None
+        if part is None or part.part == "values":
+            continue
+        for key in _BARRED:
+            if key in field.place:
+                text = f"{field.name} is the {part.part} of a parameter of {part.set}, to which `{key}` does not apply"
+                yield finding(_CODE, field.place, key, text, f"remove `{key}`; the rows of {part.set} have such keys")
+        named = [other for other in known if other.name == part.number]
+        if named and not any(_has_number(device, other, part.set) for other in named):
+            text = f"{part.number} has no number of {part.set}, of which {field.name} is the {part.part}"
+            help = f"name a field with `parameter: {{set: {part.set}, part: number}}`"
+            yield finding(_CODE, field.place, "parameter", text, help, label(named[0].place, "name", "the field"))
+
+
+def _has_number(device: Device, field: Field, name: str) -> bool:
+    """Whether a field has a number of a set, or of one that shares its numbers."""
+    part = field.value.parameter if field.value is not None else None
+    if part is None or part.part != "number":
+        return False
+    spaces = {parameter_set.space or parameter_set.name for parameter_set in device.sets(name)}
+    return any((own.space or own.name) in spaces for own in device.sets(part.set))

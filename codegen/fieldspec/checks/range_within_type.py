@@ -35,7 +35,7 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if value.type.kind in _WHOLE:
             yield from _of_value(fact, value)
-        elif value.type.kind is Kind.FLOAT:
+        elif value.type.kind is Kind.FLOAT and not value.digits:
             yield from _of_float(fact, value)
     for flags in device.flags.values():
         if flags.type.kind in _WHOLE and outside(flags.ranges, flags.type.low, flags.type.high):

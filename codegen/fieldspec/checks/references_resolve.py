@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.facts import cases, facts, layers, values
 from fieldspec.checks.finding import finding, is_imported, near
+from fieldspec.checks.numbers import body
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
@@ -38,6 +39,9 @@ _PARTS = frozenset(
     )
 )
 """What a path may name below a fact that is none itself."""
+
+_SAVING = frozenset(("registers", "parameters", "messages", "records", "tables", "signals"))
+"""The sections of what is written to a device or sent to it."""
 
 
 def references_resolve(device: Device) -> Iterator[Diagnostic]:
@@ -94,6 +98,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         handling = getattr(fact, "handling", UNSPECIFIED)
         if handling is not UNSPECIFIED:
             yield from _named(fact.place, "saved_by", "fact", handling.saved_by, paths)
+            if handling.saved_by in paths and handling.saved_by.partition("/")[0] not in _SAVING:
+                text = f"{handling.saved_by} saves nothing: it is neither written nor sent"
+                help = "name a register, a parameter, a field of one, or a message"
+                yield finding("references_resolve", fact.place, "saved_by", text, help)
             yield from _named(fact.place, "opposite_of", "fact", handling.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
@@ -272,6 +280,9 @@ def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
     if example.exception_response and link is not None and link.exception_response is None:
         text = f"the link {link.name} has no `exception_response`, so no response can be an exception response"
         yield finding("references_resolve", place, "exception_response", text, "add `exception_response` to the link")
+    if link is not None and example.elided:
+        names = [part.name for part in link.parts(example.direction)] + [field.name for field in body(device, example)]
+        yield from _check_names(place, "elided", "part or field", [n.partition(".")[0] for n in example.elided], names)
     request = device.examples.get(example.reply_to)
     if request is not None and (request.direction, example.direction) != ("request", "response"):
         text = f"{example.id} cannot reply to {request.id}: only a response can reply, and only to a request"

@@ -1,12 +1,13 @@
 """A value in a register of words has a whole number of words: a byte alone is half a word, and a text has two bytes in
 each word that the manual counts.
 
-Why: a manual that counts words prints no bytes. The device sends a whole word, and a byte takes its high half.
+Why: a manual that counts words prints no bytes. The device sends a whole word, whose first byte is such a value.
 
 Example: a register of type `u8` at 0x2001, or a text with `length: 31` and `words: 16`.
 
 Cure: State the word as `u16` or `i16`, with a `range` if it is known. State the length of all words of the text, and
-its `characters`. If the device has its value in the high half, set `allow: {registers_fill_words: <reason>}`.
+its `characters`. If the device has its value in the byte that comes first, set
+`allow: {registers_fill_words: <reason>}`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""A field that repeats comes last, and its elements have a fixed size. In a message, other fields may come behind such
-a field, if a field before it measures it; where one of them repeats too, that field is a binary number of one or two
-bytes without a sign. The elements of such a list in a message may be records that differ in size, each of which ends
-with a list, or a text that `varies`, that a field of it counts in the same way.
+"""A field that repeats may have an element, comes last, and its elements have a fixed size. In a message, other fields
+may come behind such a field, if a field before it measures it; where one of them repeats too, that field is a binary
+number of one or two bytes without a sign. The elements of such a list in a message may be records that differ in size,
+each of which ends with a list, or a text that `varies`, that a field of it counts in the same way.
 
 Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
 Elements that differ in size are separated by their own counts.
@@ -34,6 +34,9 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             if field.repeat is not None:
                 if field is not layer.fields[-1]:
                     yield from _inner(layer, field, bodies.get(id(layer)))
+                if field.repeat.high == 0:
+                    text = f"{field.name} never has an element"
+                    yield finding(_CODE, field.place, "repeat", text, "correct the repetitions, or remove the field")
                 if field.count is not None:
                     text = f"{field.name} has a `count` and a `repeat`"
                     yield finding(_CODE, field.place, "count", text, "remove one of them")

@@ -19,6 +19,7 @@ from fieldspec.checks.finding import finding, label, plural
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.text_form import text_fault
 from fieldspec.model.value import Kind, Value
 
 
@@ -37,10 +38,19 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
         if isinstance(value.default, str) and value.type.kind is Kind.TEXT and value.text_form is None:
             length = len(value.default.encode())
-            if length > value.size:
+            fault = text_fault(value, "big", value.default)
+            if fault is not None and fault[0] == "unknown_value":
+                text = f"the default of {fact.name} {fault[1]}"
+                help = "correct the default, or state the `encoding` of the text"
+                yield finding("text_fits_words", fact.place, "default", text, help)
+            elif length > value.size:
                 text = f"the default of {fact.name} takes {length} bytes, but it has {value.size}"
                 help = "correct the default or the size"
                 yield finding("text_fits_words", fact.place, "default", text, help, _size(fact))
+        if isinstance(value.default, str) and value.characters is not None and len(value.default) > value.characters:
+            text = f"the default of {fact.name} has {len(value.default)} characters, and may have {value.characters}"
+            help = "correct the default or the characters"
+            yield finding("text_fits_words", fact.place, "default", text, help)
 
 
 def _most(value: Value) -> int:

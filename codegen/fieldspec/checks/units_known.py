@@ -1,5 +1,6 @@
 """Every unit is one of the language, or the spec declares it under `units`, with a symbol of its own. Its `ucum` has
-the form of a code: symbols with exponents, joined by points and slashes; words in braces say what is counted.
+the form of a code: symbols with exponents, joined by points and slashes; words in braces say what is counted. A unit
+with a `factor` has a `quantity`.
 
 Why: software that converts values must know the unit, and a misspelt unit is unknown. Exports hand the code on to
 software that reads it.
@@ -38,6 +39,9 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             text = f"two units have the symbol {symbol}"
             yield finding(_CODE, own.place, "symbol", text, "rename one of them", there)
         declared.setdefault(symbol, own.place)
+        if own.factor and not own.quantity:
+            text = f"{symbol} has a factor, but no quantity, so that nothing is converted to it"
+            yield finding(_CODE, own.place, "factor", text, "state the `quantity` that the unit measures")
         if own.ucum and not is_code(own.ucum):
             text = f"`{own.ucum}` is no code of UCUM: symbols with exponents, joined by `.` and `/`"
             yield finding(_CODE, own.place, "ucum", text, "write it as `mm/{rev}`, `m/s2` or `kg.m2`, or remove it")

@@ -8,7 +8,7 @@ from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.value import HANDLING_KEYS
-from fieldspec.reading.findings import near
+from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
 from fieldspec.schema import schema
 
@@ -91,7 +91,13 @@ class _Expansion:
         if flags := self._known(derived.values.get("flags"), self.flags, "bit field"):
             members += _masks(flags)
         if other := self._known(derived.values.get("enum"), self.enums, "enum"):
-            members += _numbers(other)
+            numbers = [*_numbers(other)]
+            members += numbers
+            if not numbers:
+                name = _scalar(derived, "enum")
+                text = f"no member of {quoted(name.text)} has a `number`, so that none follows from it"
+                help = "name the enum whose members have numbers, or list the members"
+                self.findings.append(Diagnostic("wrong_form", text, name.span, help=help))
         return enum.with_value("members", Sequence(derived.file, derived.start, derived.end, tuple(members)))
 
     def copies(self, group: Node) -> Iterator[Mapping]:
@@ -186,15 +192,17 @@ def _named(items: Node | None) -> dict[str, Mapping]:
 
 
 def _masks(flags: Mapping) -> Iterator[Mapping]:
-    """A member for each bit that has a name: its value is the mask."""
-    bits = flags.values.get("bits")
+    """A member for each bit that has a name: its value is the mask, whichever end the manual counts the bits from."""
+    bits, most = flags.values.get("bits"), flags.values.get("bit_0")
+    highest = int(_scalar(flags, "type").text[1:]) - 1 if isinstance(most, Scalar) and most.text == "most" else None
     for bit in bits.items if isinstance(bits, Sequence) else ():
         if not isinstance(bit, Mapping) or "name" not in bit.values or "bit" not in bit.values:
             continue
         if isinstance(reserved := bit.values.get("reserved"), Scalar) and reserved.value is True:
             continue
         number = bit.values["bit"]
-        yield _member(bit, _scalar_like(number, 1 << _integer(number)))
+        place = _integer(number) if highest is None else highest - _integer(number)
+        yield _member(bit, _scalar_like(number, 1 << max(place, 0)))
 
 
 def _numbers(enum: Mapping) -> Iterator[Mapping]:

@@ -35,11 +35,15 @@ _REFERENCES = {
     "records": ("record",),
     "signals": ("signal", "signals"),
     "messages": ("message", "messages", "supplements"),
-    "links": ("link", "links"),
+    "links": ("link", "links", "answered_on"),
+    "spaces": ("space",),
     "registers": ("same_as", "copy_of", "of", "scale_by", "count_by", "base_by"),
     "parameters": ("set",),
 }
-_PATHS = ("fact", "about", "references", "saved_by", "opposite_of")
+_STEPS = ("write", "set", "clear", "pulse", "send", "read", "wait", "timeout")
+_PATHS = ("fact", "about", "references", "saved_by", "opposite_of", "sum_of", "within", "limit", *_STEPS)
+_OF_ALL_VERSIONS = frozenset(("accepts", "audit", "reviews", "uses", "versions"))
+"""Sections that are not of one version, so that no overlay changes them."""
 _REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key in keys)))
 
 
@@ -116,6 +120,11 @@ class _Application:
         """The keys of the fact that an entry is about, and the fact. A missing fact is a finding."""
         path = entry.values[key]
         assert isinstance(path, Scalar)
+        section = path.text.partition("/")[0]
+        if section in _OF_ALL_VERSIONS:
+            text = f"`{section}` is that of the device, not of a version"
+            self._refuse("overlay_fact_missing", text, path, "change it in the files of the device")
+            return None
         at = keys(self.tree, path.text)
         if at is None:
             self._refuse(
@@ -143,6 +152,10 @@ class _Application:
             return
         keys_set = entry.values["set"]
         assert isinstance(keys_set, Mapping)
+        if at == ["device"] and "id" in keys_set.values:
+            text = "all versions have the id of the device"
+            self._refuse("id_matches_path", text, keys_set.values["id"], "remove `id`")
+            return
         new, sound = fact, True
         for key, pair in keys_set.values.items():
             assert isinstance(pair, Mapping)
@@ -233,8 +246,8 @@ class _Application:
         assert isinstance(item, Mapping)
         if "source" in entry.values and "source" not in item.values:
             item = item.with_value("source", entry.values["source"])
-        at = keys(self.tree, path.text)
-        if at is None and "/" not in path.text and path.text in _LISTS:
+        at = keys(self.tree, path.text) if path.text.partition("/")[0] not in _OF_ALL_VERSIONS else None
+        if at is None and "/" not in path.text and path.text in _LISTS - _OF_ALL_VERSIONS:
             empty = Sequence(path.file, path.start, path.end, ())
             self.tree = self.tree.with_value(path.text, empty)
             at = [path.text]

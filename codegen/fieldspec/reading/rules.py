@@ -138,7 +138,7 @@ Cure: Look at both places, decide which value is right now, and correct `was`.
 
 Why: an entry without effect is a mistake, or a change that is now in the base.
 
-Example: `unit: {was: mm, is: mm}`.
+Example: `unit: {was: mm, is: mm}`, or an added register with a `since` behind the version.
 
 Cure: State the new value, or remove the entry.
 """,
@@ -255,6 +255,15 @@ Why: reading a folder of specs must take a bounded time, whoever wrote it.
 Example: a chain of seventeen protocols, each of which uses the next.
 
 Cure: Combine related protocols, and let each protocol use the ones that it needs directly.
+""",
+    "version_never": """The bounds of a fact leave it at least one version.
+
+Why: no output has what no version has, so a mistake in it, or a missing register, would not be noticed.
+
+Example: `since: "2.0"` and `until: "1.0"` at one register, or a member with `until: "1.0"` in an enum that has
+`since: "2.0"`.
+
+Cure: Correct the bounds, or remove the fact.
 """,
     "version_twice": """A version is declared once and has one place in its line.
 

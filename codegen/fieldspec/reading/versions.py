@@ -255,8 +255,11 @@ class Lines:
             self._search(node, findings)
         return findings
 
-    def _search(self, node: Mapping | Sequence, findings: list[Diagnostic]) -> bool:
-        """Adds the findings of a part of a tree, and notes whether it has no bounds, which versions then need not."""
+    def _search(self, node: Mapping | Sequence, findings: list[Diagnostic], around: tuple[Mapping, ...] = ()) -> bool:
+        """Adds the findings of a part of a tree, and notes whether it has no bounds, which versions then need not.
+
+        `around` are the facts with bounds that hold it.
+        """
         free = True
         values: Iterable[Node]
         if isinstance(node, Mapping):
@@ -264,17 +267,54 @@ class Lines:
             if not BOUNDS.isdisjoint(node.values):
                 free = False
                 findings += self._misnamed(node)
+                findings += self._never(node, around)
+                around = (*around, node)
             if not _FREE.isdisjoint(node.values):
                 free = False  # bounds in there are not searched here
                 values = [value for key, value in node.values.items() if key not in _FREE]
         else:
             values = node.items
         for item in values:
-            if not isinstance(item, Scalar) and not self._search(item, findings):
+            if not isinstance(item, Scalar) and not self._search(item, findings, around):
                 free = False
         if free:
             self._unbounded[node] = True
         return free
+
+    def _never(self, node: Mapping, around: tuple[Mapping, ...]) -> Iterator[Diagnostic]:
+        """A finding where no version of a line that a fact names is within its bounds and those of what holds it."""
+        bounds = [key for key in ("since", "until", "only") if key in node.values]
+        if len(bounds) + len(around) < 2:
+            return
+        own = {self.place.get(bound.text, (None,))[0] for key in bounds for bound in named(node.values[key])}
+        for line in own - {None}:
+            versions = [version for version, (other, _) in self.place.items() if other == line]
+            outer = [version for version in versions if self._all_hold(around, version)]
+            if outer and not any(self._holds(node, version) for version in outer):
+                text = f"no version is within {' and '.join(f'`{key}`' for key in bounds)}"
+                if any(self._holds(node, version) for version in versions):
+                    text += " and the bounds of what holds this"
+                help = "correct the bounds, or remove what no version has"
+                yield Diagnostic("version_never", text, node.values[bounds[0]].span, help=help)
+                return
+
+    def _all_hold(self, facts: tuple[Mapping, ...], version: str) -> bool:
+        return all(self._holds(fact, version) for fact in facts)
+
+    def unreached(self, overlay: Mapping, version: str, bases: Table[str, str]) -> list[Diagnostic]:
+        """A finding for each fact that an overlay adds, and that neither its version nor one based on it has."""
+        reached = {version}
+        while more := {other for other, base in bases.items() if base in reached} - reached:
+            reached |= more
+        findings = []
+        for entry in mappings(overlay.values.get("adds")):
+            item = entry.values.get("item")
+            if isinstance(item, Mapping) and not any(self._holds(item, other) for other in reached):
+                key = next(key for key in ("since", "until", "only") if key in item.values)
+                text = f"`{key}` leaves {quoted(identity(item) or '')} out of the version `{version}`, which adds it"
+                help = f"remove `{key}`, or add the fact in the file of another version"
+                findings.append(Diagnostic("overlay_changes_nothing", text, item.values[key].span, help=help))
+        return findings
 
     def _misnamed(self, node: Mapping) -> Iterator[Diagnostic]:
         for key in ("since", "until", "only"):

@@ -40,15 +40,15 @@ def default_raw(device: Device, value: Value) -> Raw:
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         text = value.default if isinstance(value.default, str) else ""
         return text if value.text_form is not None else text_bytes(value, "big", text)
-    if isinstance(value.default, int):
-        return value.default
+    if value.default is not None:
+        return float(value.default) if isinstance(value.default, str) else value.default
     if value.const is not None:
         return value.const
-    if value.type.kind is Kind.FLOAT:
-        return 0.0
     nearest = 0
     if value.ranges is not None and 0 not in value.ranges and value.sentinel(0) is None:
         nearest = min((bound for interval in value.ranges.intervals for bound in interval), key=abs)
+    if value.type.kind is Kind.FLOAT:
+        return float(nearest)
     if value.flags:
         return device.flags[value.flags].nearest(nearest)
     enum = device.enums.get(value.enum)

@@ -26,7 +26,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     """A register, or an array of them."""
     register, device = layout.register, names.layout.device
     name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
-    size = layout.size
+    size = layout.size if register.value.type.name == BIT else register.value.size
     request = Slot(layout.name, register.value, size, layout.order, layout.swapped, device)
     answer = register.answer
     read = Slot(layout.name, answer, size, layout.order, layout.swapped, device)

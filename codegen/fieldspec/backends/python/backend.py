@@ -40,6 +40,7 @@ RUNTIME = (
     "_error",
     "_can",
     "_escapes",
+    "_filled",
     "_firmware",
     "_flags",
     "_framers",

@@ -68,6 +68,7 @@ _SHARED = {
     "_end_framer": "EndFramer",
     "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure",
     "_escapes": "Add Cobs EscapeFramer EscapedFrames Insert Replace",
+    "_filled": "Filled",
     "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer Intervals LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",

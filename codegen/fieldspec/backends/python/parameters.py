@@ -228,7 +228,7 @@ def _row(
     arguments = [
         name,
         number,
-        register_value(value, value.size, order, swapped, words, row.trigger),
+        register_value(value, order, swapped, words, row.trigger),
         literal(row.access),
         *keywords,
     ]
@@ -257,7 +257,7 @@ def _default(row: Parameter) -> str:
 
 def _subindex(row: Parameter, subindex: Subindex, orders: Orders, words: Words) -> str:
     order, swapped = orders.of(subindex.value)
-    value = register_value(subindex.value, subindex.value.size, order, swapped, words, row.trigger)
+    value = register_value(subindex.value, order, swapped, words, row.trigger)
     more = [f"type={literal(subindex.value.type.name)}"]
     more += [f"access={literal(subindex.access)}"] if subindex.access else []
     more += ["reserved=True"] if subindex.reserved else []

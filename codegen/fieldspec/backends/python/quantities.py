@@ -209,7 +209,7 @@ def power_views(
         unit = constants.take(f"{Name.of(field.title).upper()}_UNIT")
         places = [field.field, exponent.field] if exponent.field is not None else [field.field, exponent.register]
         values = [
-            value_expression(value, value.size, place.order, place.swapped, field.words)
+            value_expression(value, place.order, place.swapped, field.words)
             for value, place in zip((field.value, exponent.value), places, strict=True)
             if place is not None
         ]

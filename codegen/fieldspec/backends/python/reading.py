@@ -245,7 +245,7 @@ def _case(case: CaseLayout, order: str, decided: Slots) -> str:
     native = case.value.size == 1 or (case.order == order and not case.swapped)
     letters = case.value.type.letter.strip("s") if native else ""
     letters = letters or f"{case.value.size}s"
-    value = value_expression(case.value, case.value.size, case.order, case.swapped, decided.words)
+    value = value_expression(case.value, case.order, case.swapped, decided.words)
     return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"
 
 

@@ -22,31 +22,29 @@ from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
 
 
-def register_value(value: Value, size: int, order: str, swapped: bool, words: Words, trigger: bool) -> str:
-    """The `Value` of a register or a parameter, in `size` bytes: every answer of the device is read.
+def register_value(value: Value, order: str, swapped: bool, words: Words, trigger: bool) -> str:
+    """The `Value` of a register or a parameter: every answer of the device is read.
 
     Only writing is limited to a constant, or, where it starts an action, to the members of a closed enum.
     """
-    return _value(value, size, order, swapped, words, value.as_answer(trigger) != value)
+    return _value(value, order, swapped, words, value.as_answer(trigger) != value)
 
 
-def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
-    """The `Value` of a value in a frame; it has `size` bytes, which may be more than its type has."""
-    return _value(value, size, order, swapped, words, False)
+def value_expression(value: Value, order: str, swapped: bool, words: Words) -> str:
+    """The `Value` of a value in a frame."""
+    return _value(value, order, swapped, words, False)
 
 
-def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
+def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         if value.text_form is not None:
-            return f'_FormedText("{size}s", {value.size}, {literal(text_letters(value, order))})'
+            return f'_FormedText("{value.size}s", {value.size}, {literal(text_letters(value, order))})'
         kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
-        return f'{kind}("{size}s", {value.size})'
-    letter, narrow = value.type.letter or value.type.name, value.size < size
-    if narrow:
-        letter = "h" if value.type.signed else "H"
+        return f'{kind}("{value.size}s", {value.size})'
+    letter = "H" if value.type.name == BIT else value.type.letter or value.type.name
     letters = literal((">" if (order == "big") != swapped else "<") + letter)
     if value.digits:
-        letters, narrow = literal(digits_letters(value, order, swapped)), False
+        letters = literal(digits_letters(value, order, swapped))
     more = ["swapped=True"] if swapped else []
     if value.type.kind is Kind.BOOLEAN:
         return _call("_Boolean", letters, more)
@@ -58,7 +56,6 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if value.const is not None:
         if not any_answer:
             return _call("_Constant", letters, [str(value.const), *more])
-        more += [f'limits="{value.type.letter}"'] if narrow else []
         return _call("_Setting", letters, [str(value.const), *more])
     ranges = _ranges(value)
     if ranges is not None and value.flags:
@@ -67,6 +64,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if ranges is not None:
         more.append(f"ranges={pairs(ranges)}")
     if value.flags:
+        more += [f"absent={absent_states(value)}"] if value.sentinels else []
         more += [f"bits={bits}" for bits in bounded_bits(words.bounded.get(value.flags, ()))]
         return _call("_Word", letters, [words.flags[value.flags], *more])
     if value.sentinels:
@@ -84,8 +82,6 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         more.append(f"unit={literal(value.quantity_unit)}")
     if value.scaled:
         more.append(f"ratio={ratio(value)}")
-    if narrow:
-        more.append(f'limits="{value.type.letter}"')
     return _call("_Number", letters, more)
 
 
@@ -172,7 +168,9 @@ def register_view(
     register = layout.register
     name = names[layout.name]
     is_bit = register.value.type.name == BIT
-    value = register_value(register.value, layout.size, layout.order, layout.swapped, words, register.trigger)
+    value = register_value(register.value, layout.order, layout.swapped, words, register.trigger)
+    if layout.size > register.value.size and not is_bit:
+        value = f"_Filled({value})"
     arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
     if layout.count > 1:
         arguments += [f"count={layout.count}", f"first={register.index_from}", f"stride={layout.stride}"]

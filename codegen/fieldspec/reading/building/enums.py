@@ -67,6 +67,8 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
     first = entry.integer("bit")
     last = first
     if span := entry.text("bits"):
+        if first is not None:
+            entry.refuse("wrong_form", "bit", "`bit` has no effect beside `bits`", "remove one of them")
         low, _, high = span.partition("..")
         first, last = int(low), int(high)
         if last < first:

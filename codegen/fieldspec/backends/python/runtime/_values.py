@@ -46,10 +46,9 @@ class Value(Generic[T]):
 
     The letters of a number that no Struct has are the order and the type: `>u24`. Those of digits: see `Digits`.
 
-    `limits` is the letter of a narrower type that fills a word. `ranges` are in counts. The scale, if
-    there is one, is (a, b, c) of unit = (count * a + b) / c. `absent` are the states
-    that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and are no
-    quantity.
+    `ranges` are in counts. The scale, if there is one, is (a, b, c) of unit = (count * a + b) / c. `absent` are the
+    states that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and
+    are no quantity.
     """
 
     __slots__ = ("absent", "high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")
@@ -63,7 +62,6 @@ class Value(Generic[T]):
         unit: str = "",
         ratio: tuple[int, int, int] = (1, 0, 1),
         absent: tuple[tuple[str, float], ...] = (),
-        limits: str = "",
     ) -> None:
         self.struct: Struct | Integer | Digits
         if " " in letters:
@@ -74,7 +72,7 @@ class Value(Generic[T]):
         if not isinstance(self.struct, Struct):
             self.low, self.high = self.struct.low, self.struct.high
         else:
-            self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
+            self.low, self.high = _LIMITS.get(letters[-1], (0, 0))
         self.ranges, self.unit, self.ratio = ranges, unit, ratio
         self.absent, self.others = absent, tuple([value for _, value in absent])
 
@@ -180,8 +178,8 @@ class Setting(Number):
 
     __slots__ = ("const",)
 
-    def __init__(self, letters: str, const: int, *, swapped: bool = False, limits: str = "") -> None:
-        super().__init__(letters, swapped=swapped, limits=limits)
+    def __init__(self, letters: str, const: int, *, swapped: bool = False) -> None:
+        super().__init__(letters, swapped=swapped)
         self.const = const
 
     def refused(self, name: str, value: Any) -> CodecError | None:
@@ -282,9 +280,10 @@ class Word(Value[F]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
+        absent: tuple[tuple[str, float], ...] = (),
         bits: tuple[BoundedBits, ...] = (),
     ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges)
+        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent)
         self.flags, self.bits = flags, bits
 
     def of_raw(self, name: str, raw: int) -> F:
@@ -335,7 +334,7 @@ class Text(Value[str]):
 
 
 class Bytes(Value[bytes]):
-    """Bytes as they are; an odd last one is followed by a zero. `length` is how many there are."""
+    """Bytes as they are. `length` is how many there are."""
 
     __slots__ = ("length",)
 
@@ -348,7 +347,7 @@ class Bytes(Value[bytes]):
         return self.decode(name, raw)
 
     def of_raw(self, name: str, raw: bytes) -> bytes:
-        return raw[: self.length]
+        return raw
 
     def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_bytes(name, value, self.length)
