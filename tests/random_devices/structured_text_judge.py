@@ -10,6 +10,7 @@ from fieldspec.backends import OUTPUTS
 from fieldspec.backends.iec.backend import refusals, source
 from fieldspec.backends.iec.backend import text as standard_text
 from fieldspec.backends.st.backend import text
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.structured.program import declared_in_text, program
 from random_devices.queries import Answer, Query
@@ -33,14 +34,14 @@ TRIES = 6
 
 
 class StructuredText:
-    """The functions of a device; those of a device that the output refuses are not asked.
+    """The functions of a device, for what the output does not leave out. Of a device that it refuses, there are none.
 
     Every other output also says what it refuses, and must not raise.
     """
 
     def __init__(self, layout: DeviceLayout, folder: Path, is_compiled: bool = False) -> None:
         self.prover: Proof | None = None
-        if is_compiled and not refusals([layout]):
+        if is_compiled and not has_errors(refusals([layout])):
             own = source(layout)
             try:
                 self.prover = Proof(own.declared.world, Compiled(standard_text(own), folder))
@@ -49,7 +50,7 @@ class StructuredText:
                     raise
         for output in () if is_compiled else OUTPUTS.values():
             output.refusals([layout])
-        if not is_compiled and not declared_in_text(layout).findings:
+        if not is_compiled and not has_errors(declared_in_text(layout).findings):
             own_program = program(layout)
             self.prover = Proof(own_program.declared.world, Machine(parsed(text(own_program))))
 
