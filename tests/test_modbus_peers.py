@@ -129,8 +129,24 @@ def test_a_server_of_pymodbus_answers_the_other_functions(link: str) -> None:
         assert client.ask(request).message.values[1] == 2
         request = STATION.ReadDeviceIdentificationRequest(category=1, first_object=0)
         response = client.ask(request).message
-        assert response.object_count == 3
-        assert bytes(response.objects).startswith(b"\x00\x06Nobody\x01\x01S")
+        assert [(own.number, own.value) for own in response.objects] == [(0, "Nobody"), (1, "S"), (2, "1.0")]
+
+
+@pytest.mark.parametrize("link", LINKS)
+def test_the_texts_of_a_server_of_pymodbus_are_read_in_several_responses(link: str, monkeypatch: Any) -> None:
+    texts = {number: f"{number:x}" * 100 for number in (0, 1, 2, 4, 5)} | {6: "x" * 244}
+    identity = ModbusDeviceIdentification(info={number: text.encode() for number, text in texts.items()})
+    monkeypatch.setitem(globals(), "IDENTITY", identity)
+    with line_to_server(link, simulated()) as line:
+        client, read, first, more = Client(STATION, link, line), {}, 0, 0xFF
+        while more:
+            request = STATION.ReadDeviceIdentificationRequest(category=2, first_object=first)
+            response = client.ask(request).message
+            read |= {own.number: own.value for own in response.objects if own.value}
+            first, more = response.next_object, response.more_follows
+        assert read == texts
+        request = STATION.ReadDeviceIdentificationRequest(category=4, first_object=5)
+        assert [(own.number, own.value) for own in client.ask(request).message.objects] == [(5, texts[5])]
 
 
 @pytest.mark.parametrize("link", LINKS)
@@ -156,6 +172,10 @@ def test_a_float_in_input_registers_is_read_in_both_word_orders(link: str, versi
         assert have == [struct.unpack(">f", struct.pack(">f", number))[0] for number in numbers]
         client.write(module, module.RATIO, 2.5)
         assert client.read(module, module.RATIO) == 2.5
+
+
+TEXTS = ("Nobody", "S" * 200, "1.0")
+"""The texts of the station's identification."""
 
 
 class Server:
@@ -205,6 +225,15 @@ class Server:
         if name == "WriteRegister":
             self.words["holding_registers"][asked.address] = asked.value
             return STATION.WriteRegisterResponse(address=asked.address, value=asked.value)
+        if name == "ReadDeviceIdentification":
+            last = asked.first_object if asked.category == 4 else 2
+            objects = [
+                STATION.IdentificationObject(number=number, value=TEXTS[number])
+                for number in range(asked.first_object, last + 1)
+            ]
+            return STATION.ReadDeviceIdentificationResponse(
+                category=asked.category, conformity=0x81, more_follows=0, next_object=0, objects=objects
+            )
         assert name == "WriteRegisters", name
         _cut(self.words["holding_registers"], asked.address, len(asked.values))
         self.words["holding_registers"][asked.address : asked.address + len(asked.values)] = asked.values
@@ -268,6 +297,16 @@ def test_a_client_of_pymodbus_is_served_by_the_generated_codec_in_all_four_space
         assert not client.write_registers(1, [2, *big_endian(0.5)], device_id=1).isError()
         assert client.read_holding_registers(0, count=4, device_id=1).registers == [75, 2, *big_endian(0.5)]
         assert client.read_holding_registers(3, count=2, device_id=1).exception_code == 2
+
+
+@pytest.mark.parametrize("link", LINKS)
+def test_a_client_of_pymodbus_reads_the_texts_of_the_generated_codec(link: str) -> None:
+    with served(link) as (client, _):
+        response = client.read_device_information(read_code=1, object_id=0, device_id=1)
+        assert response.information == {number: text.encode() for number, text in enumerate(TEXTS)}
+        assert (response.conformity, response.more_follows) == (0x81, 0)
+        response = client.read_device_information(read_code=4, object_id=1, device_id=1)
+        assert response.information == {1: TEXTS[1].encode()}
 
 
 PRINTED = (
