@@ -133,23 +133,6 @@ def test_a_server_of_pymodbus_answers_the_other_functions(link: str) -> None:
 
 
 @pytest.mark.parametrize("link", LINKS)
-def test_the_texts_of_a_server_of_pymodbus_are_read_in_several_responses(link: str, monkeypatch: Any) -> None:
-    texts = {number: f"{number:x}" * 100 for number in (0, 1, 2, 4, 5)} | {6: "x" * 244}
-    identity = ModbusDeviceIdentification(info={number: text.encode() for number, text in texts.items()})
-    monkeypatch.setitem(globals(), "IDENTITY", identity)
-    with line_to_server(link, simulated()) as line:
-        client, read, first, more = Client(STATION, link, line), {}, 0, 0xFF
-        while more:
-            request = STATION.ReadDeviceIdentificationRequest(category=2, first_object=first)
-            response = client.ask(request).message
-            read |= {own.number: own.value for own in response.objects if own.value}
-            first, more = response.next_object, response.more_follows
-        assert read == texts
-        request = STATION.ReadDeviceIdentificationRequest(category=4, first_object=5)
-        assert [(own.number, own.value) for own in client.ask(request).message.objects] == [(5, texts[5])]
-
-
-@pytest.mark.parametrize("link", LINKS)
 def test_an_exception_response_of_pymodbus_names_its_code(link: str) -> None:
     with line_to_server(link, simulated()) as line:
         reply = Client(STATION, link, line).ask(STATION.ReadRegistersRequest(address=0x300, word_count=1))
@@ -297,16 +280,6 @@ def test_a_client_of_pymodbus_is_served_by_the_generated_codec_in_all_four_space
         assert not client.write_registers(1, [2, *big_endian(0.5)], device_id=1).isError()
         assert client.read_holding_registers(0, count=4, device_id=1).registers == [75, 2, *big_endian(0.5)]
         assert client.read_holding_registers(3, count=2, device_id=1).exception_code == 2
-
-
-@pytest.mark.parametrize("link", LINKS)
-def test_a_client_of_pymodbus_reads_the_texts_of_the_generated_codec(link: str) -> None:
-    with served(link) as (client, _):
-        response = client.read_device_information(read_code=1, object_id=0, device_id=1)
-        assert response.information == {number: text.encode() for number, text in enumerate(TEXTS)}
-        assert (response.conformity, response.more_follows) == (0x81, 0)
-        response = client.read_device_information(read_code=4, object_id=1, device_id=1)
-        assert response.information == {1: TEXTS[1].encode()}
 
 
 PRINTED = (

@@ -29,7 +29,7 @@ DEFECTS_OF_MATIEC = ("Internal compiler error in file generate_c", "error: expec
 
 The interpreter judges such devices all the same.
 """
-WRITTEN = ("kv", "scl", "wireshark")
+UNJUDGED = ("kv", "scl", "wireshark")
 """Outputs without a judge, which are written all the same: what is left out is nowhere asked for."""
 TRIES = 6
 """Values for each message; a compiled program runs them faster, but takes seconds to compile."""
@@ -51,7 +51,7 @@ class StructuredText:
                 if not any(defect in str(error) for defect in DEFECTS_OF_MATIEC):
                     raise
         for output in () if is_compiled else OUTPUTS.values():
-            if not has_errors(output.refusals([layout])) and output.name in WRITTEN:
+            if not has_errors(output.refusals([layout])) and output.name in UNJUDGED:
                 output.files([layout])
         if not is_compiled and not has_errors(declared_in_text(layout).findings):
             own_program = program(layout)
