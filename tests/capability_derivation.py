@@ -22,7 +22,7 @@ from fieldspec.audit.section import Subject
 from fieldspec.backends import BUILT_IN, OUTPUTS
 from fieldspec.behaviour.part import Part
 from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.diagnostics import has_errors
+from fieldspec.diagnostics import Severity, has_errors
 from fieldspec.facts import of_versions
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.export import as_csv
@@ -215,7 +215,7 @@ def outputs_of(project: str, spec: DeviceSpec) -> dict[str, str]:
         SIMULATOR: behaviour_text(spec),
     }
     for name in sorted(BUILT_IN):
-        refused = OUTPUTS[name].refusals(versions)
+        refused = [finding for finding in OUTPUTS[name].refusals(versions) if finding.severity is Severity.ERROR]
         files: object = sorted(finding.code for finding in refused) if refused else OUTPUTS[name].files(versions)
         contents[name] = str(files) if isinstance(files, list) else json.dumps(files, default=repr)
     for layout in versions:

@@ -37,8 +37,8 @@ def all_layouts() -> list[DeviceLayout]:
 
 
 def has_digits(layout: DeviceLayout) -> bool:
-    """Whether numbers of a device are sent as digits, which several outputs refuse."""
-    return bool(character_refusals([layout], ""))
+    """Whether numbers of a device are sent as digits, which several outputs leave out."""
+    return bool(character_refusals(layout, ""))
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

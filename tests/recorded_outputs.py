@@ -12,18 +12,23 @@ import sys
 from pathlib import Path
 
 from fieldspec import pipeline
-from layouts import TEST_SPECS, has_digits, layouts
+from fieldspec.backends import OUTPUTS
+from fieldspec.diagnostics import Severity
+from layouts import TEST_SPECS, layouts
 
 ROOT = Path(__file__).resolve().parent.parent
-REFUSING_DIGITS = ("wireshark", "queries", "kv", "scl", "st", "twincat", "plcopen", "iec")
 RECORDED = Path(__file__).resolve().parent / "recorded"
 
 
 def digests(name: str) -> str:
-    """An output of all made-up devices that it takes: a line for each, with its id and the digest of its files."""
+    """An output of all made-up devices: a line for each, with its id and the digest of its files.
+
+    Devices whose frames have digits are left out where the output cannot be made of them.
+    """
     lines = []
     for device, versions in sorted(layouts(TEST_SPECS).items()):
-        if name in REFUSING_DIGITS and any(map(has_digits, versions)):
+        refused = {finding.code for finding in OUTPUTS[name].refusals(versions) if finding.severity is Severity.ERROR}
+        if refused & {"plc_numbers_binary", "output_numbers_binary"}:
             continue
         digest = hashlib.sha256()
         for path, content in sorted(pipeline.output(name, versions).items()):

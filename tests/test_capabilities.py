@@ -11,9 +11,12 @@ import pytest
 from capability_derivation import Key, changed_outputs, is_refused, legal_keys, stored_witnesses
 from fieldspec import rules
 from fieldspec.backends import OUTPUTS
+from fieldspec.backends.rules import RULES as OUTPUT_RULES
 from fieldspec.pipeline import layouts, load
 from fieldspec.plc.capabilities import ADAPTED, CONSTRUCTS, EXACT, REFUSED
+from fieldspec.plc.rules import RULES as PLC_RULES
 from fieldspec.render.capabilities import COLUMNS, capabilities, page
+from fieldspec.render.left_out import ROWS
 from fieldspec.schema.capabilities import CHECK, effects
 
 PAGE = Path(__file__).parent.parent / "docs" / "capabilities.md"
@@ -63,6 +66,11 @@ def test_an_output_refuses_by_a_rule_what_the_matrix_says_and_nothing_else(
     capability = capabilities(name)[construct]
     assert (code in result) == (capability.level == REFUSED)
     assert (code in capability.reason) == (capability.level == REFUSED)
+
+
+def test_the_page_says_of_each_rule_of_outputs_what_becomes_of_what_breaks_it() -> None:
+    named = {code for _, codes, _ in ROWS for code in codes}
+    assert named == {*PLC_RULES, *OUTPUT_RULES}
 
 
 def test_rules_that_the_matrix_names_are_there() -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from fieldspec.backends import OUTPUTS, Files, PageLink
 from fieldspec.classes import replace
-from fieldspec.diagnostics import LEAVE_OUT, Diagnostic, in_order
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic, Severity, has_errors, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.proofs.equal_lines import equal_versions
 from fieldspec.proofs.running import Outcome, proven
@@ -49,23 +49,46 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
-    """The reasons why some outputs cannot express a device, to be asked before any is built: one for each fact."""
-    by_output = {name: OUTPUTS[name].refusals(versions) for name in names}
+    """What some outputs cannot express of a device, to be asked before any is built: one finding for each fact.
+
+    Errors forbid an output. Warnings say what it leaves out.
+    """
+    return merged_refusals(versions[0].device.id, {name: OUTPUTS[name].refusals(versions) for name in names})
+
+
+def merged_refusals(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) -> list[Diagnostic]:
+    """The findings of several outputs about a device: one for each fact, which names the outputs."""
     refusing: dict[tuple[str, str, int], list[str]] = {}
     for name, findings in by_output.items():
         for key in dict.fromkeys(_key(finding) for finding in findings if finding.help == LEAVE_OUT):
             refusing.setdefault(key, []).append(name)
     all_refusing = {name for outputs in refusing.values() for name in outputs}
     others = ",".join(name for name in by_output if name not in all_refusing)
-    cure = f"build the others: `fieldspec build {versions[0].device.id} --to {others}`" if others else LEAVE_OUT
+    cure = f"build the others: `fieldspec build {device} --to {others}`" if others else LEAVE_OUT
     result: list[Diagnostic] = []
     for name, findings in by_output.items():
         for finding in findings:
             outputs = refusing.get(_key(finding), [name])
-            if name == outputs[0]:
+            if finding.severity is Severity.ERROR and name == outputs[0]:
                 help = f"{', '.join(outputs)} cannot express it; {cure}" if finding.help == LEAVE_OUT else finding.help
                 result.append(replace(finding, help=help))
-    return result
+    return [*result, *_omissions(by_output)]
+
+
+def _omissions(by_output: Mapping[str, Sequence[Diagnostic]]) -> Iterator[Diagnostic]:
+    """The warnings of some outputs, one for each fact. Its help says what becomes of the fact in which of them."""
+    warnings: dict[tuple[str, str, int], Diagnostic] = {}
+    deeds: dict[tuple[str, str, int], dict[str, list[str]]] = {}
+    for name, findings in by_output.items():
+        for finding in findings if not has_errors(findings) else ():  # else nothing is written
+            if finding.severity is Severity.WARNING:
+                warnings.setdefault(_key(finding), finding)
+                outputs = deeds.setdefault(_key(finding), {}).setdefault(finding.help, [])
+                if name not in outputs:
+                    outputs.append(name)
+    for key, finding in warnings.items():
+        texts = (f"{', '.join(outputs)}: {deed}" for deed, outputs in deeds[key].items())
+        yield replace(finding, help="; ".join(texts))
 
 
 def _key(finding: Diagnostic) -> tuple[str, str, int]:

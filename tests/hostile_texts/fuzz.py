@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from fieldspec import pipeline
 from fieldspec.backends import OUTPUTS
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from hostile_texts.filled_specs import layouts, spec
 from hostile_texts.poison import harmless
@@ -28,7 +29,7 @@ def outputs_of(versions: list[DeviceLayout], names: Sequence[str]) -> dict[str, 
     return {
         path: content
         for name in names
-        if not OUTPUTS[name].refusals(versions)
+        if not has_errors(OUTPUTS[name].refusals(versions))
         for path, content in pipeline.output(name, versions).items()
     }
 

@@ -20,6 +20,7 @@ from fieldspec.backends.scl.project import project
 from fieldspec.backends.scl.sources import clashes, string
 from fieldspec.classes import replace
 from fieldspec.cli import main
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.packing import packed
 from fieldspec.names import stem
@@ -32,11 +33,15 @@ from spec_files import DEVICE
 
 CASES = Path(__file__).parent.parent / "cases"
 RULES = sorted(path.name for path in CASES.glob("plc_*"))
+OF_DEVICES = [
+    f"plc_{rule}" for rule in ("enums_fit", "frames_supported", "names_distinct", "names_fit", "spaces_supported")
+]
+"""The rules about a device as a whole. What breaks another one is left out."""
 LAYOUTS = [
     pytest.param(versions[-1], id=name)
     for root in (SPECS, TEST_SPECS)
     for name, versions in layouts(root).items()
-    if not refusals(versions)
+    if not has_errors(refusals(versions))
 ]
 ELEMENTARY = "BOOL|BYTE|WORD|DWORD|USINT|SINT|UINT|INT|UDINT|DINT|REAL|LREAL"
 
@@ -174,7 +179,7 @@ def test_numbers_of_64_bits_are_split_in_the_order_of_the_wire() -> None:
     assert addresses == {"total_low": 0x12, "total_high": 0x14}
 
 
-@pytest.mark.parametrize("code", RULES)
+@pytest.mark.parametrize("code", OF_DEVICES)
 def test_a_refused_device_stops_the_build_and_leaves_what_was_there(
     code: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -191,6 +196,23 @@ def test_a_refused_device_stops_the_build_and_leaves_what_was_there(
     assert f"error[{code}]" in capsys.readouterr().out
     assert {path: path.read_bytes() for path in out.rglob("*") if path.is_file()} == before
     assert main([*arguments[:-1], "vectors"]) == 0
+
+
+@pytest.mark.parametrize("code", sorted({*RULES} - {*OF_DEVICES}))
+def test_a_fact_that_breaks_another_rule_is_left_out_and_named(
+    code: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    specs, out = tmp_path / "specs", tmp_path / "out"
+    (specs / "gadget").mkdir(parents=True)
+    shutil.copy(CASES / code / "failing" / "device.yaml", specs / "gadget")
+    arguments = ["build", "--specs", str(specs), "--out", str(out), "--to", "scl,vectors"]
+    assert main(arguments) == 0
+    assert f"warning[{code}]" in capsys.readouterr().out
+    for ending in ("types.udt", "functions.scl"):
+        (path,) = (out / "scl").glob(f"*_{ending}")
+        assert "// Left out:" in path.read_text("utf-8"), ending
+    assert main(arguments) == 0
+    assert f"warning[{code}]" in capsys.readouterr().out, "a build without changes says it again"
 
 
 def test_labels_that_end_comments_are_labels(tmp_path: Path) -> None:

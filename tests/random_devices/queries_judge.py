@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from fieldspec.backends import OUTPUTS
+from fieldspec.backends.queries.backend import remaining
 from fieldspec.backends.queries.plan import Names
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
@@ -35,8 +36,9 @@ class Queries:
 
     def __init__(self, layout: DeviceLayout, engine: str) -> None:
         self.layout = layout
-        self.names = query_names(layout)
-        self.engine = None if OUTPUTS["queries"].refusals([layout]) else ENGINES[engine](layout)
+        expressed_layout = remaining(layout)
+        self.names = query_names(expressed_layout.layout)
+        self.engine = None if has_errors(expressed_layout.findings) else ENGINES[engine](expressed_layout.layout)
 
     def answers(self, queries: list[Query]) -> list[Answer]:
         """The answer to each query; about registers and frames that are decoded, none."""
@@ -45,11 +47,11 @@ class Queries:
             return answers
         groups: dict[str, list[tuple[int, bytes]]] = {}
         for place, query in enumerate(queries):
-            if query.kind == "record" and query.values is None:
+            if query.kind == "record" and query.values is None and query.path[0] in self.names:
                 groups.setdefault(self.names[query.path[0]], []).append((place, query.data))
             elif query.kind == "frame" and query.values is not None and not query.error:
                 data = self._body(query)
-                if data is not None:
+                if data is not None and (query.path[2], query.path[1]) in self.names:
                     groups.setdefault(self.names[query.path[2], query.path[1]], []).append((place, data))
         for name, places in groups.items():
             rows = self.engine.rows(name, {"payload": [data for _, data in places]})

@@ -10,6 +10,7 @@ from fieldspec.backends import OUTPUTS
 from fieldspec.backends.iec.backend import refusals, source
 from fieldspec.backends.iec.backend import text as standard_text
 from fieldspec.backends.st.backend import text
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.structured.program import declared_in_text, program
 from random_devices.queries import Answer, Query
@@ -28,19 +29,21 @@ DEFECTS_OF_MATIEC = ("Internal compiler error in file generate_c", "error: expec
 
 The interpreter judges such devices all the same.
 """
+UNJUDGED = ("kv", "scl", "wireshark")
+"""Outputs without a judge, which are written all the same: what is left out is nowhere asked for."""
 TRIES = 6
 """Values for each message; a compiled program runs them faster, but takes seconds to compile."""
 
 
 class StructuredText:
-    """The functions of a device; those of a device that the output refuses are not asked.
+    """The functions of a device, for what the output does not leave out. Of a device that it refuses, there are none.
 
-    Every other output also says what it refuses, and must not raise.
+    Every other output also says what it refuses, and must not raise; some are written.
     """
 
     def __init__(self, layout: DeviceLayout, folder: Path, is_compiled: bool = False) -> None:
         self.prover: Proof | None = None
-        if is_compiled and not refusals([layout]):
+        if is_compiled and not has_errors(refusals([layout])):
             own = source(layout)
             try:
                 self.prover = Proof(own.declared.world, Compiled(standard_text(own), folder))
@@ -48,8 +51,9 @@ class StructuredText:
                 if not any(defect in str(error) for defect in DEFECTS_OF_MATIEC):
                     raise
         for output in () if is_compiled else OUTPUTS.values():
-            output.refusals([layout])
-        if not is_compiled and not declared_in_text(layout).findings:
+            if not has_errors(output.refusals([layout])) and output.name in UNJUDGED:
+                output.files([layout])
+        if not is_compiled and not has_errors(declared_in_text(layout).findings):
             own_program = program(layout)
             self.prover = Proof(own_program.declared.world, Machine(parsed(text(own_program))))
 

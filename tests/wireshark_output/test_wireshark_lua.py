@@ -9,13 +9,14 @@ import pytest
 
 from external_tools import require_tool
 from fieldspec.backends.wireshark.backend import dissector, refusals
+from fieldspec.diagnostics import has_errors
 from layouts import SPECS, TEST_SPECS, layouts
 
 DEVICES = {
     name: versions[-1]
     for root in (SPECS, TEST_SPECS)
     for name, versions in layouts(root).items()
-    if not refusals(versions)
+    if not has_errors(refusals(versions))
 }
 PROGRAM = Path(__file__).with_name("loaded.lua")
 

@@ -9,7 +9,7 @@ Why: these outputs do not convert digits, so they would take the characters for 
 
 Example: a field with `type: u16, digits: decimal, length: 5`.
 
-Cure: Exclude the output for the device (`--to`), or state the digits as a text.
+Cure: Do without what is left out, or state the digits as a text.
 """,
     "wireshark_parameters_typed": """The value of a parameter is a number or a text where a dissector shows it.
 
@@ -18,7 +18,7 @@ none.
 
 Example: `{name: data, type: bytes, length: 4, parameter: {set: objects, part: value, number: index}}`.
 
-Cure: Exclude the output for the device (`--to`), or state the type of the field.
+Cure: Do without what is left out, or state the type of the field.
 """,
     "output_addresses_constant": """Every record table begins at a constant address, in dissectors, queries, word maps
 and exported lists.
@@ -28,7 +28,7 @@ that the table begins elsewhere.
 
 Example: a table with `base: 0x1000, base_by: log_address`.
 
-Cure: Exclude the output for the device (`--to`). Python, JavaScript and C take the address that the device says.
+Cure: Do without what is left out. Python, JavaScript and C take the address that the device says.
 """,
     "output_texts_ascii": """Every text is ASCII, filled up with zeros behind it, in dissectors, queries and word maps.
 
@@ -36,7 +36,7 @@ Why: these outputs do not convert encodings, so they would show other characters
 
 Example: a field with `type: text, length: 8, padding: space`.
 
-Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
+Cure: Do without what is left out, or state the text as `bytes`.
 """,
     "output_lists_last": """In dissectors, queries and word maps, a list of free length comes last in its message, and
 its elements have one size.
@@ -46,7 +46,7 @@ these outputs state one place.
 
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
 
-Cure: Exclude the output for the device (`--to`).
+Cure: Do without what is left out, or use another output.
 """,
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 

@@ -88,7 +88,8 @@ def _build_stale(
         versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
             manual = _manual(spec.id, files) if DOCUMENTATION in plan.outputs else None
-            tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
+            wanted_outputs = (plan.outputs, wanted.outputs) if outputs else ((), ())
+            tasks.append(Task(spec.id, versions, plan.check, *wanted_outputs, manual))
     lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
     work = Work(project, earlier.out, beside)
@@ -107,10 +108,12 @@ def _build_stale(
             continue
         files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
         result = done[device]
+        # Warnings of outputs that were not asked for this time come again when they are.
+        was_warned = bool(plan.reused.keys() - set(wanted.outputs)) and earlier.devices[device].warned
         devices[device] = Built(
             {file: earlier.now[file] for file in sorted(files_read)},
             result.identities or earlier.devices[device].identities,
-            not marked.isdisjoint(files_read),
+            was_warned or not marked.isdisjoint(files_read),
             {**plan.reused, **result.hashes},
         )
     return BuildResult(located, devices, {**shared, **hashes}, stale, not findings)

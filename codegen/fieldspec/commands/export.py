@@ -9,24 +9,24 @@ from pathlib import Path
 from fieldspec.classes import replace
 from fieldspec.commands import layout_cache
 from fieldspec.commands.storage import write
-from fieldspec.commands.terminal import print_findings
 from fieldspec.commands.usage import UsageError
 from fieldspec.layout.bases import base_refusals
+from fieldspec.layout.omissions import expressed
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the list to a file or to standard output. Exit code 1 where it cannot be right. Raises UsageError."""
+    """Writes the list to a file or to standard output, and what it leaves out to standard error. Raises UsageError."""
     from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
-    layout = layout_cache.requested_layout(arguments)
-    refused = [
-        replace(finding, help="name these values in `fieldspec live`, which reads where they are")
-        for finding in base_refusals([layout], "a list")
-    ]
-    if refused:
-        print_findings(refused, "text", "")
-        return 1
+    stated = layout_cache.requested_layout(arguments)
+    remaining = expressed(stated, base_refusals(stated, "a list"))
+    if remaining.findings:
+        from fieldspec.render.finding_text import rendered
+
+        help = "it is left out; name its values in `fieldspec live`, which reads where they are"
+        print(rendered([replace(finding, help=help) for finding in remaining.findings]), end="", file=sys.stderr)
+    layout = remaining.layout
     entries = items(layout)
     if not entries:
         raise UsageError(f"{layout.device.id} has no registers and no parameters")

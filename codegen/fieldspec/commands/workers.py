@@ -34,13 +34,15 @@ WORTH_IT = 200_000
 class Task:
     """A device, the versions to build (none: all), whether to check it first, and the outputs to build.
 
-    `manual` is the index of its manual, for the audit in its documentation.
+    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. `manual` is
+    the index of its manual, for the audit in its documentation.
     """
 
     device: str
     versions: frozenset[str]
     check: bool
     outputs: tuple[str, ...]
+    judged: tuple[str, ...] = ()
     manual: ManualIndex | None = None
 
 
@@ -48,7 +50,8 @@ class Task:
 class TaskResult:
     """The findings of a device, the identities of its versions, and its files; only findings after errors.
 
-    `hashes` has all files by output; `stale` has the paths of those that differ from the files in place.
+    `hashes` has all files by output; `stale` has the paths of those that differ from the files in place. `refusals` has
+    what each output cannot express.
     """
 
     device: str
@@ -56,6 +59,7 @@ class TaskResult:
     identities: Hashes
     hashes: dict[str, Hashes]
     stale: list[str]
+    refusals: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +81,14 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
     Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
     first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
     """
+    return [
+        replace(done, findings=[*done.findings, *pipeline.merged_refusals(done.device, done.refusals)])
+        for done in _separate_results(work, tasks, size)
+    ]
+
+
+def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
+    """The results of tasks, whose findings lack those of the outputs."""
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()
@@ -88,7 +100,11 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
     checked = [TaskResult(task.device, known[task.device].findings if task.check else [], {}, {}, []) for task in tasks]
     if any(has_errors(done.findings) for done in checked):
         return checked
-    single = [replace(task, check=False, outputs=names) for task in tasks for names in _families(task.outputs)]
+    single = [
+        replace(task, check=False, outputs=tuple(name for name in names if name in task.outputs), judged=names)
+        for task in tasks
+        for names in _families(task.judged)
+    ]
     parts = _in_processes(replace(work, known=known), single, processes) if single else []
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
 
@@ -133,12 +149,13 @@ def _size(spec: DeviceSpec) -> int:
 
 def _joined(done: TaskResult, parts: list[TaskResult]) -> TaskResult:
     findings, identities, hashes, stale = [*done.findings], dict(done.identities), dict(done.hashes), [*done.stale]
+    refusals = {name: refused for part in parts for name, refused in part.refusals.items()}
     for part in parts:
         findings += part.findings
         identities |= part.identities
         hashes |= part.hashes
         stale += part.stale
-    return TaskResult(done.device, findings, identities, hashes, stale)
+    return TaskResult(done.device, findings, identities, hashes, stale, refusals)
 
 
 def _processors() -> int:
@@ -150,14 +167,14 @@ def task_result(work: Work, task: Task) -> TaskResult:
     spec = work.project.devices[task.device]
     ran = outcome(spec) if task.check else work.known.get(task.device)
     findings = [*ran.findings] if ran is not None and task.check else []
-    if has_errors(findings) or not task.outputs:
+    if has_errors(findings) or not task.judged:
         return TaskResult(task.device, findings, {}, {}, [])
     layouts = pipeline.layouts(spec, ran)
     if task.versions:
         layouts = [layout for layout in layouts if layout.device.version in task.versions]
-    findings += pipeline.refusals(layouts, task.outputs)
-    if has_errors(findings):
-        return TaskResult(task.device, findings, {}, {}, [])
+    refusals = {name: OUTPUTS[name].refusals(layouts) for name in task.judged}
+    if any(map(has_errors, refusals.values())) or not task.outputs:
+        return TaskResult(task.device, findings, {}, {}, [], refusals)
     identities = {
         f"{spec.id}@{version}": layout.identity
         for layout in layouts
@@ -175,7 +192,7 @@ def task_result(work: Work, task: Task) -> TaskResult:
         else:
             files = pipeline.output(name, layouts)
         hashes[name] = stage_changes(work, files, stale)
-    return TaskResult(task.device, findings, identities, hashes, stale)
+    return TaskResult(task.device, findings, identities, hashes, stale, refusals)
 
 
 def stage_changes(work: Work, files: Mapping[str, bytes], stale: list[str]) -> Hashes:

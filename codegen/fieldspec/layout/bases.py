@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import replace
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.refusal import Refusal
 
 if TYPE_CHECKING:
     from fieldspec.layout.device import DeviceLayout
@@ -36,19 +37,17 @@ def at_usual_bases(layout: DeviceLayout) -> DeviceLayout:
     return at_bases(layout, {name: layout.tables[name].table.base for name in moving_tables(layout)})
 
 
-def base_refusals(versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False) -> list[Diagnostic]:
-    """A finding for each table that begins where a register says. `reader` is what has constant addresses."""
-    tables = {
-        layout.tables[name].table.place.path: layout.tables[name].table
-        for layout in versions
-        for name in moving_tables(layout)
-    }
+def base_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
+    """A refusal of each table that begins where a register says. `reader` is what has constant addresses."""
     return [
-        Diagnostic(
-            "plc_addresses_constant" if for_controllers else "output_addresses_constant",
-            f"{table.name} begins where {table.base_by} says, and {reader} has constant addresses",
-            table.place["base_by"],
-            help=LEAVE_OUT,
+        Refusal(
+            table,
+            Diagnostic(
+                "plc_addresses_constant" if for_controllers else "output_addresses_constant",
+                f"{table.name} begins where {table.base_by} says, and {reader} has constant addresses",
+                table.place["base_by"],
+                help=LEAVE_OUT,
+            ),
         )
-        for table in tables.values()
+        for table in (layout.tables[name].table for name in moving_tables(layout))
     ]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.refusal import Refusal
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
@@ -13,38 +14,39 @@ _TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies", "byte_orde
 
 
 def character_refusals(
-    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False, reads_frames: bool = True
-) -> list[Diagnostic]:
-    """A finding for each value that is sent as digits, and for each text in a form of its own.
+    layout: DeviceLayout, reader: str, for_controllers: bool = False, reads_frames: bool = True
+) -> list[Refusal]:
+    """A refusal of each value that is sent as digits, and of each text in a form of its own.
 
     `reader` is what does not convert them. One that does not read whole frames has no use for their parts.
     """
     facts = {
         fact.place.path: (fact, value)
-        for layout in versions
         for fact, value in (*(_part_values(layout) if reads_frames else ()), *_values(layout))
         if value is not None and (value.digits or value.text_form is not None or value.width)
     }
     return [(_of_digits if value.digits else _of_text)(fact, reader, for_controllers) for fact, value in facts.values()]
 
 
-def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Diagnostic:
-    return Diagnostic(
+def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Refusal:
+    finding = Diagnostic(
         "plc_numbers_binary" if for_controllers else "output_numbers_binary",
         f"{fact.name} is sent as digits, which {reader} does not convert",
         fact.place["digits"],
         help=LEAVE_OUT,
     )
+    return Refusal(fact, finding)
 
 
-def _of_text(fact: Fact, reader: str, for_controllers: bool) -> Diagnostic:
+def _of_text(fact: Fact, reader: str, for_controllers: bool) -> Refusal:
     key = next((key for key in _TEXT_KEYS if key in fact.place), "name")
-    return Diagnostic(
+    finding = Diagnostic(
         "plc_texts_ascii" if for_controllers else "output_texts_ascii",
         f"{fact.name} is not ASCII filled up with zeros behind it, and {reader} converts no other text",
         fact.place[key],
         help=LEAVE_OUT,
     )
+    return Refusal(fact, finding)
 
 
 def _values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value | None]]:

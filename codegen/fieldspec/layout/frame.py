@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
-from fieldspec.classes import dataclass, replace
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.layout.escapes import original_places
 from fieldspec.layout.exception_mark import ExceptionMark, exception_mark
 from fieldspec.layout.part import PartLayout
@@ -130,6 +130,7 @@ class LinkLayout:
     """The frames of a link in both directions, and its messages.
 
     `mark` is what the data of exception responses have where frames carry no code; None without such responses.
+    `known` are all messages where an output leaves out some, which it still tells from the others; else it is empty.
     """
 
     link: Link
@@ -138,10 +139,11 @@ class LinkLayout:
     response: FrameLayout
     messages: Mapping[str, MessageLayout]
     mark: ExceptionMark | None = None
+    known: Mapping[str, MessageLayout] = field(default_factory=dict)
 
     def messages_with_code(self, code: int, direction: str = "request") -> list[MessageLayout]:
         """The messages with a code in one direction; several differ in a constant in their data."""
-        return [message for message in self.carried(direction).values() if message.message.code_of(direction) == code]
+        return [message for message in self._sent(direction) if message.message.code_of(direction) == code]
 
     def refused_message(self, code: int, asked: str = "") -> MessageLayout | None:
         """The message that an exception response with a code refuses.
@@ -149,8 +151,7 @@ class LinkLayout:
         Several messages may have the code, and exception responses have no data that tell them apart: `asked` names
         the message of the request. None if there is no such message, and where this leaves open which one it is.
         """
-        asked_messages = self.carried("request").values()
-        messages = [message for message in asked_messages if message.message.code_of("response") == code]
+        messages = [message for message in self._sent("request") if message.message.code_of("response") == code]
         named = (message for message in messages if message.name == asked)
         return messages[0] if len(messages) == 1 else next(named, None)
 
@@ -184,7 +185,7 @@ class LinkLayout:
         """The codes that several messages have in one direction."""
         seen: set[int] = set()
         shared: set[int] = set()
-        for message in self.carried(direction).values():
+        for message in self._sent(direction):
             if (code := message.message.code_of(direction)) is not None:
                 (shared if code in seen else seen).add(code)
         return sorted(shared)
@@ -234,6 +235,11 @@ class LinkLayout:
         if direction == "request":
             return {name: message for name, message in self.messages.items() if message.message.is_requested}
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
+
+    def _sent(self, direction: str) -> Iterable[MessageLayout]:
+        """The messages in one direction, those too that an output leaves out."""
+        link = replace(self, messages=self.known, known={}) if self.known else self
+        return link.carried(direction).values()
 
     @property
     def exchanged(self) -> Mapping[str, MessageLayout]:

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.refusal import Refusal
 
 
-def inner_list_refusals(
-    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False
-) -> list[Diagnostic]:
-    """A finding for each list with fields behind it; `reader` is what does not read it."""
+def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
+    """A refusal of each list with fields behind it; `reader` is what does not read it."""
     lists = {
         field.field.place.path: (field.field, what)
-        for layout in versions
         for message in layout.messages.values()
         for body in message.bodies
         if body.inner_lists is not None
@@ -23,11 +19,14 @@ def inner_list_refusals(
         if (what := _problem(body, field))
     }
     return [
-        Diagnostic(
-            "plc_lists_last" if for_controllers else "output_lists_last",
-            f"{field.name} {what}, and {reader} reads only lists that come last, of elements of one size",
-            field.place["repeat"],
-            help=LEAVE_OUT,
+        Refusal(
+            field,
+            Diagnostic(
+                "plc_lists_last" if for_controllers else "output_lists_last",
+                f"{field.name} {what}, and {reader} reads only lists that come last, of elements of one size",
+                field.place["repeat"],
+                help=LEAVE_OUT,
+            ),
         )
         for field, what in lists.values()
     ]

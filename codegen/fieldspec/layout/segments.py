@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.refusal import Refusal
 from fieldspec.model.segments import NumberPlace, initial_number, number_places
 from fieldspec.model.value import Kind
 
@@ -182,18 +183,21 @@ def _abort(layout: DeviceLayout, stated: SegmentsAbort) -> AbortLayout:
     return AbortLayout(message, stated.reason, counter, size)
 
 
-def piece_refusals(layout: DeviceLayout, reader: str) -> list[Diagnostic]:
-    """A finding for each message whose value follows in pieces. `reader` is what does not put them together."""
-    return [
-        Diagnostic(
-            "plc_values_whole",
-            f"the value of {message.name} is in pieces, which {reader} does not put together",
-            message.place["segments"],
-            help=LEAVE_OUT,
-        )
-        for message in layout.device.messages.values()
-        if message.segments is not None
-    ]
+def piece_refusals(layout: DeviceLayout, reader: str) -> list[Refusal]:
+    """A refusal of each message whose value follows in pieces, and of the messages with the pieces.
+
+    `reader` is what does not put them together.
+    """
+    refusals: list[Refusal] = []
+    for message in layout.device.messages.values():
+        stated = message.segments
+        if stated is None:
+            continue
+        text = f"the value of {message.name} is in pieces, which {reader} does not put together"
+        finding = Diagnostic("plc_values_whole", text, message.place["segments"], help=LEAVE_OUT)
+        names = (message.name, stated.message, *([stated.abort.message] if stated.abort is not None else []))
+        refusals += (Refusal(layout.device.messages[name], finding) for name in dict.fromkeys(names))
+    return refusals
 
 
 def _deciding(first: MessageLayout) -> FieldLayout | None:

@@ -6,23 +6,25 @@ from collections.abc import Iterator
 
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.refusal import Refusal
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.routines.world import every_record
 
 
-def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
-    """A finding for each value of which a NaN is a sentinel."""
-    findings = []
+def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
+    """A refusal of each value of which a NaN is a sentinel."""
+    refusals = []
     seen: set[int] = set()
     for fact, value in stated_values(layout):
         sentinel = next((sentinel for sentinel in value.sentinels if sentinel.is_nan), None)
         if sentinel is not None and id(fact) not in seen:
             seen.add(id(fact))
             text = f"the sentinel {sentinel.name} of {fact.name} is a NaN, which {dialect.title} refuses as no number"
-            findings.append(Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=LEAVE_OUT))
-    return findings
+            finding = Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=LEAVE_OUT)
+            refusals.append(Refusal(fact, finding))
+    return refusals
 
 
 def stated_values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value]]:

@@ -140,8 +140,8 @@ def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         model = message.message
         for word, number in (("code", model.code), ("response_code", model.response_code), ("number", model.number)):
             if number is not None:
-                hexadecimal = word != "number"
-                yield Draft(f"{model.name}_{word}", UINT, number, cited(model.title, model), model, hexadecimal)
+                kind = UINT if number <= UINT.high else narrowest(0, number)
+                yield Draft(f"{model.name}_{word}", kind, number, cited(model.title, model), model, word != "number")
         for data in message.bodies:
             if data.size:
                 remark = "bytes of its data"

@@ -5,27 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
-from fieldspec.layout.bases import base_refusals
-from fieldspec.layout.characters import character_refusals
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.inner_list_refusals import inner_list_refusals
+from fieldspec.layout.omissions import Omission, warning
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.layout.segments import piece_refusals
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.names import Name
-from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
 from fieldspec.plc.digits import without_digits
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
 from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
+from fieldspec.plc.layout.fitting import CONVERT
 from fieldspec.plc.layout.images import Images, SpecNaming, titled
 from fieldspec.plc.layout.memory import MEMORIES, Placed, placed
 from fieldspec.plc.narrowing import narrowed
+from fieldspec.plc.omissions import for_dialect
 from fieldspec.plc.routines.blocks.ports import ports
 from fieldspec.plc.routines.expressions import EnumType, StructType, Type
 from fieldspec.plc.routines.messages import telegrams
@@ -37,7 +35,6 @@ from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
 from fieldspec.plc.spaces import with_supported_spaces
 from fieldspec.plc.structs import Struct, StructMember, fixed
-from fieldspec.plc.tails import without_tails
 from fieldspec.plc.wide_enums import wide_enums
 
 _STATUS = "codec_status"
@@ -49,7 +46,8 @@ class Declarations:
 
     `structs` hold values, for programs; `images` are what lies on the wire, the process data of telegrams and whatever
     else is in the dialect's memory as it is there. Each stands behind those that lie in it. `world` has the same names
-    for the routines. `status` is also the first one of `enums`. `found` are the errors that forbid an output.
+    for the routines. `status` is also the first one of `enums`. `findings` are the errors that forbid an output, and
+    the warnings of what it leaves out, the `omissions`.
     """
 
     dialect: Dialect
@@ -61,6 +59,7 @@ class Declarations:
     constants: tuple[ConstantList, ...]
     texts: tuple[TextTable, ...]
     findings: tuple[Diagnostic, ...]
+    omissions: tuple[Omission, ...]
 
     @property
     def status(self) -> EnumDeclaration:
@@ -80,16 +79,10 @@ class Declarations:
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     with_spaces, space_findings = with_supported_spaces(layout, dialect)
-    supported, frame_findings = with_supported_links(without_tails(with_spaces), dialect)
-    narrowed_layout, findings = narrowed(supported, dialect)
-    binary_findings = character_refusals([with_spaces], dialect.title, for_controllers=True)
-    moving_findings = base_refusals([layout], dialect.title, for_controllers=True)
-    if binary_findings or any(signal.value.digits for signal in layout.device.signals.values()):
-        narrowed_layout, _ = narrowed(without_digits(supported), dialect)
-    findings += [*absent_reals(with_spaces, dialect), *binary_findings, *moving_findings]
-    findings += inner_list_refusals([with_spaces], dialect.title, for_controllers=True)
-    findings += piece_refusals(layout, dialect.title)
-    findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]
+    remaining = for_dialect(with_spaces, dialect)
+    supported, frame_findings = with_supported_links(without_digits(remaining.layout), dialect)
+    narrowed_layout = narrowed(supported, dialect)
+    findings = [*remaining.findings, *space_findings, *frame_findings, *wide_enums(remaining.layout, dialect)]
     declaring = _Declaring(narrowed_layout, dialect, findings)
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
@@ -98,7 +91,16 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     texts = tuple(declaring.texts())
     structs += tuple(declaring.ports())
     return Declarations(
-        dialect, narrowed_layout, declaring.world, enums, structs, images, constants, texts, tuple(declaring.found)
+        dialect,
+        narrowed_layout,
+        declaring.world,
+        enums,
+        structs,
+        images,
+        constants,
+        texts,
+        tuple(declaring.found),
+        (*remaining.omissions, *declaring.omissions),
     )
 
 
@@ -107,6 +109,7 @@ class _Declaring:
 
     def __init__(self, layout: DeviceLayout, dialect: Dialect, findings: list[Diagnostic]) -> None:
         self.layout, self.dialect, self.found = layout, dialect, findings
+        self.omissions: list[Omission] = []
         self.device = Name.of(layout.device.id)
         self.scope = Scope(dialect, "name", findings)
         self.alone = Scope(dialect, "constant", findings)
@@ -223,17 +226,21 @@ class _Declaring:
         return Struct(name, key, kind, cited(title, fact), tuple(members), None, fact)
 
     def images(self) -> Iterator[Struct]:
-        """The images of telegrams, which must be exact, and of those records that can be read as they lie."""
+        """The images of telegrams that are exact, and of those records that can be read as they lie."""
         memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
         spec_images, named = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
         for message in telegrams(self.layout):
             for data in message.bodies:
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
-                    image = named.of(data, "telegram", message.message, cited(title, message.message))
-                    self.found += fitting.misfit_findings(placed(image, memory, named.structs))
-                    if data.size > self.dialect.longest_image:
-                        self.found.append(_too_long(self.dialect, message.message, data.size))
+                    proposal = spec_images.of(data, "telegram", message.message, title)
+                    misfits = fitting.misfit_findings(placed(proposal, memory, spec_images.structs))
+                    if not misfits:
+                        named.of(data, "telegram", message.message, cited(title, message.message))
+                        continue
+                    left_out = f"image of {data.name}"
+                    self.found += (warning(finding, f"the {left_out} is left out: {CONVERT}") for finding in misfits)
+                    self.omissions.append(Omission(left_out, f"{misfits[0].message}; {CONVERT}"))
         for record in self.layout.records.values():
             if fixed(record):
                 image = spec_images.of(record, "record", record.record, record.record.label)
@@ -323,12 +330,3 @@ class _Naming:
     def remark(self, fact: Fact, value: Value | None) -> str:
         """See `Naming`."""
         return self._of.remark(fact, value)
-
-
-def _too_long(dialect: Dialect, fact: Fact, size: int) -> Diagnostic:
-    return Diagnostic(
-        "plc_telegrams_fit",
-        f"{fact.name} has {size} bytes of process data; {dialect.title} takes {dialect.longest_image}",
-        fact.place["name"],
-        help=LEAVE_OUT,
-    )

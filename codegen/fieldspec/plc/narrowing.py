@@ -1,4 +1,4 @@
-"""Devices whose whole numbers are too wide for a dialect: each becomes two of half its width."""
+"""Devices whose numbers are too wide for a dialect: whole ones become two of half the width, others are refused."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from fieldspec.classes import replace
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.layout.refusal import Refusal
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Register
 from fieldspec.model.value import PRIMITIVES, Kind, Primitive, Value
@@ -20,24 +21,36 @@ _HALVES = {"u64": ("u32", "u32"), "i64": ("i32", "u32")}
 """The types of the upper and the lower half of a type."""
 
 
-def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list[Diagnostic]]:
-    """The layout with whole numbers that the dialect has, and what cannot be split so.
+def number_refusals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
+    """A refusal of each fact with numbers, or a list of texts, that the dialect can neither have nor split."""
+    refusals = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
+    refusals += [_unknown(fact, kind, dialect) for fact, kind in _unknown_numbers(layout, dialect)]
+    if dialect.widest < 8:
+        refusals += [
+            _refused(field, dialect)
+            for record in every_record(layout)
+            for field in record.fields
+            if (_wide(field.value) and not _is_split(field)) or any(_wide(case.value) for case in field.cases)
+        ]
+    return refusals
+
+
+def narrowed(layout: DeviceLayout, dialect: Dialect) -> DeviceLayout:
+    """The layout with whole numbers that the dialect has, of one without those that cannot be split.
 
     A number `turns` becomes `turns_high` and `turns_low`, in the order of the wire: turns = high * 2^32 + low. The
     halves are plain counts, because a scale or a range is one of the whole.
     """
-    findings = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
-    findings += [_unknown(fact, kind, dialect) for fact, kind in _unknown_numbers(layout, dialect)]
     if dialect.widest >= 8:
-        return layout, findings
-    records = {record.name: _record(record, dialect, findings) for record in layout.records.values()}
+        return layout
+    records = {record.name: _record(record) for record in layout.records.values()}
     split_records = {id(layout.records[name]): record for name, record in records.items()}
     messages = {
         message.name: MessageLayout(
             message.message,
             message.name,
-            _record(message.request, dialect, findings, split_records),
-            _record(message.response, dialect, findings, split_records),
+            _record(message.request, split_records),
+            _record(message.response, split_records),
         )
         for message in layout.messages.values()
     }
@@ -51,8 +64,10 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
         for group in layout.device.groups
     )
     links = {
-        link.name: LinkLayout(
-            link.link, link.name, link.request, link.response, {name: messages[name] for name in link.messages}
+        link.name: replace(
+            link,
+            messages={name: messages[name] for name in link.messages},
+            known={name: messages.get(name, message) for name, message in link.known.items()},
         )
         for link in layout.links.values()
     }
@@ -60,7 +75,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
         table.name: TableLayout(table.table, table.name, records[table.record.name], table.words)
         for table in layout.tables.values()
     }
-    narrowed_layout = replace(
+    return replace(
         layout,
         device=replace(layout.device, groups=groups),
         records=records,
@@ -69,7 +84,6 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
         registers=tuple(half for _, some in registers for half in some),
         tables=tables,
     )
-    return narrowed_layout, findings
 
 
 def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
@@ -101,34 +115,33 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
             yield fact, kind
 
 
-def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Diagnostic:
-    return Diagnostic(
+def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Refusal:
+    finding = Diagnostic(
         "plc_reals_fit" if kind.kind is Kind.FLOAT else "plc_numbers_fit",
         f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert",
         fact.place["type" if "type" in fact.place else "name"],
         help=LEAVE_OUT,
     )
+    return Refusal(fact, finding)
 
 
 def _wide(value: Value | None) -> bool:
     return value is not None and value.type.kind is Kind.INTEGER and value.type.name in _HALVES
 
 
-def _record(
-    record: RecordLayout,
-    dialect: Dialect,
-    findings: list[Diagnostic],
-    split_records: dict[int, RecordLayout] | None = None,
-) -> RecordLayout:
+def _is_split(field: FieldLayout) -> bool:
+    """Whether a number that is too wide becomes two."""
+    return _wide(field.value) and not field.is_list and field.field.measures is None
+
+
+def _record(record: RecordLayout, split_records: dict[int, RecordLayout] | None = None) -> RecordLayout:
     fields: list[FieldLayout] = []
     for field in record.fields:
         if field.record is not None and split_records:
             fields.append(replace(field, record=split_records.get(id(field.record), field.record)))
-        elif _wide(field.value) and not field.is_list and field.field.measures is None:
+        elif _is_split(field):
             fields += _fields(field)
         else:
-            if _wide(field.value) or any(_wide(case.value) for case in field.cases):
-                findings.append(_refused(field, dialect))
             fields.append(field)
     return replace(record, fields=tuple(fields))
 
@@ -188,19 +201,21 @@ def _doc(name: str, word: str, doc: str) -> str:
     return f"The {other} half of {name}. {doc}".strip()
 
 
-def _refused(field: FieldLayout, dialect: Dialect) -> Diagnostic:
-    return Diagnostic(
+def _refused(field: FieldLayout, dialect: Dialect) -> Refusal:
+    finding = Diagnostic(
         "plc_numbers_fit",
         f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split",
         field.field.place["type"],
         help=LEAVE_OUT,
     )
+    return Refusal(field.field, finding)
 
 
-def _nested(field: FieldLayout, dialect: Dialect) -> Diagnostic:
-    return Diagnostic(
+def _nested(field: FieldLayout, dialect: Dialect) -> Refusal:
+    finding = Diagnostic(
         "plc_arrays_flat",
         f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays",
         field.field.place["type"],
         help=LEAVE_OUT,
     )
+    return Refusal(field.field, finding)

@@ -9,7 +9,7 @@ Why: in these dialects a text is an array of bytes, and TIA Portal does not supp
 
 Example: a field with `type: text, length: 8, count: 4`.
 
-Cure: Exclude the output for the device (`--to`), or state the list as a record with one text and a `count`.
+Cure: Do without what is left out, or state the list as a record with one text and a `count`.
 """,
     "plc_frames_supported": """The functions for controllers can build and check every frame of the device.
 
@@ -34,7 +34,7 @@ Why: compilers insert padding to align numbers, and every value after the paddin
 
 Example: a telegram with a byte before a word, for a controller that aligns words to even bytes.
 
-Cure: Use the functions that convert bytes, and exclude the output for the device (`--to`).
+Cure: Use the functions that convert bytes.
 """,
     "plc_names_distinct": """Any two names of a device remain distinct in every dialect that is built.
 
@@ -59,7 +59,7 @@ or 56 bits.
 
 Example: a field with `type: u64, count: 4`.
 
-Cure: Exclude the output for the device (`--to`), or state the numbers as separate fields.
+Cure: Do without what is left out, or state the numbers as separate fields.
 """,
     "plc_enums_fit": """One type holds all numbers of an enum, and one holds all codes that have texts.
 
@@ -75,7 +75,7 @@ Why: the functions of controllers do not convert digits, so the characters would
 
 Example: a field with `type: u16, digits: decimal, length: 5`.
 
-Cure: Exclude the output for the device (`--to`), or state the digits as a text.
+Cure: Do without what is left out, or state the digits as a text.
 """,
     "plc_texts_ascii": """Every text is ASCII that is filled up with zeros behind it.
 
@@ -84,7 +84,7 @@ characters of the text.
 
 Example: a field with `type: text, length: 8, padding: space`.
 
-Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
+Cure: Do without what is left out, or state the text as `bytes`.
 """,
     "plc_lists_last": """A list of free length comes last in its message, and its elements have one size.
 
@@ -93,7 +93,7 @@ the functions of controllers have one place for each field.
 
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
 
-Cure: Exclude the output for the device (`--to`).
+Cure: Do without what is left out, or use another output.
 """,
     "plc_addresses_constant": """Every record table begins at a constant address.
 
@@ -102,7 +102,7 @@ the device says that the table begins elsewhere.
 
 Example: a table with `base: 0x1000, base_by: log_address`.
 
-Cure: Exclude the output for the device (`--to`). Python, JavaScript and C take the address that the device says.
+Cure: Do without what is left out. Python, JavaScript and C take the address that the device says.
 """,
     "plc_values_whole": """No value of a parameter is read or written in pieces.
 
@@ -111,7 +111,7 @@ that nobody has tested.
 
 Example: a message with `segments: {message: upload_segment, when: [segments], data: data, unused: unused, last: last}`.
 
-Cure: Exclude the output for the device (`--to`). Clients in Python read and write such values.
+Cure: Do without what is left out. Clients in Python read and write such values.
 """,
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 
@@ -119,7 +119,7 @@ Why: dialects differ in what a conversion between 64 bits and LREAL does, and th
 
 Example: a field with `type: f64`.
 
-Cure: Exclude the output for the device (`--to`), or state the number as a `u64` of bits.
+Cure: Do without what is left out, or state the number as a `u64` of bits.
 """,
     "plc_reals_present": """No special value of a floating-point number is a NaN.
 
@@ -128,7 +128,7 @@ then make the whole message invalid.
 
 Example: `sentinels: [{bits: 0x7FC00000, name: not_measured}]` on an `f32`.
 
-Cure: Exclude the output for the device (`--to`), or state the value as a `u32` of bits.
+Cure: Do without what is left out, or state the value as a `u32` of bits.
 """,
     "plc_telegrams_fit": """The process data of a telegram fits into a frame of the fieldbus.
 

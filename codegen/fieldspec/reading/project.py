@@ -16,6 +16,7 @@ from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
 from fieldspec.reading.overlays import Silent, applied
 from fieldspec.reading.rows import rows_in_order
 from fieldspec.reading.scalars import typed
+from fieldspec.reading.used_records import used_records
 from fieldspec.reading.versions import Lines, overlays, selected
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
 from fieldspec.source import Span
@@ -53,6 +54,10 @@ def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mappi
             continue
         chosen, missing = _chosen(base, use.values.get(section), section)
         findings += missing
+        messages = protocol.values.get("messages")
+        if section == "records" and "messages" in use.values and isinstance(messages, Sequence):
+            used, _ = _chosen(messages, use.values["messages"], "messages")
+            chosen = used_records(protocol, chosen, used, device)
         own = device.values.get(section)
         value = chosen if own is None else _merged(chosen, own)
         if section in device.values:

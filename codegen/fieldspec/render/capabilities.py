@@ -9,6 +9,7 @@ from itertools import groupby
 from fieldspec.backends import BUILT_IN, OUTPUTS
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, of_dialect
 from fieldspec.plc.dialects import DIALECTS
+from fieldspec.render.left_out import left_out_lines
 from fieldspec.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR, effects
 
 COLUMNS = ("st", "twincat", "plcopen", "iec", "scl", "kv", "hmi")
@@ -25,8 +26,7 @@ engineering tools express, adapt or refuse. The [second one](#keys) says which o
 ## Constructs
 
 **exact**: programs get all of it, and nothing else. **adapted**: they get it in another form; the number leads to how.
-**refused**: nothing of it is written. Where a device needs what an output refuses by a rule, the build says so and
-writes nothing; `fieldspec rule CODE` explains the rule.
+**refused**: nothing of it is written. Where a rule says so, the build does too: see [below](#what-is-left-out).
 """
 
 _KEYS = """\
@@ -54,7 +54,8 @@ def page() -> str:
         lines.append(f"| {title} | {' | '.join(cells)} |")
     lines += ["", *(f"- `{name}`: {OUTPUTS[name].title}" for name in COLUMNS), "", "### Why", ""]
     lines += [f"{number}. {reason[:1].upper()}{reason[1:]}." for reason, number in reasons.items()]
-    lines += ["", _KEYS, *(f"- `{name}`: {OUTPUTS[name].title}" for name in OUTPUTS if name in BUILT_IN)]
+    lines += ["", *left_out_lines(), ""]
+    lines += [_KEYS, *(f"- `{name}`: {OUTPUTS[name].title}" for name in OUTPUTS if name in BUILT_IN)]
     for part, keys in effects().items():
         lines += ["", f"### {part or 'the file'}", "", "| keys | change |", "|---|---|", *_rows(keys)]
     return "\n".join(lines) + "\n"

@@ -65,7 +65,7 @@ def source(layout: DeviceLayout) -> Source:
 
 def text(iec_source: Source) -> str:
     """Types, each behind those that it uses, then functions, each behind those that it calls."""
-    lines = _remarks([*about(iec_source.declared.layout), "", *_guide(iec_source)])
+    lines = _remarks([*about(iec_source.declared), "", *_guide(iec_source)])
     declared: set[str] = set()
     for struct in iec_source.declared.structs:
         for member in struct.members:
@@ -106,7 +106,7 @@ def _remarks(lines: Sequence[str]) -> list[str]:
 def constants(iec_source: Source) -> str:
     """All constants, for the configuration: a program names those that it uses in VAR_EXTERNAL CONSTANT."""
     head = ["Put these lists into the CONFIGURATION. A program declares what it uses as VAR_EXTERNAL CONSTANT."]
-    lines = _remarks([*about(iec_source.declared.layout), "", *head])
+    lines = _remarks([*about(iec_source.declared), "", *head])
     for constant_list in iec_source.declared.constants:
         lines += ["", *_constants(constant_list)]
     return "\n".join(lines) + "\n"

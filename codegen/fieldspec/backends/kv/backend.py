@@ -13,6 +13,7 @@ from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
+from fieldspec.layout.omissions import Expressed, expressed
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.names import stem
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, adapted, refused
@@ -35,18 +36,30 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     known: dict[tuple[int, str], AreaRows] = {}
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
-        map_rows = [_area_rows(layout, base, area, known) for base, area in _placed_areas(layout, KV)]
-        words = [csv_text(word_map.head(layout)), *(rows_of_area.words for rows_of_area in map_rows)]
+        expressed_layout = remaining(layout)
+        placed_areas = _placed_areas(expressed_layout.layout, KV)
+        map_rows = [_area_rows(layout, base, area, known) for base, area in placed_areas]
+        words = [
+            csv_text(word_map.head(layout, expressed_layout.omissions)),
+            *(rows_of_area.words for rows_of_area in map_rows),
+        ]
         texts[f"{name}_words.csv"] = BYTE_ORDER_MARK + "".join(words)
         texts[f"{name}_comments.csv"] = "".join(rows_of_area.comments for rows_of_area in map_rows)
     return texts
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
+    """What is left out: digits, texts in a form of their own, bases that registers hold, lists with fields behind."""
+    return [finding for layout in versions for finding in remaining(layout).findings]
+
+
+def remaining(layout: DeviceLayout) -> Expressed:
+    """What of a version word maps express."""
     reader = "a word map"
-    inner_lists = inner_list_refusals(versions, reader)
-    return [*character_refusals(versions, reader), *base_refusals(versions, reader), *inner_lists]
+    each = (character_refusals, base_refusals, inner_list_refusals)
+    return expressed(
+        layout, [refusal for refusals_of in each for refusal in refusals_of(layout, reader)], reads_exceptions=False
+    )
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:

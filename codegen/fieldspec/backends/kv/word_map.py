@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from typing import TypeAlias
 
 from fieldspec.backends.kv.areas import Area, PlacedValue, bits, bits_text, words
 from fieldspec.backends.kv.dialect import WordDialect
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.omissions import Omission
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags
 from fieldspec.model.fact import Fact
@@ -48,11 +49,12 @@ Cell: TypeAlias = int | str | None
 Cells: TypeAlias = dict[str, Cell]
 
 
-def head(layout: DeviceLayout) -> list[Sequence[Cell]]:
-    """The heading, and a row with the identity."""
+def head(layout: DeviceLayout, omissions: Iterable[Omission]) -> list[Sequence[Cell]]:
+    """The heading, a row with the identity, and one for each fact that the map leaves out."""
     device = layout.device
     about: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
-    return [COLUMNS, list(map(about.get, COLUMNS))]
+    absent: list[Cells] = [{"area": "left out", "name": own.title, "label": own.reason} for own in omissions]
+    return [COLUMNS, *(list(map(cells.get, COLUMNS)) for cells in (about, *absent))]
 
 
 def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:

@@ -11,6 +11,7 @@ from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
+from fieldspec.layout.omissions import Expressed, expressed
 from fieldspec.names import stem
 
 
@@ -20,10 +21,22 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Digits, texts in a form of their own, bases that registers hold, and lists with fields behind them."""
+    """What is left out: digits, texts in a form of their own, bases that registers hold, lists with fields behind."""
+    return [finding for layout in versions for finding in remaining(layout).findings]
+
+
+def remaining(layout: DeviceLayout) -> Expressed:
+    """What of a version queries express."""
     reader = "a query"
-    inner_lists = inner_list_refusals(versions, reader)
-    return [*character_refusals(versions, reader, reads_frames=False), *base_refusals(versions, reader), *inner_lists]
+    return expressed(
+        layout,
+        [
+            *character_refusals(layout, reader, reads_frames=False),
+            *base_refusals(layout, reader),
+            *inner_list_refusals(layout, reader),
+        ],
+        reads_exceptions=False,
+    )
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
@@ -31,6 +44,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     texts: dict[str, str] = {}
     for layout in versions:
         own = stem(layout.device.id, layout.device.version)
-        texts[f"{own}.sql"] = sql_text(layout)
-        texts[f"{own}.py"] = polars_text(layout)
+        expressed_layout = remaining(layout)
+        texts[f"{own}.sql"] = sql_text(expressed_layout.layout, expressed_layout.omissions)
+        texts[f"{own}.py"] = polars_text(expressed_layout.layout, expressed_layout.omissions)
     return texts

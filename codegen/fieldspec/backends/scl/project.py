@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem
 from fieldspec.plc.cache import cached
@@ -45,7 +45,7 @@ class TextBlock:
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """What TIA Portal gets for one version of a device. `findings` are the errors that forbid it.
+    """What TIA Portal gets for one version of a device. `findings` are the errors that forbid it, and warnings.
 
     `missing` are the tasks without a block, with the reasons.
     """
@@ -103,7 +103,7 @@ def project(layout: DeviceLayout) -> Project:
         TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
         for table in declared.texts
     )
-    all_blocks = Blocks((), ()) if findings else routines(declared.world)
+    all_blocks = Blocks((), ()) if has_errors(findings) else routines(declared.world)
     text_type = SIEMENS.texts.format(device, "Code")
     return Project(
         layout, declared, telegram_blocks, texts, all_blocks.routines, text_type, tuple(findings), all_blocks.missing

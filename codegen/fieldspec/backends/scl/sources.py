@@ -9,7 +9,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.plc.layout.fitting import direct
 from fieldspec.plc.layout.memory import Placed
 from fieldspec.plc.routines.printer import comment, comment_text, routine_text, type_text
-from fieldspec.plc.routines.remarks import without_block
+from fieldspec.plc.routines.remarks import left_out, without_block
 from fieldspec.plc.structs import Struct
 
 
@@ -42,6 +42,7 @@ def head(project: Project) -> list[str]:
             f"blocks from source: {', '.join(sources)}, in this order. A block of the same name is overwritten."
         ),
         *comment(f"Constants: PLC tags, Show all tags, Import, {project.stem}_constants.xlsx."),
+        *(f"// {line}".rstrip() for line in left_out(project.declared.omissions)),
         *(f"// {line}".rstrip() for line in without_block(project.missing)),
     ]
 

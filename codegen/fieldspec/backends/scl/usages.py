@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.backends.scl.project import declared_for_portal
 from fieldspec.backends.usages import Usage, VersionUsages
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.structured import usages as structured
 
@@ -14,5 +15,5 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for the newest version of a device, which is the one that the output has."""
     layout = versions[-1]
     declared = declared_for_portal(layout)
-    rows = () if declared.findings else tuple(Usage(*row) for row in structured.usages(declared))
+    rows = () if has_errors(declared.findings) else tuple(Usage(*row) for row in structured.usages(declared))
     return {layout.device.version: VersionUsages("SCL", {}, rows)}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.backends.usages import Usage, VersionUsages
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.structured import usages as structured
 from fieldspec.plc.structured.program import declared_in_text, newest
@@ -14,5 +15,5 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for the newest version of a device, which is the one that the output has."""
     layout = newest(versions)
     declared = declared_in_text(layout)
-    rows = () if declared.findings else tuple(Usage(*row) for row in structured.usages(declared))
+    rows = () if has_errors(declared.findings) else tuple(Usage(*row) for row in structured.usages(declared))
     return {layout.device.version: VersionUsages("Structured Text", {}, rows)}

@@ -96,8 +96,21 @@ def record_data(
     return data
 
 
-def message_data(layout: DeviceLayout, message: MessageLayout) -> dict[str, Data]:
-    """A message; its records are those of `record_key`."""
+def opaque_data(record: RecordLayout) -> dict[str, Data]:
+    """A record that is shown as bytes: how many there may be, and what tells how many there are."""
+    extent = _varying_extent(record) if record.spans or record.inner_lists is not None else _extent(record)
+    return {
+        "fields": [],
+        "is_opaque": True,
+        "size": record.size,
+        "least": record.least,
+        "most": record.most,
+        "extent": extent,
+    }
+
+
+def message_data(layout: DeviceLayout, message: MessageLayout, is_decoded: bool = True) -> dict[str, Data]:
+    """A message; its records are those of `record_key`. Of one that is not decoded, no access to registers is shown."""
     own = message.message
     access = own.accesses
     data: dict[str, Data] = {
@@ -110,7 +123,7 @@ def message_data(layout: DeviceLayout, message: MessageLayout) -> dict[str, Data
         **{direction: record_key(message, direction) for direction in DIRECTIONS},
     }
     words, bits = layout.device.register_access(own), layout.device.bit_access(own)
-    if access is not None and (words or bits):
+    if is_decoded and access is not None and (words or bits):
         data["access"] = {
             "operation": access.operation,
             "start": access.start,
@@ -164,7 +177,8 @@ def _extent(record: RecordLayout) -> Data:
     tail = record.fields[-1]
     for field in record.fields:
         measures = field.field.measures
-        if measures is not None and measures.field == tail.name and field.value is not None and field.size <= 4:
+        is_number = field.value is not None and field.size <= 4 and not field.value.digits
+        if measures is not None and measures.field == tail.name and field.value is not None and is_number:
             unit = measures.unit(tail.size)
             extent: dict[str, Data] = {
                 "offset": field.offset,
@@ -174,3 +188,29 @@ def _extent(record: RecordLayout) -> Data:
             }
             return extent
     return None
+
+
+def _varying_extent(record: RecordLayout) -> Data:
+    """How a record with one list, or one text, that has fields behind it tells its size."""
+    counter, others = record.count_of_text or (None, 0)
+    unit = 1
+    if record.inner_lists is not None:
+        inner, *more = record.inner_lists.lists
+        each = ((field, field.field.measures) for field in record.fields)
+        counter, measures = next(
+            ((field, own) for field, own in each if own is not None and own.field == inner.name), (None, None)
+        )
+        if more or inner.tail is not None or measures is None:
+            return None
+        unit = measures.unit(inner.element)
+        others = record.inner_lists.fixed - measures.plus * unit
+    value = counter.value if counter is not None and record.has_place(counter) else None
+    if counter is None or value is None or counter.size > 4 or value.digits:
+        return None
+    extent: dict[str, Data] = {
+        "offset": counter.offset,
+        "value": value_data(value, counter.order, counter.swapped),
+        "fixed": others,
+        "unit": unit,
+    }
+    return extent

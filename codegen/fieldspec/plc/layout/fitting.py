@@ -10,6 +10,9 @@ from fieldspec.model.fact import Fact
 from fieldspec.plc.layout.memory import Placed, PlacedMember
 from fieldspec.plc.routines.expressions import Elementary, innermost
 
+CONVERT = "convert the bytes by a function instead of laying a struct over them"
+"""What to do without an image."""
+
 
 @dataclass(frozen=True, slots=True)
 class Misfit:
@@ -69,7 +72,7 @@ def misfit_findings(placed: Placed) -> list[Diagnostic]:
                     "plc_images_exact",
                     f"in {placed.struct.key}, for {placed.memory.title}: {misfit.path} {misfit.reason}",
                     fact.place["name"],
-                    help="convert the bytes by a function instead of laying the struct over them",
+                    help=CONVERT,
                 )
             )
     return findings

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
+from fieldspec.layout.omissions import Omission, listing
 from fieldspec.model.enums import Member
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
@@ -30,6 +31,12 @@ def member_remark(member: Member) -> str:
 def cited(text: str, fact: Fact) -> str:
     """A text, and behind it where the manual states the fact."""
     return " ".join(part for part in (*text.split(), source(fact)) if part)
+
+
+def left_out(omissions: Sequence[Omission]) -> list[str]:
+    """The lines that say what the functions leave out, and why."""
+    lines = listing(omissions, comment_text)
+    return ["", *lines] if lines else []
 
 
 def without_block(missing: Iterable[tuple[str, str]]) -> list[str]:

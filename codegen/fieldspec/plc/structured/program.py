@@ -14,7 +14,7 @@ from fieldspec.plc.dialects import STRUCTURED, Dialect, Spelling
 from fieldspec.plc.layout.memory import Placed, placed
 from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.printer import comment_text, declaration, implementation
-from fieldspec.plc.routines.remarks import without_block
+from fieldspec.plc.routines.remarks import left_out, without_block
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.structs import Struct
 from fieldspec.plc.structured.arrays import array_item, lent_arrays, named_arrays
@@ -59,7 +59,7 @@ class Program:
 
     def about(self) -> list[str]:
         """What stands at the head of a file."""
-        return about(self.declared.layout)
+        return about(self.declared)
 
     def guide(self) -> list[str]:
         """How the functions are used, for the head of a file that has everything."""
@@ -73,8 +73,9 @@ class Program:
         ]
 
 
-def about(layout: DeviceLayout) -> list[str]:
+def about(declared: Declarations) -> list[str]:
     """What stands at the head of every file of a device."""
+    layout = declared.layout
     device = layout.device
     manual = f"{device.manual.title} {device.manual.edition}".strip()
     return [
@@ -82,6 +83,7 @@ def about(layout: DeviceLayout) -> list[str]:
         comment_text(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
         f"Identity of the layout: {layout.identity}",
         "Written by fieldspec. Do not edit: change the spec and build again.",
+        *left_out(declared.omissions),
     ]
 
 
