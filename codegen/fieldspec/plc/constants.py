@@ -141,7 +141,8 @@ def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         for word, number in (("code", model.code), ("response_code", model.response_code), ("number", model.number)):
             if number is not None:
                 hexadecimal = word != "number"
-                yield Draft(f"{model.name}_{word}", UINT, number, cited(model.title, model), model, hexadecimal)
+                kind = narrowest(0, max(number, UINT.high))
+                yield Draft(f"{model.name}_{word}", kind, number, cited(model.title, model), model, hexadecimal)
         for data in message.bodies:
             if data.size:
                 remark = "bytes of its data"
