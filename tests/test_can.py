@@ -18,8 +18,10 @@ from canopen import objectdictionary as dictionary
 
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.log import log_line
+from fieldspec.explain.readings import FrameOptions, read, remarks
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
+from fieldspec.render.explanation import faults
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, package, runtime
 from random_devices.agreement import JUDGES, Comparison, compare_layout
@@ -90,6 +92,42 @@ def test_the_page_of_a_device_says_which_bits_of_the_identifier_a_part_is() -> N
     text = "\n".join(page for page in pages if isinstance(page, str))
     assert "bits 7..10" in text
     assert "the first parts are the bits 26..28, 8..25, 0..7 of an identifier with 29 bits" in text
+
+
+def test_explanations_say_identifier_and_count_the_bytes_of_the_data() -> None:
+    frame = MODULE.sdo.encode_request(NODE, STATUS_REQUEST)
+    rows = explained(AXIS, "sdo", "request", frame).rows
+    assert [(row.at, row.sent, row.path) for row in rows] == [
+        ("identifier", "605", "function"),
+        ("identifier", "", "node"),
+        ("0", "", "command"),
+        ("1", "", "index"),
+        ("3", "", "subindex"),
+        ("4", "", "unused"),
+    ]
+    wide = MODULE.vehicle.encode_request(0x21, MODULE.ReadHoursRequest(), priority=6)
+    assert [(row.at, row.sent) for row in explained(AXIS, "vehicle", "request", wide).rows[:2]] == [
+        ("identifier", "18FEE521"),
+        ("identifier", ""),
+    ]
+
+
+def test_faults_name_the_identifier_or_the_byte_of_the_data() -> None:
+    frame = bytearray(MODULE.sdo.encode_request(NODE, STATUS_REQUEST))
+    frame[1:8] = bytes.fromhex("00 07 05 08 00 00 00")
+    frame[8] = 0xFF
+    (fault,) = faults(explained(AXIS, "sdo", "request", bytes(frame)))
+    assert fault.startswith(
+        "wrong: function in the identifier: should be one of 0x0C with 0x40 at byte 0 of the data, "
+    )
+    data = MODULE.PositionDataResponse(statusword=MODULE.Statusword(0x1637), position=-1000)
+    frame = bytearray(MODULE.pdo.encode_response(NODE, data, function=3)[:-1])
+    frame[4] = 5
+    fault = next(faults(explained(AXIS, "pdo", "response", bytes(frame), "position_data")))
+    assert fault == "wrong: position at byte 2 of the data: 1 byte is missing for position"
+    options = FrameOptions((("pdo", "response"),))
+    texts = list(remarks(AXIS, read(AXIS, bytes(frame), options), 0, options))
+    assert texts[-1] == "the data of the frame have 5 bytes; position_data response has 6"
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,13 @@ import pytest
 import sliplib
 from cobs import cobs
 
+from fieldspec.behaviour.part import Behaviour
 from fieldspec.layout.escapes import EscapeError, original_places
 from fieldspec.model.escape import Escape
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.escapes import escaped, unescaped
+from fieldspec.simulator.engine import Engine
+from fieldspec.simulator.server import Answer, Server
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, runtime
 
@@ -114,3 +117,12 @@ def test_the_checks_of_what_is_sent_come_before_those_of_the_original_bytes() ->
     with pytest.raises(CodecError, match="outer"):
         link.decode(bytes(frame), "request")
     assert runtime("_escapes").Cobs().escaped(b"") == b"\x01"
+
+
+@pytest.mark.parametrize("frame", [b"\x02", b"\x02\x10", b"\x02\x10\x00"])
+def test_a_frame_without_all_parts_is_refused_before_its_escapes_are_undone(frame: bytes) -> None:
+    with pytest.raises(CodecError) as refused:
+        codec(BEACON).links["partly"].original_parts(frame, "request")
+    assert (refused.value.reason, refused.value.offset) == ("incomplete", len(frame) - 1)
+    answer = Server(Engine(BEACON, Behaviour(()))).answer("partly", frame)
+    assert answer == Answer(b"", f"damaged: a frame has at least 6 bytes, not {len(frame) - 1}")

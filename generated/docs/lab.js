@@ -1179,8 +1179,8 @@ function codeText(link, direction, message) {
     else intervals.push([number, number]);
   }
   const text = ([low, high]) => digits(low, shared.size) + (low === high ? "" : `..${digits(high, shared.size)}`);
-  const place = link[direction].headerSize + shared.offset;
-  return `${own} with ${intervals.map(text).join(" or ")} at byte ${place}`;
+  const place = byteText(link[direction].escape, link[direction].headerSize + shared.offset);
+  return `${own} with ${intervals.map(text).join(" or ")} at ${place}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
@@ -1484,16 +1484,31 @@ function repeatedValue(value, should, floatSize = 0) {
 }
 
 /**
- * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. In a frame with
- * escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
+ * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
+ * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
  * for them, and of the end.
  */
 class Spot {
-  constructor(frame, start, width, places = null, originals = null) {
-    Object.assign(this, { frame, start, width, places, originals });
+  constructor(frame, start, width, places = null, originals = null, escape = null) {
+    Object.assign(this, { frame, start, width, places, originals, escape });
   }
 
-  /** The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters. */
+  /** Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read. */
+  canPlace(at) {
+    if (this.escape?.method !== "can" || !this.places) return "";
+    const size = identifierSize(this.escape);
+    return at < size ? "identifier" : String(at - size);
+  }
+
+  /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
+  byteText(at) {
+    return byteText(this.escape, at);
+  }
+
+  /**
+   * The offset and the length in the frame of `length` bytes of the parts from `at` on, their characters, and where they
+   * are in a CAN frame.
+   */
   place(at, length) {
     if (this.places) {
       const end = this.places.length - 1;
@@ -1501,7 +1516,7 @@ class Spot {
       const offset = this.start + first;
       const sent = this.frame.subarray(offset, offset + behind - first);
       const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
-      return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " ") };
+      return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " "), canPlace: this.canPlace(at) };
     }
     const offset = this.start + at * this.width;
     const size = length * this.width;
@@ -1510,11 +1525,30 @@ class Spot {
   }
 }
 
+/** The characters of the bytes of a row, or the identifier of a CAN frame as tools for CAN buses write it: `123`. */
+function sentText({ canPlace, characters }) {
+  if (canPlace !== "identifier" || !characters) return characters;
+  const number = parseInt(characters.replaceAll(" ", "").slice(0, 8), 16);
+  const isLong = number >= 2 ** 31;
+  return (isLong ? number - 2 ** 31 : number).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
+}
+
+/** Where the bytes of a row begin, as people count: in a CAN frame from the first byte of the data. */
+function placeOf({ canPlace, offset }) {
+  return canPlace || String(offset);
+}
+
+/** `speed at byte 4`; in a CAN frame `speed at byte 2 of the data` or `node in the identifier`; without its path elsewhere. */
+function placeText({ canPlace, offset, path }) {
+  const byte = canPlace === "identifier" ? "the identifier" : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
+  return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byte}` : byte;
+}
+
 /** A row of an explanation: some bytes of a frame and their meaning. */
 function rowOf(more) {
   return {
-    kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", path: "", fact: "", printedName: "", label: "",
-    doc: "", number: null, value: "", meanings: [], verdict: "", reason: "", source: "", notes: [], errata: [],
+    kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", canPlace: "", path: "", fact: "",
+    printedName: "", label: "", doc: "", number: null, value: "", meanings: [], verdict: "", reason: "", source: "", notes: [], errata: [],
     address: null, words: 0, unit: "word", access: "", ...more,
   };
 }
@@ -1596,6 +1630,7 @@ function rowData(row) {
   return {
     kind: row.kind,
     offset: row.offset,
+    can_place: row.canPlace || null,
     length: row.length,
     raw: hexOf(row.raw),
     characters: row.characters || null,
@@ -1718,6 +1753,16 @@ function originalPlaces(escape, data) {
   return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
 }
 
+/** The bytes of the parts that a CAN frame has in its identifier. */
+function identifierSize({ fields }) {
+  return fields.reduce((sum, [own]) => sum + own, 0);
+}
+
+/** `byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts. */
+function byteText(escape, at) {
+  return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
+}
+
 /** The first part is in the place of the whole header, and the others of the identifier are behind it. */
 function placesOfIdentifier({ bits, fields }, data) {
   const wrong = wrongCanHeader(bits, data);
@@ -1782,7 +1827,7 @@ function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) 
 
 /** The most bytes that are sent for `size` bytes. */
 function mostEscaped({ method, pattern, fields }, size) {
-  if (method === "can") return size + 8 - fields.reduce((sum, [own]) => sum + own, 0);
+  if (method === "can") return size + 8 - identifierSize({ fields });
   if (method === "add") return size;
   if (method === "replace") return 2 * size;
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
@@ -2161,7 +2206,7 @@ function registerRow(device, span, occupant, spot, operation) {
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
   const notes = [...row.notes, ...absence(device, span, occupant)];
-  return { ...row, ...place, notes, offset: piece ? row.offset : 0 };
+  return { ...row, ...place, notes, ...(piece ? {} : { offset: 0, canPlace: "" }) };
 }
 
 /** The note of a field in an element that the device has not got, where the span has the count, too. */
@@ -2305,7 +2350,7 @@ class ExplainedBody {
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
     if (list.tail) {
-      const text = `the elements of ${name} do not end with their bytes: see byte ${this.start + this.fault.at}`;
+      const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
     if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
@@ -2593,6 +2638,7 @@ class ExplainedFrame {
       ...inner,
       ...Array.from({ length: end + 1 - stop }, (_, at) => stop + at),
     ];
+    this.spot.escape = escape;
     this.spot.originals = Uint8Array.from([...data, ...this.surplus]);
     return data;
   }
@@ -3211,12 +3257,15 @@ function otherLengths(device, chosen, options) {
   const all = new Set([...known.request.keys(), ...known.response.keys()]);
   const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
+  const escape = link.request.escape?.method === "can" ? link.request.escape : null;
+  const identifier = escape ? identifierSize(escape) : 0;
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [least, most] = lengthsOf(link, direction, device.messages.get(name));
+    const [least, most] = lengthsOf(link, direction, device.messages.get(name)).map((bound) => bound - identifier);
     const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
     return `${messageText(link, direction, name)} has ${size}`;
   }));
-  return sizes.length ? [`the frame has ${own.frame.length} bytes; ${sizes.join(", ")}`] : [];
+  const opening = escape ? `the data of the frame have ${own.frame.length - 8}` : `the frame has ${own.frame.length}`;
+  return sizes.length ? [`${opening} bytes; ${sizes.join(", ")}`] : [];
 }
 
 // Patterns of bytes in a text, in the spellings of terminals, sniffers and programming languages.
@@ -4111,7 +4160,7 @@ class FrameTable {
     byId("remarks").replaceChildren(...reading.remarks.map((text) => element("li", { textContent: text })));
     byId("remarks").className = reading.wrong ? "wrong" : "";
     this.showBytes(explanation);
-    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, (row) => String(row.offset));
+    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, placeOf);
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
@@ -4172,7 +4221,7 @@ class FrameTable {
     const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
-    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.characters)} ` : "";
+    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(sentText(row))} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
@@ -4255,9 +4304,8 @@ function rawText({ number, meanings, raw }) {
 // A line for each wrong or doubtful value.
 function faultTexts({ rows, registers }) {
   return [...rows, ...registers].filter(({ verdict }) => verdict.startsWith("wrong")).map((row) => {
-    const place = row.path ? `${row.path} at byte ${row.offset}` : `byte ${row.offset}`;
     const kind = row.kind === "register" || row.reason === "out_of_range" ? "doubtful" : "wrong";
-    return `${kind}: ${place}: ${row.verdict.replace("wrong: ", "")}`;
+    return `${kind}: ${placeText(row)}: ${row.verdict.replace("wrong: ", "")}`;
   });
 }
 

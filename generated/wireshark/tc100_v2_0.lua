@@ -4045,10 +4045,15 @@ function numbers.bits(ordered, first, width)
     return number
 end
 
+-- A number as a double, which does not hold all bits of a long one.
+function numbers.double(number)
+    return type(number) == "number" and number or number:tonumber()
+end
+
 local MOST_DIGITS = 60
 
 -- (count * factor + shift) / divisor, exactly where that takes at most 60 decimals, with at least `places` decimals. All numbers are whole.
--- Nil where a double cannot hold the terms.
+-- Nil where a double cannot hold the terms. The count is a double.
 function numbers.quotient(count, scale)
     local above = count * scale.factor + scale.shift
     if math.abs(above) >= 2 ^ 53 or math.abs(count * scale.factor) >= 2 ^ 53 or scale.divisor >= 2 ^ 49 then
@@ -4065,6 +4070,12 @@ function numbers.quotient(count, scale)
         digits[#digits + 1] = string.format("%.0f", digit)
     end
     return #digits > 0 and text .. "." .. table.concat(digits) or text
+end
+
+-- The same as text, approximate where a double cannot hold the terms, and as a number.
+function numbers.fraction(count, scale)
+    local approximate = (count * scale.factor + scale.shift) / scale.divisor
+    return numbers.quotient(count, scale) or "about " .. string.format("%.15g", approximate), approximate
 end
 
 -- Checksums: CRCs, sums, xors and Fletcher checksums of up to 64 bits, as pairs of the upper and the lower 32 bits.
@@ -4305,10 +4316,9 @@ function values.quantity(number, value)
     if not value.scale then
         return value.unit and numbers.text(number) .. unit or nil, nil
     end
-    local count = type(number) == "number" and number or number:tonumber()
-    local approximate = (count * value.scale.factor + value.scale.shift) / value.scale.divisor
-    local exact = numbers.quotient(count, value.scale)
-    return (exact or "about " .. string.format("%.15g", approximate)) .. unit, approximate
+    local count = numbers.double(number)
+    local text, approximate = numbers.fraction(count, value.scale)
+    return text .. unit, approximate
 end
 
 -- The name of a number, the reason for which a codec refuses it or people should look at it, and the details.
@@ -4783,8 +4793,8 @@ local function show_value(context, tree, field, at, index, top)
     end
     parameters.name(context, item, field, number)
     for _, conversion in ipairs(field.percent or {}) do
-        local text = numbers.quotient(number, conversion)
-        item:append_text(", " .. (text or "?") .. " % of " .. conversion.of)
+        local text = numbers.fraction(numbers.double(number), conversion)
+        item:append_text(", " .. text .. " % of " .. conversion.of)
     end
     if top and field.same_as and context.asked and not reason then
         local expected = context.asked[field.same_as]
@@ -4896,6 +4906,21 @@ local function with_role(shape, role)
     return nil
 end
 
+-- The bytes that hexadecimal characters encode.
+local function encoded(characters)
+    return (characters:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
+end
+
+-- The bytes of the first parts behind the start mark, as far as there are any.
+function frames.first_parts(link, shape, bytes)
+    local parts = bytes:sub(#shape.start + 1)
+    if not link.hex then
+        return parts
+    end
+    parts = parts:gsub("%X.*$", "")
+    return encoded(parts:sub(1, #parts - #parts % 2))
+end
+
 -- The bytes of the parts of a frame without delimiters and encoding, and a reason where these are wrong.
 local function unwrapped(link, direction, bytes)
     local shape = link[direction]
@@ -4915,7 +4940,7 @@ local function unwrapped(link, direction, bytes)
     if #inner % 2 == 1 then
         return nil, "wrong_length"
     end
-    return (inner:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
+    return encoded(inner)
 end
 
 -- The message with a code and a number in its data, which several messages with one code have. Where nothing in the
@@ -5014,19 +5039,19 @@ end
 -- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
 function frames.length(link, direction, bytes, asked, message)
     local shape = link[direction]
-    local marks = #shape.start + #shape.stop
-    if link.hex or shape.is_delimited then
+    local marks, width = #shape.start + #shape.stop, link.hex and 2 or 1
+    if link.hex and #shape.stop > 0 then
         local _, stop = bytes:find(shape.stop, #shape.start + 1, true)
         return stop, stop == nil and #bytes < shape.longest
     end
-    local parts = bytes:sub(#shape.start + 1)
+    local parts = frames.first_parts(link, shape, bytes)
     local length = with_role(shape, "length")
     if length then
         local number = part_number(length, parts)
         if not number then
             return nil, true
         end
-        local total = marks + number * length.unit_size + length.base
+        local total = marks + width * (number * length.unit_size + length.base)
         return total >= shape.shortest and total <= shape.longest and total or nil
     end
     if #parts < shape.header then
@@ -5045,7 +5070,7 @@ function frames.length(link, direction, bytes, asked, message)
         return nil
     end
     local body, is_short = extent_of(record, rest)
-    return body and marks + shape.header + body + shape.trailer, is_short
+    return body and marks + width * (shape.header + body + shape.trailer), is_short
 end
 
 -- Whether bytes are a frame: delimiters, length, checksums, code and the length of the body are right.
@@ -5344,11 +5369,7 @@ end
 local function head_of(link, direction, bytes, asked, message)
     local head = { values = {}, repeated = {} }
     local shape = link[direction]
-    local parts = bytes:sub(#shape.start + 1)
-    if link.hex then
-        parts = parts:gsub("%X.*$", "")
-        parts = parts:sub(1, #parts - #parts % 2):gsub("..", function(pair) return string.char(tonumber(pair, 16)) end)
-    end
+    local parts = frames.first_parts(link, shape, bytes)
     head.message = message
     for _, part in ipairs(shape.parts) do
         if part.offset >= 0 and part.value and #parts >= part.offset + part.size then
@@ -5613,9 +5634,18 @@ local function message_choices(link)
     return list
 end
 
+local descriptions = {}
+
+-- A protocol of its own: Wireshark refuses two with the same description, which links without titles of their own may have.
+local function new_protocol(id, description)
+    local own = descriptions[description] and description .. " (" .. id .. ")" or description
+    descriptions[own] = true
+    return Proto(id, own)
+end
+
 local function add_carrier(link, kind, title, text)
     local id = device.id .. "_" .. link.name .. "_" .. kind
-    local proto = Proto(id, device.title .. ", " .. link.title .. ", " .. title)
+    local proto = new_protocol(id, device.title .. ", " .. link.title .. ", " .. title)
     local preference = link.name .. "_" .. kind
     protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, (link.ports or {})[kind] or "", text)
     local carrier = { kind = kind, preference = preference, proto = proto, link = link, attached = {} }
@@ -5664,7 +5694,7 @@ local PROFINET, FRAME_ID, STATUS = 0x8892, 2, 4
 -- Process data in cyclic frames of PROFINET: the dissector of Wireshark shows the frame, and this one the process data
 -- of those frames whose numbers a person has entered.
 local function add_process_data(link)
-    local proto = Proto(device.id .. "_" .. link.name .. "_pn", device.title .. ", process data of PROFINET")
+    local proto = new_protocol(device.id .. "_" .. link.name .. "_pn", device.title .. ", process data of PROFINET")
     local prefix = link.name .. "_pn_"
     local prefs, table_of, previous = protocol.prefs, DissectorTable.get("ethertype"), nil
     local text = "Numbers of the cyclic frames, such as 0x8001. Empty for none."
@@ -5730,7 +5760,7 @@ for _, link in ipairs(device.link_order) do
     for _, name in ipairs(titles) do
         local message = name and device.messages[name] or nil
         local id = device.id .. "_" .. link.name .. (name and "_" .. name or "")
-        local proto = Proto(id, device.title .. ", " .. (message and message.title or link.title))
+        local proto = new_protocol(id, device.title .. ", " .. (message and message.title or link.title))
         proto.dissector = dissector_of({}, link, message)
         decode_as(link, proto)
     end

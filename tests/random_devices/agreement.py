@@ -28,8 +28,10 @@ from random_devices.queries_judge import Queries
 from random_devices.reference_answers import Reference
 from random_devices.script_judge import ScriptExplainer
 from random_devices.selftest_judge import Selftest
+from random_devices.simulator_judge import Simulator
 from random_devices.spec_changes import examples_are_proven, identities_agree
 from random_devices.structured_text_judge import StructuredText
+from random_devices.wireshark_judge import Wireshark, has_tshark
 
 SANITIZED = ["gcc", "-std=c99", "-w", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 BIG_ENDIAN = ["m68k-linux-gnu-gcc", "-std=c99", "-w", "-static"]
@@ -62,12 +64,14 @@ JUDGES = (
     Judge("script", 3, ScriptExplainer),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
     Judge("command", 5, Command),
+    Judge("simulator", 4, lambda layout, folder, number: Simulator(layout)),
     Judge("selftest", 25, Selftest),
     Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),
     Judge("structured_text", 8, lambda layout, folder, number: StructuredText(layout, folder)),
     *([Judge("matiec", 60, lambda layout, folder, number: StructuredText(layout, folder, True))] * has_matiec()),
     Judge("duckdb", 6, lambda layout, folder, number: Queries(layout, "duckdb")),
     Judge("polars", 6, lambda layout, folder, number: Queries(layout, "polars")),
+    *([Judge("wireshark", 30, lambda layout, folder, number: Wireshark(layout))] * has_tshark()),
     Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True),
 )
 """All judges. A codec in another language is added here, and nowhere else."""

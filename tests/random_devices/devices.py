@@ -8,7 +8,15 @@ from typing import Any
 import yaml
 from hypothesis import strategies as st
 
-from random_devices import drawn_buses, drawn_links, drawn_messages, drawn_records, drawn_registers, drawn_words
+from random_devices import (
+    drawn_buses,
+    drawn_links,
+    drawn_messages,
+    drawn_records,
+    drawn_registers,
+    drawn_versions,
+    drawn_words,
+)
 from random_devices.draft import Draft, Spec
 from random_specs import NumberText
 
@@ -26,24 +34,23 @@ def devices(draw: Any) -> Spec:
     draft = Draft(draw)
     spec = draft.spec
     spec["device"] = {"id": "chance", "name": "Chance", "vendor": "Nobody", "manual": MANUAL}
-    if draft.chance(15):
+    if draft.chance(25):
         draft.versions = VERSIONS
         members = [{"id": name, "source": draft.source()} for name in VERSIONS]
         spec["versions"] = [{"line": "firmware", "builds": True, "members": members}]
     draft.byte_order = draft.pick(("big", "little"))
-    draft.word_order = draft.pick(
-        ("big", "little", "big", "little", "big", "little", "big", "little", "big", "little", "")
-    )
+    draft.word_order = "" if draft.chance(3) else draft.pick(("big", "little"))
     draft.sends_characters = draft.chance(30)
     draft.code_bits = draft.pick((8, 8, 16, 8, 8, 24))
     spec["enums"] = drawn_words.enums(draft)
     spec["flags"] = drawn_words.flags(draft)
     spec["records"] = drawn_records.records(draft)
-    if draft.chance(12):
+    if draft.chance(18):
         drawn_buses.add_bus(draft)
+        drawn_versions.tell_versions(draft)
         return {section: spec[section] for section in SECTIONS if spec.get(section)}
     spec["spaces"] = drawn_registers.spaces(draft)
-    kinds = draft.pick(((True,), (True, True), (False,), (True, False)))
+    kinds = draft.pick(((True,), (True, True), (False,), (True, False), (True, True, True), (True, False, False)))
     spec["links"] = [drawn_links.link(draft, coded) for coded in kinds]
     coded = [link["name"] for link, is_coded in zip(spec["links"], kinds, strict=True) if is_coded]
     others = [link["name"] for link in spec["links"] if link["name"] not in coded]
@@ -52,11 +59,12 @@ def devices(draw: Any) -> Spec:
         spec["tables"] = drawn_registers.tables(draft)
     if not spec.get("registers") and not spec.get("tables"):
         spec["spaces"] = []
-    spec["parameters"] = drawn_registers.parameters(draft) if draft.chance(35) else []
+    spec["parameters"] = drawn_registers.parameters(draft) if draft.chance(45) else []
     if others:
         spec["signals"] = drawn_words.signals(draft)
         spec["conversions"] = drawn_words.conversions(draft)
     spec["messages"] = drawn_messages.messages(draft, coded, others)
+    drawn_versions.tell_versions(draft)
     drawn_messages.mark_exceptions(draft)
     drawn_messages.draw_response_codes(draft)
     drawn_messages.leave_unrequested(draft)

@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
-from random_devices import drawn_messages
+from random_devices import drawn_messages, drawn_registers
 from random_devices.draft import Draft, Spec
 from random_devices.drawn_records import fixed_field
+from random_devices.drawn_values import size_of
 
 DATA = 8
 """The most bytes of the data of a frame."""
 
 
 def add_bus(draft: Draft) -> None:
-    """Adds one CAN bus with messages to a device."""
-    link, room = _link(draft, coded := draft.chance(75))
-    draft.spec["links"] = [link]
+    """Adds one or two CAN buses with messages to a device, whose numbered parameters some of them carry."""
+    drawn = [_link(draft, coded := draft.chance(75))]
+    if draft.chance(25):
+        drawn.append(_link(draft, coded))
+    link = drawn[0][0]
+    room = {key: min(own[key] for _, own in drawn) for key in ("request", "response")}
+    draft.spec["links"] = [own for own, _ in drawn]
+    names = [own["name"] for own, _ in drawn]
     codes: set[int] = set()
     draft.spec["messages"] = []
     for number in range(1, draft.number(2, 5)):
-        key = {"code": drawn_messages.free_code(draft, codes)} if coded else {"number": number, "links": [link["name"]]}
+        key = {"code": drawn_messages.free_code(draft, codes)} if coded else {"number": number, "links": names}
         message = draft.fact(**key, request=_body(draft, room["request"]), response=_body(draft, room["response"]))
         draft.spec["messages"].append(message)
+    if coded and draft.chance(30):
+        _add_parameters(draft, codes, min(room.values()))
     if any(part.get("role") == "code" for part in link["response"]):
         small = [record for record in draft.records if not record.apart and record.size <= room["response"]]
         if small and draft.chance(60):
@@ -30,6 +38,16 @@ def add_bus(draft: Draft) -> None:
         drawn_messages.mark_exceptions(draft)
     drawn_messages.draw_response_codes(draft)
     drawn_messages.leave_unrequested(draft)
+
+
+def _add_parameters(draft: Draft, codes: set[int], room: int) -> None:
+    """Adds sets of parameters, and the messages that read and write them where these fit into frames."""
+    draft.spec["parameters"] = drawn_registers.parameters(draft)
+    if not draft.spec["parameters"]:
+        return
+    drawn = drawn_messages.parameter_messages(draft, codes, [])
+    if all(sum(map(size_of, message[key])) <= room + 2 for message in drawn for key in ("request", "response")):
+        draft.spec["messages"] += drawn
 
 
 def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:

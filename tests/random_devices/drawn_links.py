@@ -6,6 +6,7 @@ import re
 
 from fieldspec.schema import schema
 from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, range_text
+from random_devices.drawn_escapes import add_escape
 from random_devices.drawn_values import value
 
 USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
@@ -26,6 +27,8 @@ def link(draft: Draft, coded: bool) -> Spec:
     code = next((part for part in line["request"] if part.get("role") == "code"), None)
     same = draft.chance(50)
     line["response"] = line["request"] if same else parts(draft, line, coded and draft.chance(85), code or {})
+    if encoding == "binary" and draft.chance(18):
+        add_escape(draft, line)
     roles = {part.get("role") for part in (*line["request"], *line["response"])}
     if "unit_address" in roles and draft.chance(60):
         _unit_addresses(draft, line)
@@ -94,7 +97,7 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
         for _ in range(draft.pick((1, 1, 1, 2))):
             before.append(_part(draft, "length", **_number(draft, _count(draft, "u16", "u8", "u32"), 999)))
     if draft.chance(70):
-        for _ in range(draft.pick((1, 1, 1, 1, 2))):
+        for _ in range(draft.pick((1, 1, 1, 1, 1, 1, 1, 2))):
             (before if draft.chance(15) else behind).append(_checksum(draft))
     line_of_parts = [*_shuffled(draft, before), _part(draft, "body"), *_shuffled(draft, behind)]
     names = [part["name"] for part in line_of_parts]
@@ -156,6 +159,8 @@ def _checksum(draft: Draft) -> Spec:
         for key in ("initial", "final_xor"):
             if draft.chance(50):
                 parameters[key] = draft.number(0, (1 << width) - 1)
+        if draft.chance(40):
+            parameters["method"] = "crc"
         for key in ("reflect_in", "reflect_out"):
             if draft.chance(50):
                 parameters[key] = True
@@ -236,7 +241,7 @@ def _counts(draft: Draft, names: list[str], middle: int) -> Spec:
         keys["from"] = names[draft.number(0, middle)]
     if draft.chance(60):
         keys["to"] = names[draft.number(middle, len(names) - 1)]
-    if draft.chance(6):
+    if draft.chance(12):
         keys["in"] = draft.pick(("words", "bytes"))
     if draft.chance(40):
         keys["plus"] = draft.number(-3, 20)

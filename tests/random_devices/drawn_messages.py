@@ -24,7 +24,7 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     if coded_links and (draft.spec.get("registers") or draft.spec.get("tables")):
         drawn += _accesses(draft, codes, coded_links if other_links else [])
     if coded_links and draft.spec.get("parameters") and draft.chance(60):
-        drawn += _parameter_messages(draft, codes, coded_links if other_links else [])
+        drawn += parameter_messages(draft, codes, coded_links if other_links else [])
     numbers = 0
     for _ in range(draft.number(1, 3) if other_links else 0):
         numbers += draft.number(1, 9)
@@ -218,7 +218,7 @@ def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
     """A message that carries packed bits, or a single one as a number."""
     address = draft.fact(type="u16")
     access: Spec = {"operation": operation, "space": space, "start": address["name"]}
-    if draft.chance(40):
+    if draft.chance(50):
         numbers = draft.pick(((1, 0), (0xFF00, 0), (2, 3), (0, 1)))
         bit = draft.fact(type="u16", range=f"{numbers[0]}, {numbers[1]}")
         access |= {"values": bit["name"], "set": numbers[0]} | ({"clear": numbers[1]} if numbers[1] else {})
@@ -241,7 +241,7 @@ def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> S
     size = draft.fact(type="u8", measures={"bytes": words["name"]})
     sized = [size, words] if draft.chance(60) else [words]
     access: Spec = {"operation": operation, "start": address["name"], "values": words["name"]}
-    if space and (unit == "u8" or draft.chance(80)):
+    if space and (unit == "u8" or len(draft.spec["spaces"]) == 1 or draft.chance(95)):
         access["space"] = space
     if operation == "read":
         access["count"] = count["name"]
@@ -264,10 +264,12 @@ _PARAMETER_DIGITS: dict[str, tuple[Spec, ...]] = {
 """How values of parameters may be sent as digits, by their types."""
 
 
-def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
+def parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
     """The messages that read and write the parameters of a set by their numbers."""
     parameter_set = draft.pick(draft.spec["parameters"])
     name = parameter_set.get("space") or parameter_set["name"]
+    if draft.chance(12) and "space" not in parameter_set:
+        return _with_codes(draft, _messages_of_all(draft, parameter_set), codes, links)
     is_text = draft.chance(35)
     sent = {"digits": "upper_hex", "length": 4} if is_text else {}
     number = draft.fact(type="u16", parameter={"set": name, "part": "number"}, **sent)
@@ -286,6 +288,19 @@ def _with_codes(draft: Draft, drawn: list[Spec], codes: set[int], links: list[st
         if links:
             message["links"] = list(links)
     return drawn
+
+
+def _messages_of_all(draft: Draft, parameter_set: Spec) -> list[Spec]:
+    """Messages that read and write all parameters of a set, in the order of their numbers."""
+    count = sum(row.get("count", 1) for row in parameter_set["rows"])
+    keys: Spec = {
+        "type": draft.pick(("u16", "u32", "i32")),
+        "parameter": {"set": parameter_set["name"], "part": "values"},
+    }
+    if count > 1:
+        keys["count"] = count
+    values = draft.fact(**keys)
+    return [draft.fact(request=[], response=[values]), draft.fact(request=[values], response=[])]
 
 
 def _messages_of_bytes(draft: Draft, name: str, number: Spec) -> list[Spec]:

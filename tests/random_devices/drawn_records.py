@@ -15,7 +15,7 @@ def records(draft: Draft) -> list[Spec]:
 def _record_with_tail(draft: Draft) -> Spec:
     """A record that ends with a list or a text which it counts, so that its elements differ in size."""
     record = draft.fact(fields=[])
-    fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0, 2))]
+    fields = [draft.bounded(fixed_field(draft)[0], 8) for _ in range(draft.number(0, 2))]
     if draft.chance(50):
         text = draft.fact(**varying_text(draft))
         record["fields"] = [*_inserted(draft, fields, _count_of(draft, text)), text]
@@ -66,7 +66,7 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
     if count > 1:
         keys["count"] = count
     if place == "table" and draft.chance(20):
-        keys["access"] = "rw" if "write_range" in keys else draft.pick(("ro", "rw"))
+        keys["access"] = "rw" if "write_range" in keys else draft.pick(("ro", "rw", "ro", "rw", "wo"))
     return {**fact, **keys}, size_of(keys) * count
 
 
@@ -108,7 +108,7 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
         return [_short_field(draft) for _ in range(draft.number(1, 3) if form == "short" else 0)]
     if form in ("line", "texts"):
         return _line(draft) if form == "line" else _texts_with_sizes(draft)
-    fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
+    fields = [draft.bounded(fixed_field(draft)[0], 8) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
     if form in ("fixed", "repeat") and draft.chance(20):
         add_exponent(draft, fields, draft.pick(("i8", "i16")))
     if form == "repeat":
@@ -201,7 +201,8 @@ def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
 
 def _measure(draft: Draft, field: Spec) -> Spec:
     """What a field contains that counts another one, now and then with a constant number in addition."""
-    plus = draft.pick((-1, 1, 2, 5)) if draft.chance(25) else 0
+    least = int(str(field.get("repeat", 0)).partition("..")[0])
+    plus = draft.pick((-1, 1, 2, 5) if least else (1, 2, 5)) if draft.chance(25) else 0
     what = "items" if field.get("record") in draft.tails else draft.pick(("items", "bytes"))
     return {what: field["name"], **({"plus": plus} if plus else {})}
 
@@ -264,5 +265,5 @@ def telegram(draft: Draft) -> list[Spec]:
     """A body of signals and other fields."""
     names = [name for name in draft.signals if draft.chance(60)]
     placed = [{"signal": name, "source": draft.source()} for name in names]
-    own = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0, 2))]
+    own = [draft.bounded(fixed_field(draft)[0], 8) for _ in range(draft.number(0, 2))]
     return [*placed, *own]

@@ -10,13 +10,13 @@ ACCESSES = ("rw", "ro", "rw", "wo")
 
 
 def spaces(draft: Draft) -> list[Spec]:
-    """No space, or several with the same addresses."""
-    if not draft.chance(30):
+    """No space, or some with the same addresses, of words, bytes and bits; the first one is of words."""
+    if not draft.chance(50):
         return []
-    drawn = [draft.fact() for _ in range(draft.number(2, 3))]
+    drawn = [draft.fact() for _ in range(draft.number(1, 4))]
     for at, space in enumerate(drawn):
-        if at > 1 and draft.chance(40):
-            space["unit"] = draft.pick(("bit", "byte"))
+        if at and draft.chance(60):
+            space["unit"] = draft.pick(("bit", "byte", "bit"))
         if draft.chance(40):
             space["first_number"] = draft.pick((0, 1, 30001, 40001))
         if draft.chance(20):
@@ -82,8 +82,10 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
     elif space:
         at, space = free[next(iter(free))], next(iter(free))
     gaps = []
-    if draft.chance(15):
-        group["defaults"] = draft.pick(({"access": "rw"}, {"words": 1, "atomic": False, "trigger": False}))
+    if draft.chance(25):
+        group["defaults"] = draft.pick(
+            ({"access": draft.pick(ACCESSES)}, {"words": 1, "atomic": False, "trigger": False})
+        )
     for _ in range(draft.number(1, 6)):
         if draft.chance(15) and group["rows"]:
             gaps.append(f"{at}..{at + 3}")
@@ -117,6 +119,8 @@ def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
         row["trigger"] = True
     if draft.chance(8) and words > 1:
         row["atomic"] = True
+    if draft.chance(6) and set(row) <= {"at", "name", "source", "type", "access", "words", "length"}:
+        row["reserved"] = True
     if draft.chance(4):
         row["restart"] = True
     if draft.chance(4) and access != "wo":
@@ -144,7 +148,7 @@ def tables(draft: Draft) -> list[Spec]:
         count = draft.number(1, 4)
         table = draft.fact(base=at, stride=record.size // 2 + draft.number(0, 3), count=count, record=record.name)
         if draft.chance(60):
-            table["access"] = draft.pick(("rw", "ro"))
+            table["access"] = draft.pick(("rw", "ro", "rw", "ro", "wo"))
         if draft.chance(40):
             table["index_from"] = draft.number(0, 2)
         if spaces_of_words:
@@ -182,7 +186,7 @@ def parameters(draft: Draft) -> list[Spec]:
             at += rows[-1].get("count", 1) + (draft.number(0, 5) if draft.chance(4) else 0)
         parameter_set = draft.fact(rows=rows)
         if draft.chance(15):
-            parameter_set["defaults"] = {"access": "rw"}
+            parameter_set["defaults"] = {"access": draft.pick(ACCESSES)}
         if shared:
             parameter_set |= {"space": "pnu", "base": 0x1000 * place, "numbers": "0..0xFFF"}
         drawn.append(parameter_set)
@@ -191,23 +195,23 @@ def parameters(draft: Draft) -> list[Spec]:
 
 def _parameter(draft: Draft, at: int) -> Spec:
     keys = value(draft, "parameter")
-    row = {"number": at, **draft.fact(), **keys, "access": draft.pick(("rw", "ro", "rw"))}
+    row = {"number": at, **draft.fact(), **keys, "access": draft.pick(("rw", "ro", "rw", "rw", "ro", "wo"))}
     if "write_range" in keys:
         row["access"] = "rw"
-    if draft.chance(10) and row["access"] == "rw":
+    if draft.chance(15) and row["access"] == "rw":
         row["trigger"] = True
     if draft.chance(5):
         row["restart"] = True
-    if draft.chance(5) and not {"default", "unit_default", "const"} & set(row):
+    if draft.chance(8) and not {"default", "unit_default", "const"} & set(row):
         row = {"number": at, **draft.fact(), "type": row["type"], "reserved": True}
         if draft.chance(50):
             row["count"] = draft.number(2, 4)
-    elif draft.chance(10):
+    elif draft.chance(25):
         row["elements"] = draft.number(2, 6)
-        if draft.chance(50):
+        if draft.chance(70):
             inner = draft.fact(index=0, type=draft.pick((row["type"], "u8", "i32", "u24")))
-            if draft.chance(40):
-                inner["access"] = draft.pick(("ro", "rw", "wo"))
+            if draft.chance(60):
+                inner["access"] = draft.pick(("rw", "ro", "wo"))
             rest = draft.fact(index=f"1..{row['elements'] - 1}", type=row["type"], reserved=True)
             row["subindices"] = [inner, rest] if row["elements"] > 2 else [inner, {**rest, "index": 1}]
     return row

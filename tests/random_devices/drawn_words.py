@@ -23,18 +23,18 @@ def _enum(draft: Draft) -> Spec:
     if draft.chance(30):
         enum["open"] = True
     if draft.chance(20):
-        enum["kind"] = draft.pick(("alarm", "fault", "error", "type"))
+        enum["kind"] = draft.pick(("alarm", "fault", "error", "type", "enum", "warning"))
     for at in numbers:
         member: Spec = {"value": at, "name": draft.name()}
         if at == numbers[-1] and len(numbers) > 1:
             draft.bounded(member, 10)
         if draft.chance(5) and at != numbers[0]:
             member["unavailable"] = True
-        if draft.chance(10):
-            member["aliases"] = [draft.name()]
+        if draft.chance(20):
+            member["aliases"] = [draft.name() for _ in range(draft.number(1, 2))]
         enum["members"].append(member)
     gaps = [f"{a + 1}..{b - 1}" for a, b in pairwise(numbers) if b > a + 1]
-    if gaps and draft.chance(20):
+    if gaps and draft.chance(50):
         enum["sparse"] = True
     elif gaps:
         enum["gaps"] = f"{', '.join(gaps)}: the manual leaves them out"

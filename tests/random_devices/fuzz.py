@@ -1,11 +1,13 @@
 """Compares all codecs on random devices for some time: `make fuzz-specs SECONDS=600`, or this file, seconds and a seed.
 
+`--statistics 2000` counts instead how many of so many devices have each key of the language, its forms, and its pairs.
 Every processor draws devices of its own. A device on which judges disagree is shrunk and written to `cases/`, which the
 tests run from then on.
 """
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import os
 import sys
@@ -25,6 +27,7 @@ from hypothesis.errors import Flaky
 from random_devices.agreement import JUDGES, Comparison, Judge, compare
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
+from random_devices.key_counts import statistics
 
 CASES = Path(__file__).parent / "cases"
 FRAMES = 100
@@ -136,11 +139,10 @@ def store(tally: Tally) -> None:
         (CASES / f"{name}.yaml").write_text(f"# {first}\n{text}", encoding="utf-8", newline="\n")
 
 
-def main(seconds: int, seed: int) -> int:
-    """Draws devices on all processors for some seconds and returns the exit code: 1 if judges disagree on one."""
+def main(seconds: int, seed: int, processes: int) -> int:
+    """Draws devices in some processes for some seconds and returns the exit code: 1 if judges disagree on one."""
     end = time.monotonic() + seconds
     total, next_line = Tally(), time.monotonic() + _SECONDS_A_LINE
-    processes = os.cpu_count() or 1
     with ProcessPoolExecutor(processes) as pool:
         running: set[Future[Tally]] = set()
         while time.monotonic() < end or running:
@@ -160,6 +162,18 @@ def main(seconds: int, seed: int) -> int:
     return 1 if total.cases else 0
 
 
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("seconds", type=int, nargs="?", default=60)
+    parser.add_argument("seed", type=int, nargs="?", default=int(time.time()))
+    parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--statistics", type=int, metavar="DEVICES", help="count what so many devices have, and end")
+    return parser.parse_args()
+
+
 if __name__ == "__main__":
-    arguments = [int(argument) for argument in sys.argv[1:]]
-    sys.exit(main(arguments[0] if arguments else 60, arguments[1] if len(arguments) > 1 else int(time.time())))
+    arguments = _arguments()
+    if arguments.statistics:
+        print(statistics(arguments.statistics, arguments.seed, arguments.processes))
+        sys.exit(0)
+    sys.exit(main(arguments.seconds, arguments.seed, arguments.processes))

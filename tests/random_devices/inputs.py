@@ -5,13 +5,15 @@ from __future__ import annotations
 import random
 import string
 import struct
-from typing import Any
+from typing import Any, Literal
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind, Value
+from fieldspec.reference import CodecError
+from fieldspec.reference.escapes import escaped
 
 _LONGEST = 12
 """Elements of a list that are made beyond the least number, so that frames stay short."""
@@ -205,24 +207,60 @@ def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dic
     """Bytes of all parts as a frame with the right length, checksum and mostly constants: the rest is decoded."""
     parts = bytearray(data)
     if len(parts) >= frame.header_size + frame.trailer_size:
-        length = frame.role("length")
         for part in frame.digits if dice.random() < 0.9 else ():
             at = part.at(len(parts))
             if part.value is not None and part.read(bytes(parts[at : at + part.size])) is None:
                 _put_part(parts, part, dice.randint(0, dice.choice((9, part.value.high))))
         for part in frame.constants if dice.random() < 0.7 else ():
             _put_part(parts, part, part.constant or 0)
-        number = length.number(len(parts)) if length is not None else None
-        if length is not None and number is not None:
-            _put_part(parts, length, number)
-        for checksum in frame.checksums:
-            at = checksum.at(len(parts))
-            parts[at : at + checksum.size] = checksum.checksum(bytes(parts))
+        _fit_identifier(parts, frame)
+        sent = _complete(frame, _escaped(frame, _complete(frame, bytes(parts), False)), True)
+        return _marked(layout, link, frame.direction, sent)
     return delimited(layout, link, frame.direction, bytes(parts))
 
 
+def _complete(frame: FrameLayout, data: bytes, is_sent: bool) -> bytes:
+    """Bytes of all parts with the lengths and the checksums of what is sent, or of the bytes before."""
+    parts = bytearray(data)
+    own = [part for part in frame.parts if (frame.escape is not None and not part.escaped) == is_sent]
+    for length in (part for part in own if part.role == "length"):
+        number = length.number(len(parts))
+        if number is not None:
+            _put_part(parts, length, number)
+    for checksum in (part for part in frame.checksums if part in own):
+        at = checksum.at(len(parts))
+        parts[at : at + checksum.size] = checksum.checksum(bytes(parts))
+    return bytes(parts)
+
+
+def _fit_identifier(parts: bytearray, frame: FrameLayout) -> None:
+    """Clears the bits of parts of an identifier that have no place in it."""
+    at = 0
+    for size, order, _, width in frame.escape.fields if frame.escape is not None else ():
+        byte_order: Literal["big", "little"] = "little" if order == "little" else "big"
+        number = int.from_bytes(parts[at : at + size], byte_order) & (1 << width) - 1
+        parts[at : at + size] = number.to_bytes(size, byte_order)
+        at += size
+
+
+def _escaped(frame: FrameLayout, parts: bytes) -> bytes:
+    """What is sent for the bytes of all parts; they are left as they are where the escape has no room for them."""
+    if frame.escape is None or len(parts) < frame.header_size + frame.trailer_size:
+        return parts
+    start, stop = frame.escape_start, len(parts) + (frame.escape_stop or 0)
+    try:
+        return parts[:start] + escaped(frame.escape, parts[start:stop]) + parts[stop:]
+    except CodecError:
+        return parts
+
+
 def delimited(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> bytes:
-    """The bytes of all parts as a frame, in the encoding of the link and between the delimiters of the direction."""
+    """The bytes of all parts as a frame, escaped, in the encoding of the link, and between its delimiters."""
+    return _marked(layout, link, direction, _escaped(layout.links[link].frame(direction), parts))
+
+
+def _marked(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> bytes:
+    """What is sent between the delimiters of a direction."""
     model = layout.links[link].link
     inner = parts.hex().upper().encode() if model.encoding == "hex_ascii" else parts
     start, end = model.delimiters(direction)

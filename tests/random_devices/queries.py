@@ -207,7 +207,7 @@ def _frame_queries(
         frame = reference.links[link].encode(direction, message, {**head, **values}, error=bool(error), code=code)
         yield Query("frame", (link, direction, asked), frame)
         yield Query("frame", (link, direction, asked), spoiled(frame, dice))
-        parts = bytearray(reference.links[link].parts(frame, direction))
+        parts = bytearray(reference.links[link].original_parts(frame, direction))
         changed = with_another_constant(shape, record, bytes(parts), dice)
         if changed is not None:
             yield Query("frame", (link, direction, asked), delimited(layout, link, direction, changed))

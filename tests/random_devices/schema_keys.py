@@ -15,7 +15,6 @@ COMPARED = "It is compared with another fact by a check, which has its own cases
 HANDLING = "It says how to handle a value and is in no codec."
 PROTOCOL = "It needs a second file, which the tests of reading and of versions cover."
 SIMULATED = "It is what a simulator does, and is in no codec."
-SINGLE_BITS = "Random devices have no registers of single bits; the tests of spaces of bits cover them."
 ANYWHERE = {
     "allow": "It permits a finding; one place is enough.",
     "inferred": DOCUMENTATION,
@@ -46,7 +45,6 @@ ANYWHERE = {
 MAPPINGS = {
     "message.segments.abort": "A program sends it; codecs have it as any other message.",
     "message.segments": "It joins messages, which codecs read one by one; tests of segments have other stacks.",
-    "link.escape": "Random devices have no escaped frames; the tests of escapes cover each method with foreign codecs.",
     "behaviour": SIMULATED,
     "behaviour_action": SIMULATED,
     "behaviour_value": SIMULATED,
@@ -87,8 +85,6 @@ MAPPINGS = {
     "link.direction_names": DOCUMENTATION,
     "message.frame_length": COMPARED,
     "message.data_words": COMPARED,
-    "version_line": "Lines beside the built one share its outputs; the tests of versions cover them.",
-    "value.parameter": "The messages of parameters carry raw numbers; the tests of parameters cover what these mean.",
 }
 """Mappings of which no key must be in random devices."""
 KEYS = {
@@ -103,7 +99,6 @@ KEYS = {
     }.items()
 } | {
     ("link.unit_addresses", "rule"): DOCUMENTATION,
-    ("link", "escape"): MAPPINGS["link.escape"],
     ("fact", "name"): "It is what the facts of the other mappings have.",
     ("link", "message_name"): DOCUMENTATION,
     ("link", "direction_names"): DOCUMENTATION,
@@ -123,7 +118,6 @@ KEYS = {
     ("field", "atomic"): "It bounds the requests for a register; registers have it.",
     ("register", "copy_of"): MAPPINGS["copy"],
     ("register", "number"): COMPARED,
-    ("register", "reserved"): "A reserved register has no value in any codec.",
     ("register", "same_as"): COMPARED,
     ("register", "element_name"): DOCUMENTATION,
     ("register", "element_sources"): DOCUMENTATION,
@@ -136,11 +130,9 @@ KEYS = {
     ("parameter", "wire_number"): COMPARED,
     ("parameter", "applies_to"): DOCUMENTATION,
     ("parameter", "messages"): DOCUMENTATION,
+    ("version_line", "like"): "Lines beside the built one share its outputs; the tests of versions cover them.",
     ("parameter_set", "type"): "It is a default of rows, which state their own.",
-    ("parameter_set", "defaults"): "These are defaults of rows, which state their own; groups of registers have them.",
     ("message", "group"): DOCUMENTATION,
-    ("message.accesses", "set"): SINGLE_BITS,
-    ("message.accesses", "clear"): SINGLE_BITS,
     ("part", "same_as"): "A program compares the two parts; codecs read both alike.",
     ("message", "segments"): "Controllers refuse it, and the messages are as any others; tests of segments try it.",
     ("message", "supplements"): "It says beside which messages one is sent.",
@@ -153,6 +145,11 @@ KEYS = {
     ("signal", "direction"): COMPARED,
 }
 """Single keys; those of a `value` are the same wherever a value is."""
+WORDS = {
+    ("part", "algorithm"): "Algorithms are rows of one table; the tests of checksums cover each row.",
+    ("enum", "kind"): DOCUMENTATION,
+}
+"""Keys of which random devices need not have every word."""
 
 
 def reason(key: Key) -> str:
@@ -167,15 +164,15 @@ def _value_keys() -> frozenset[str]:
     return frozenset(schema()["$defs"]["value"]["properties"])
 
 
-def known_keys() -> set[Key]:
-    """All keys of all mappings of the schema."""
-    keys: set[Key] = set()
+def known_keys() -> dict[Key, Schema]:
+    """All keys of all mappings of the schema, with what each may be."""
+    keys: dict[Key, Schema] = {}
     seen: set[str] = set()
 
     def walk(part: Schema, owner: str) -> None:
         name, part = _named(part, owner)
         for key, inner in part.get("properties", {}).items():
-            keys.add((name, key))
+            keys[name, key] = inner
             child, _ = _named(inner, f"{name}.{key}")
             if child not in seen:
                 seen.add(child)
@@ -189,24 +186,29 @@ def known_keys() -> set[Key]:
     return keys
 
 
-def keys_in(data: Any) -> set[Key]:
-    """The keys of the mappings in a spec."""
-    keys: set[Key] = set()
+def nodes_in(data: Any) -> Iterator[tuple[str, dict[str, Any], Schema]]:
+    """The mappings in a spec, each with its name and its schema; one with keys of values is a value too."""
 
-    def walk(part: Schema, owner: str, node: Any) -> None:
+    def walk(part: Schema, owner: str, node: Any) -> Iterator[tuple[str, dict[str, Any], Schema]]:
         name, part = _named(part, owner)
         if isinstance(node, dict):
+            yield name, node, part
+            of_value = {key: node[key] for key in node if key in _value_keys() and key in part.get("properties", {})}
+            if of_value:
+                yield "value", of_value, schema()["$defs"]["value"]
             for key, inner in node.items():
                 if key in part.get("properties", {}):
-                    keys.add((name, key))
-                    if key in _value_keys():
-                        keys.add(("value", key))
-                    walk(part["properties"][key], f"{name}.{key}", inner)
+                    yield from walk(part["properties"][key], f"{name}.{key}", inner)
         for inner in node if isinstance(node, list) else ():
-            walk(part.get("items", {}), name, inner)
+            yield from walk(part.get("items", {}), name, inner)
 
-    walk(schema(), "file", data)
-    return keys
+    yield from walk(schema(), "file", data)
+
+
+def key_path(form: str) -> Key:
+    """The key of a form such as `part.role: code`."""
+    owner, _, key = form.partition(":")[0].rpartition(".")
+    return owner, key
 
 
 def _named(part: Schema, owner: str) -> tuple[str, Schema]:
@@ -215,9 +217,3 @@ def _named(part: Schema, owner: str) -> tuple[str, Schema]:
     reference = part.get("$ref") or items.get("$ref")
     name = reference.removeprefix("#/$defs/").replace("/properties/", ".") if reference else owner
     return name.removeprefix("file."), resolved(part)
-
-
-def missing(specs: Iterator[Any]) -> set[Key]:
-    """The keys that are neither in the specs nor excused."""
-    present: set[Key] = set().union(*map(keys_in, specs))
-    return {key for key in known_keys() - present if not reason(key)}

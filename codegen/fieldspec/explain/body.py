@@ -145,9 +145,8 @@ class Body:
             text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
             return self._wrong(fields[0], at, "wrong_measure", text)
         if inner.tail is not None:
-            text = (
-                f"the elements of {fields[0].name} do not end with their bytes: see byte {self.start + self.fault.at}"
-            )
+            place = self.spot.byte_text(self.start + self.fault.at)
+            text = f"the elements of {fields[0].name} do not end with their bytes: see {place}"
             return self._wrong(fields[0], at, self.fault.reason, text)
         if self.end - self.start < self.record.least:
             return self._missing(fields, at)

@@ -155,7 +155,10 @@ class _Frame:
         data = sent[:start] + bytes(byte for byte, _ in originals) + sent[stop:]
         end = len(sent) + len(self.surplus)
         self.spot = replace(
-            self.spot, places=(*range(start), *inner, *range(stop, end + 1)), originals=data + self.surplus
+            self.spot,
+            places=(*range(start), *inner, *range(stop, end + 1)),
+            originals=data + self.surplus,
+            escape=shape.escape,
         )
         return data
 

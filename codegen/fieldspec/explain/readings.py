@@ -9,6 +9,7 @@ from fieldspec.explain.explanation import Explanation, explained
 from fieldspec.explain.recognition import Reading, closest, lengths, recognised
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.escape import CAN_HEADER
 from fieldspec.model.link import Link
 
 DIRECTIONS = ("request", "response")
@@ -322,17 +323,21 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     known = {direction: link.carried(direction) for direction in DIRECTIONS}
     names = dict.fromkeys([*known["request"], *known["response"]])
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
+    escape = link.link.escape if link.link.is_can else None
+    own_size, identifier = (len(own.frame), 0) if escape is None else (len(own.frame) - CAN_HEADER, escape.fields_size)
     sizes = [
-        f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"
+        f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name), identifier)}"
         for name in ([options.message] if options.message in names else names)
         for direction in ways
         if name in known[direction]
     ]
     if sizes:
-        yield f"the frame has {len(own.frame)} bytes; {', '.join(sizes)}"
+        opening = "the frame has" if escape is None else "the data of the frame have"
+        yield f"{opening} {own_size} bytes; {', '.join(sizes)}"
 
 
-def _bounds(least: int, most: int | None) -> str:
+def _bounds(least: int, most: int | None, identifier: int) -> str:
+    """`8`, `8 or more` or `8 to 12`: sizes without the bytes of the parts of an identifier."""
     if most is None:
-        return f"{least} or more"
-    return str(least) if most == least else f"{least} to {most}"
+        return f"{least - identifier} or more"
+    return str(least - identifier) if most == least else f"{least - identifier} to {most - identifier}"

@@ -205,7 +205,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
         read = DecodedValue(None, notes=() if inside else (_PARTIAL[occupant.atomic].format(span.unit),))
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
     if not piece:
-        row = replace(row, offset=0)
+        row = replace(row, offset=0, can_place="")
     row = replace(row, notes=(*row.notes, *_absence(layout, span, occupant)))
     return replace(row, address=occupant.address, words=occupant.words, unit=span.unit, access=occupant.access)
 
@@ -289,6 +289,7 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
         length=length,
         raw=raw,
         characters=characters,
+        can_place=spot.can_place(at) if raw else "",
         doc="No register is listed here.",
         notes=(*reasons, *_unknown_bases(layout, span, first, end)),
         address=first,

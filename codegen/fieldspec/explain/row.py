@@ -11,10 +11,14 @@ from fieldspec.explain.values import DecodedValue, Meaning
 from fieldspec.layout.values import Raw
 from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
+from fieldspec.model.escape import CAN_EXTENDED, Escape
 from fieldspec.model.fact import Citation, Fact
 from fieldspec.model.link import Link
 from fieldspec.model.record import Message
 from fieldspec.model.texts import Erratum
+
+IDENTIFIER = "identifier"
+"""Where the parts of the identifier of a CAN frame are."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,6 +28,7 @@ class ExplanationRow:
     `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
     `offset` and `length` count bytes of the frame as it is sent, and `raw` are the bytes that they encode. If each byte
     is sent as two characters, `characters` are these, and `length` counts them.
+    In a CAN frame, `can_place` is `identifier`, or the number of the first byte in the data; otherwise it is empty.
     `path` is the place in the frame, as in `items[0].size`; `fact` is the path of the fact in the spec.
     `number` is the raw value, `value` the exact quantity with its unit.
     `verdict` is empty, `right`, or `wrong: ..`, and `reason` then names the fault as the errors of the codecs do.
@@ -37,6 +42,7 @@ class ExplanationRow:
     length: int
     raw: bytes
     characters: str = ""
+    can_place: str = ""
     path: str = ""
     fact: str = ""
     printed_name: str = ""
@@ -55,13 +61,33 @@ class ExplanationRow:
     unit: str = WORD
     access: str = ""
 
+    @property
+    def at(self) -> str:
+        """Where its bytes begin, as people count: in a CAN frame from the first byte of the data."""
+        return self.can_place or str(self.offset)
+
+    @property
+    def sent(self) -> str:
+        """The characters of the bytes, or the identifier of a CAN frame as tools for CAN buses write it: `123`."""
+        if self.can_place != IDENTIFIER or not self.characters:
+            return self.characters
+        number = int(self.characters.replace(" ", "")[:8], 16)
+        return f"{number ^ CAN_EXTENDED:08X}" if number & CAN_EXTENDED else f"{number:03X}"
+
+    @property
+    def byte_text(self) -> str:
+        """`byte 4`; in a CAN frame `byte 2 of the data` or `the identifier`."""
+        if self.can_place == IDENTIFIER:
+            return f"the {IDENTIFIER}"
+        return f"byte {self.can_place} of the data" if self.can_place else f"byte {self.offset}"
+
 
 @dataclass(frozen=True, slots=True)
 class Spot:
     """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each.
 
-    In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start`
-    of what is sent for them, and of the end.
+    `escape` is that of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were
+    escaped, and `places` the offsets behind `start` of what is sent for them, and of the end.
     """
 
     frame: bytes
@@ -69,6 +95,17 @@ class Spot:
     width: int
     places: tuple[int, ...] = ()
     originals: bytes = b""
+    escape: Escape | None = None
+
+    def can_place(self, at: int) -> str:
+        """Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read."""
+        if self.escape is None or self.escape.method != "can" or not self.places:
+            return ""
+        return IDENTIFIER if at < self.escape.fields_size else str(at - self.escape.fields_size)
+
+    def byte_text(self, at: int) -> str:
+        """`byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""
+        return f"byte {at}" if self.escape is None else self.escape.byte_text(at)
 
     def place(self, at: int, length: int) -> tuple[int, int, str]:
         """The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters.
@@ -148,6 +185,7 @@ def fact_row(
         length=length,
         raw=raw,
         characters=characters,
+        can_place=spot.can_place(at),
         path=path,
         fact=fact.place.path,
         printed_name=fact.printed_name,
@@ -175,6 +213,7 @@ def wrong_row(
         length=length,
         raw=raw,
         characters=characters,
+        can_place=spot.can_place(at),
         path=path,
         fact=fact,
         verdict=f"wrong: {detail}",

@@ -227,8 +227,10 @@ class LinkLayout:
         shared = self.subcodes(direction).get(code)
         if shared is None:
             return text
-        place = self.frame(direction).header_size + shared.offset
-        return f"{text} with {' or '.join(shared.texts_of(message))} at byte {place}"
+        shape = self.frame(direction)
+        place = shape.header_size + shared.offset
+        byte = f"byte {place}" if shape.escape is None else shape.escape.byte_text(place)
+        return f"{text} with {' or '.join(shared.texts_of(message))} at {byte}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
         """The messages in one direction: those that users send, and those that the device sends on the link."""

@@ -88,6 +88,10 @@ class Escape:
             return "the three bytes behind the number of the data are not zero"
         return f"it is no CAN frame with an identifier of {self.bits} bits"
 
+    def byte_text(self, at: int) -> str:
+        """`byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts."""
+        return f"byte {at - self.fields_size} of the data" if self.method == "can" else f"byte {at}"
+
     def most(self, size: int) -> int:
         """The most bytes that are sent for `size` bytes."""
         if self.method == "can":

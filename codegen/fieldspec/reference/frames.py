@@ -13,10 +13,10 @@ from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.digits import digits_text
-from fieldspec.reference.checksums import checksum, checksum_digits
 from fieldspec.reference.escapes import escaped, unescaped
+from fieldspec.reference.parts import checksum_of, checksum_text, part_construct
 from fieldspec.reference.records import CodecError, Values, decoded, encoded
-from fieldspec.reference.structs import record_struct, value_construct
+from fieldspec.reference.structs import record_struct
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,11 +43,11 @@ class FrameCodec:
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
         self.heads = {
-            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).header))
+            direction: construct.Struct(*(part.name / part_construct(part) for part in link.frame(direction).header))
             for direction in ("request", "response")
         }
         self.tails = {
-            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).trailer))
+            direction: construct.Struct(*(part.name / part_construct(part) for part in link.frame(direction).trailer))
             for direction in ("request", "response")
         }
 
@@ -75,9 +75,7 @@ class FrameCodec:
         """
         data = self.parts(frame, direction)
         shape = self.link.frame(direction)
-        if len(data) < shape.header_size + shape.trailer_size:
-            least = shape.header_size + shape.trailer_size
-            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
+        _refuse_short(shape, data)
         if shape.escape is not None:
             data = self._original(shape, data)
         head = dict(self.heads[direction].parse(data[: shape.header_size]))
@@ -120,7 +118,7 @@ class FrameCodec:
         assert shape.escape is not None
         start, stop = shape.escape_start, len(data) if shape.escape_stop is None else len(data) + shape.escape_stop
         sent = {
-            part.name: _part_construct(part).parse(data[part.at(len(data)) :])
+            part.name: part_construct(part).parse(data[part.at(len(data)) :])
             for part in shape.parts
             if not part.escaped
         }
@@ -130,9 +128,7 @@ class FrameCodec:
         self._check_sum(shape, sent, data, False)
         offset = len(shape.start) + start
         result = data[:start] + unescaped(shape.escape, data[start:stop], offset) + data[stop:]
-        least = shape.header_size + shape.trailer_size
-        if len(result) < least:
-            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(result)}", len(result))
+        _refuse_short(shape, result)
         return result
 
     @staticmethod
@@ -159,9 +155,9 @@ class FrameCodec:
         for part in shape.checksums:
             if _is_sent(shape, part) == is_original:
                 continue
-            have, want = parts[part.name], _checksum(part, data)
+            have, want = parts[part.name], checksum_of(part, data)
             if have != want:
-                text = f"{part.name} is {_checksum_text(have, part)}, not {_checksum_text(want, part)}"
+                text = f"{part.name} is {checksum_text(have, part)}, not {checksum_text(want, part)}"
                 raise CodecError("wrong_check", text, part.at(len(data)))
 
     def _body(
@@ -267,7 +263,7 @@ class FrameCodec:
                 numbers[length.name] = units
         for check in shape.checksums:
             if _is_sent(shape, check) == is_sent:
-                numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, is_sent))
+                numbers[check.name] = checksum_of(check, self._joined(direction, numbers, inner, is_sent))
 
     def _refuse_barred(self, shape: FrameLayout, message: MessageLayout, values: Mapping[str, Any]) -> None:
         """Refuses the broadcast address for a request that cannot be broadcast."""
@@ -279,7 +275,10 @@ class FrameCodec:
     def original_parts(self, frame: bytes, direction: str) -> bytes:
         """The binary form of a frame, before its bytes were escaped. Raises CodecError."""
         data, shape = self.parts(frame, direction), self.link.frame(direction)
-        return data if shape.escape is None else self._original(shape, data)
+        if shape.escape is None:
+            return data
+        _refuse_short(shape, data)
+        return self._original(shape, data)
 
     def with_checksum(self, direction: str, parts: bytes) -> bytes:
         """The binary form of a frame with the checksums that are right for its other parts."""
@@ -348,31 +347,16 @@ class FrameCodec:
         return shape.start + inner + shape.end
 
 
-def _part_construct(part: PartLayout) -> construct.Construct:
-    """A part as a number; a check has no value of its own."""
-    if part.role != "checksum":
-        return value_construct(part.value, part.order, False)
-    if part.digits:
-        return construct.Bytes(part.size)
-    return construct.BytesInteger(part.size, swapped=part.order != "big")
+def _refuse_short(shape: FrameLayout, data: bytes) -> None:
+    """Raises CodecError for fewer bytes than the parts around the body have."""
+    least = shape.header_size + shape.trailer_size
+    if len(data) < least:
+        raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
 
 
 def _is_sent(shape: FrameLayout, part: PartLayout) -> bool:
     """Whether a length or a checksum is that of the bytes which are sent, not of those before they are escaped."""
     return shape.escape is not None and not part.before_escape
-
-
-def _checksum(part: PartLayout, data: bytes) -> int | bytes:
-    """The checksum of the bytes that it covers: a number, or digits."""
-    number = checksum(part.algorithm, data[part.start : part.stop], part.order)
-    return checksum_digits(number, part.digits, part.size) if part.digits else number
-
-
-def _checksum_text(value: int | bytes, part: PartLayout) -> str:
-    """A checksum as it is on the wire: its digits, or its bytes in their order."""
-    if isinstance(value, bytes):
-        return value.decode("latin-1")
-    return value.to_bytes(part.size, "little" if part.order == "little" else "big").hex(" ").upper()
 
 
 def _is_visible(part: PartLayout) -> bool:

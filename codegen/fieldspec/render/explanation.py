@@ -11,7 +11,7 @@ from fieldspec.classes import replace
 from fieldspec.explain.examples import printed
 from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning
 from fieldspec.explain.recognition import Reading
-from fieldspec.explain.row import citations
+from fieldspec.explain.row import IDENTIFIER, citations
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.address_space import BYTE, WORD
 from fieldspec.model.texts import Example
@@ -54,7 +54,8 @@ def faults(explanation: Explanation) -> Iterator[str]:
     """A line for each wrong or doubtful value."""
     for row in (*explanation.rows, *explanation.registers):
         if row.verdict.startswith("wrong"):
-            place = f"{row.path} at byte {row.offset}" if row.path else f"byte {row.offset}"
+            preposition = "in" if row.can_place == IDENTIFIER else "at"
+            place = f"{row.path} {preposition} {row.byte_text}" if row.path else row.byte_text
             doubtful = row.kind == "register" or row.reason == "out_of_range"
             yield f"{'doubtful' if doubtful else 'wrong'}: {place}: {row.verdict.removeprefix('wrong: ')}"
 
@@ -80,7 +81,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
                 raw = code.number_text(row.number)
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
-            first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
+            first = (row.at, row.sent, _hex(row.raw), row.path, _label(row), raw, row.value)
             lines += _lines(row, first, 2)
     return _table(headings, lines)
 
@@ -189,11 +190,11 @@ def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, 
         first, last = part[0], part[-1]
         name, _, index = first.path.rpartition("[")
         path = first.path if first is last else f"{name}[{index[:-1]}..{last.path.rpartition('[')[2]}"
-        sent = " ".join(row.characters for row in part).strip()
+        sent = " ".join(row.sent for row in part).strip()
         data = " ".join(row.raw.hex().upper() for row in part)
         numbers = " ".join(str(row.number) for row in part)
         source = "" if at else first.source
-        yield (str(first.offset), sent, data, path, "" if at else _label(first), numbers, "", "", "", source), False
+        yield (first.at, sent, data, path, "" if at else _label(first), numbers, "", "", "", source), False
 
 
 def _lines(row: ExplanationRow, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
@@ -281,6 +282,7 @@ def _row(row: ExplanationRow) -> dict[str, object]:
     return {
         "kind": row.kind,
         "offset": row.offset,
+        "can_place": row.can_place or None,
         "length": row.length,
         "raw": _hex_text(row.raw),
         "characters": row.characters or None,

@@ -70,15 +70,15 @@ class Insert:
 
     def original(self, data: Data, offset: int) -> bytes:
         """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
-        pieces = bytes(data).split(self.pattern)
-        at = offset + len(pieces[0])
-        for number, piece in enumerate(pieces[1:], 1):
-            at += len(self.pattern)
-            if piece[:1] != self.stuffed[-1:]:
-                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing behind the pattern", at)
-            at += len(piece)
-            pieces[number] = piece[1:]
-        return self.pattern.join(pieces)
+        data, result, at = bytes(data), bytearray(), 0
+        # The inserted byte may itself begin the pattern, which is searched for behind it.
+        while (begin := data.find(self.pattern, at)) >= 0:
+            behind = begin + len(self.pattern)
+            if data[behind : behind + 1] != self.stuffed[-1:]:
+                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing behind the pattern", offset + behind)
+            result += data[at:behind]
+            at = behind + 1
+        return bytes(result + data[at:])
 
     def end(self, data: bytearray, at: int, end: bytes) -> int:
         """The place of the end delimiter, -1 where it is not there yet."""

@@ -26,6 +26,7 @@ from fieldspec.backends.docs.document import (
 )
 from fieldspec.explain.examples import Printed, explained_example, printed
 from fieldspec.explain.explanation import Explanation, Meaning
+from fieldspec.explain.row import IDENTIFIER
 from fieldspec.explain.row import ExplanationRow as ByteRow
 from fieldspec.layout.values import Raw
 from fieldspec.model.link import Link
@@ -189,14 +190,14 @@ def raw_text(number: Raw | None) -> str:
 
 
 def _byte_row(row: ByteRow) -> TableRow:
-    last = row.offset + row.length - 1
-    place = str(row.offset) if row.length < 2 else f"{row.offset}..{last}"
+    is_identifier = row.can_place == IDENTIFIER
+    place = row.at if row.length < 2 or is_identifier else f"{row.at}..{int(row.at) + row.length - 1}"
     name = code(row.path, f"#{row.fact}" if row.fact else "") if row.path else styled("left over", "wrong")
     return TableRow(
         (
             cell(code(place)),
             cell(code(row.raw.hex(" ").upper())),
-            cell(code(_characters(row.characters))),
+            cell(code(_characters(row.sent))),
             cell(name, label(row.label)),
             cell(raw_text(row.number)),
             cell(row.value),

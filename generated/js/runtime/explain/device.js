@@ -1,4 +1,5 @@
 import { digitsBytes } from "./digits.js";
+import { byteText } from "./frames.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
 /**
@@ -171,8 +172,8 @@ export function codeText(link, direction, message) {
     else intervals.push([number, number]);
   }
   const text = ([low, high]) => digits(low, shared.size) + (low === high ? "" : `..${digits(high, shared.size)}`);
-  const place = link[direction].headerSize + shared.offset;
-  return `${own} with ${intervals.map(text).join(" or ")} at byte ${place}`;
+  const place = byteText(link[direction].escape, link[direction].headerSize + shared.offset);
+  return `${own} with ${intervals.map(text).join(" or ")} at ${place}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */

@@ -10,10 +10,14 @@ export interface Meaning {
   readonly bits: string | null;
 }
 
-/** Some bytes of a frame and their meaning. `offset` and `length` count bytes of the frame as it is sent. */
+/**
+ * Some bytes of a frame and their meaning. `offset` and `length` count bytes of the frame as it is sent. In a CAN frame,
+ * `can_place` is `identifier`, or the number of the first byte in the data.
+ */
 export interface ExplanationRow {
   readonly kind: "mark" | "part" | "field" | "register" | "unexplained";
   readonly offset: number;
+  readonly can_place: string | null;
   readonly length: number;
   readonly raw: string;
   readonly characters: string | null;

@@ -100,6 +100,16 @@ export function originalPlaces(escape, data) {
   return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
 }
 
+/** The bytes of the parts that a CAN frame has in its identifier. */
+export function identifierSize({ fields }) {
+  return fields.reduce((sum, [own]) => sum + own, 0);
+}
+
+/** `byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts. */
+export function byteText(escape, at) {
+  return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
+}
+
 /** The first part is in the place of the whole header, and the others of the identifier are behind it. */
 function placesOfIdentifier({ bits, fields }, data) {
   const wrong = wrongCanHeader(bits, data);
@@ -164,7 +174,7 @@ export function escapedBytes({ method, pairs, pattern, inserted, bits, fields },
 
 /** The most bytes that are sent for `size` bytes. */
 export function mostEscaped({ method, pattern, fields }, size) {
-  if (method === "can") return size + 8 - fields.reduce((sum, [own]) => sum + own, 0);
+  if (method === "can") return size + 8 - identifierSize({ fields });
   if (method === "add") return size;
   if (method === "replace") return 2 * size;
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);

@@ -1,4 +1,5 @@
 import { codeIn, isAmbiguous, partNumberText } from "./device.js";
+import { identifierSize } from "./frames.js";
 import { isWhole } from "./numbers.js";
 import { enumeration } from "./texts.js";
 import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
@@ -331,10 +332,13 @@ function otherLengths(device, chosen, options) {
   const all = new Set([...known.request.keys(), ...known.response.keys()]);
   const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
+  const escape = link.request.escape?.method === "can" ? link.request.escape : null;
+  const identifier = escape ? identifierSize(escape) : 0;
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [least, most] = lengthsOf(link, direction, device.messages.get(name));
+    const [least, most] = lengthsOf(link, direction, device.messages.get(name)).map((bound) => bound - identifier);
     const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
     return `${messageText(link, direction, name)} has ${size}`;
   }));
-  return sizes.length ? [`the frame has ${own.frame.length} bytes; ${sizes.join(", ")}`] : [];
+  const opening = escape ? `the data of the frame have ${own.frame.length - 8}` : `the frame has ${own.frame.length}`;
+  return sizes.length ? [`${opening} bytes; ${sizes.join(", ")}`] : [];
 }

@@ -1,16 +1,32 @@
+import { byteText, identifierSize } from "./frames.js";
 import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
 
 /**
- * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. In a frame with
- * escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
+ * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
+ * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
  * for them, and of the end.
  */
 export class Spot {
-  constructor(frame, start, width, places = null, originals = null) {
-    Object.assign(this, { frame, start, width, places, originals });
+  constructor(frame, start, width, places = null, originals = null, escape = null) {
+    Object.assign(this, { frame, start, width, places, originals, escape });
   }
 
-  /** The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters. */
+  /** Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read. */
+  canPlace(at) {
+    if (this.escape?.method !== "can" || !this.places) return "";
+    const size = identifierSize(this.escape);
+    return at < size ? "identifier" : String(at - size);
+  }
+
+  /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
+  byteText(at) {
+    return byteText(this.escape, at);
+  }
+
+  /**
+   * The offset and the length in the frame of `length` bytes of the parts from `at` on, their characters, and where they
+   * are in a CAN frame.
+   */
   place(at, length) {
     if (this.places) {
       const end = this.places.length - 1;
@@ -18,7 +34,7 @@ export class Spot {
       const offset = this.start + first;
       const sent = this.frame.subarray(offset, offset + behind - first);
       const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
-      return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " ") };
+      return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " "), canPlace: this.canPlace(at) };
     }
     const offset = this.start + at * this.width;
     const size = length * this.width;
@@ -27,11 +43,30 @@ export class Spot {
   }
 }
 
+/** The characters of the bytes of a row, or the identifier of a CAN frame as tools for CAN buses write it: `123`. */
+export function sentText({ canPlace, characters }) {
+  if (canPlace !== "identifier" || !characters) return characters;
+  const number = parseInt(characters.replaceAll(" ", "").slice(0, 8), 16);
+  const isLong = number >= 2 ** 31;
+  return (isLong ? number - 2 ** 31 : number).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
+}
+
+/** Where the bytes of a row begin, as people count: in a CAN frame from the first byte of the data. */
+export function placeOf({ canPlace, offset }) {
+  return canPlace || String(offset);
+}
+
+/** `speed at byte 4`; in a CAN frame `speed at byte 2 of the data` or `node in the identifier`; without its path elsewhere. */
+export function placeText({ canPlace, offset, path }) {
+  const byte = canPlace === "identifier" ? "the identifier" : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
+  return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byte}` : byte;
+}
+
 /** A row of an explanation: some bytes of a frame and their meaning. */
 export function rowOf(more) {
   return {
-    kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", path: "", fact: "", printedName: "", label: "",
-    doc: "", number: null, value: "", meanings: [], verdict: "", reason: "", source: "", notes: [], errata: [],
+    kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", canPlace: "", path: "", fact: "",
+    printedName: "", label: "", doc: "", number: null, value: "", meanings: [], verdict: "", reason: "", source: "", notes: [], errata: [],
     address: null, words: 0, unit: "word", access: "", ...more,
   };
 }
@@ -113,6 +148,7 @@ export function rowData(row) {
   return {
     kind: row.kind,
     offset: row.offset,
+    can_place: row.canPlace || null,
     length: row.length,
     raw: hexOf(row.raw),
     characters: row.characters || null,

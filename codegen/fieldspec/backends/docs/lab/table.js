@@ -52,7 +52,7 @@ class FrameTable {
     byId("remarks").replaceChildren(...reading.remarks.map((text) => element("li", { textContent: text })));
     byId("remarks").className = reading.wrong ? "wrong" : "";
     this.showBytes(explanation);
-    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, (row) => String(row.offset));
+    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, placeOf);
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
@@ -113,7 +113,7 @@ class FrameTable {
     const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
-    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.characters)} ` : "";
+    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(sentText(row))} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
@@ -196,8 +196,7 @@ function rawText({ number, meanings, raw }) {
 // A line for each wrong or doubtful value.
 function faultTexts({ rows, registers }) {
   return [...rows, ...registers].filter(({ verdict }) => verdict.startsWith("wrong")).map((row) => {
-    const place = row.path ? `${row.path} at byte ${row.offset}` : `byte ${row.offset}`;
     const kind = row.kind === "register" || row.reason === "out_of_range" ? "doubtful" : "wrong";
-    return `${kind}: ${place}: ${row.verdict.replace("wrong: ", "")}`;
+    return `${kind}: ${placeText(row)}: ${row.verdict.replace("wrong: ", "")}`;
   });
 }

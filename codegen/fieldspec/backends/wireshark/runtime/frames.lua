@@ -16,6 +16,21 @@ local function with_role(shape, role)
     return nil
 end
 
+-- The bytes that hexadecimal characters encode.
+local function encoded(characters)
+    return (characters:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
+end
+
+-- The bytes of the first parts behind the start mark, as far as there are any.
+function frames.first_parts(link, shape, bytes)
+    local parts = bytes:sub(#shape.start + 1)
+    if not link.hex then
+        return parts
+    end
+    parts = parts:gsub("%X.*$", "")
+    return encoded(parts:sub(1, #parts - #parts % 2))
+end
+
 -- The bytes of the parts of a frame without delimiters and encoding, and a reason where these are wrong.
 local function unwrapped(link, direction, bytes)
     local shape = link[direction]
@@ -35,7 +50,7 @@ local function unwrapped(link, direction, bytes)
     if #inner % 2 == 1 then
         return nil, "wrong_length"
     end
-    return (inner:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
+    return encoded(inner)
 end
 
 -- The message with a code and a number in its data, which several messages with one code have. Where nothing in the
@@ -134,19 +149,19 @@ end
 -- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
 function frames.length(link, direction, bytes, asked, message)
     local shape = link[direction]
-    local marks = #shape.start + #shape.stop
-    if link.hex or shape.is_delimited then
+    local marks, width = #shape.start + #shape.stop, link.hex and 2 or 1
+    if link.hex and #shape.stop > 0 then
         local _, stop = bytes:find(shape.stop, #shape.start + 1, true)
         return stop, stop == nil and #bytes < shape.longest
     end
-    local parts = bytes:sub(#shape.start + 1)
+    local parts = frames.first_parts(link, shape, bytes)
     local length = with_role(shape, "length")
     if length then
         local number = part_number(length, parts)
         if not number then
             return nil, true
         end
-        local total = marks + number * length.unit_size + length.base
+        local total = marks + width * (number * length.unit_size + length.base)
         return total >= shape.shortest and total <= shape.longest and total or nil
     end
     if #parts < shape.header then
@@ -165,7 +180,7 @@ function frames.length(link, direction, bytes, asked, message)
         return nil
     end
     local body, is_short = extent_of(record, rest)
-    return body and marks + shape.header + body + shape.trailer, is_short
+    return body and marks + width * (shape.header + body + shape.trailer), is_short
 end
 
 -- Whether bytes are a frame: delimiters, length, checksums, code and the length of the body are right.

@@ -103,10 +103,15 @@ function numbers.bits(ordered, first, width)
     return number
 end
 
+-- A number as a double, which does not hold all bits of a long one.
+function numbers.double(number)
+    return type(number) == "number" and number or number:tonumber()
+end
+
 local MOST_DIGITS = 60
 
 -- (count * factor + shift) / divisor, exactly where that takes at most 60 decimals, with at least `places` decimals. All numbers are whole.
--- Nil where a double cannot hold the terms.
+-- Nil where a double cannot hold the terms. The count is a double.
 function numbers.quotient(count, scale)
     local above = count * scale.factor + scale.shift
     if math.abs(above) >= 2 ^ 53 or math.abs(count * scale.factor) >= 2 ^ 53 or scale.divisor >= 2 ^ 49 then
@@ -123,4 +128,10 @@ function numbers.quotient(count, scale)
         digits[#digits + 1] = string.format("%.0f", digit)
     end
     return #digits > 0 and text .. "." .. table.concat(digits) or text
+end
+
+-- The same as text, approximate where a double cannot hold the terms, and as a number.
+function numbers.fraction(count, scale)
+    local approximate = (count * scale.factor + scale.shift) / scale.divisor
+    return numbers.quotient(count, scale) or "about " .. string.format("%.15g", approximate), approximate
 end

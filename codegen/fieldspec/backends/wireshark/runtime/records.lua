@@ -46,8 +46,8 @@ local function show_value(context, tree, field, at, index, top)
     end
     parameters.name(context, item, field, number)
     for _, conversion in ipairs(field.percent or {}) do
-        local text = numbers.quotient(number, conversion)
-        item:append_text(", " .. (text or "?") .. " % of " .. conversion.of)
+        local text = numbers.fraction(numbers.double(number), conversion)
+        item:append_text(", " .. text .. " % of " .. conversion.of)
     end
     if top and field.same_as and context.asked and not reason then
         local expected = context.asked[field.same_as]

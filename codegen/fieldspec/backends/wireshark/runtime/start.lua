@@ -73,9 +73,18 @@ local function message_choices(link)
     return list
 end
 
+local descriptions = {}
+
+-- A protocol of its own: Wireshark refuses two with the same description, which links without titles of their own may have.
+local function new_protocol(id, description)
+    local own = descriptions[description] and description .. " (" .. id .. ")" or description
+    descriptions[own] = true
+    return Proto(id, own)
+end
+
 local function add_carrier(link, kind, title, text)
     local id = device.id .. "_" .. link.name .. "_" .. kind
-    local proto = Proto(id, device.title .. ", " .. link.title .. ", " .. title)
+    local proto = new_protocol(id, device.title .. ", " .. link.title .. ", " .. title)
     local preference = link.name .. "_" .. kind
     protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, (link.ports or {})[kind] or "", text)
     local carrier = { kind = kind, preference = preference, proto = proto, link = link, attached = {} }
@@ -124,7 +133,7 @@ local PROFINET, FRAME_ID, STATUS = 0x8892, 2, 4
 -- Process data in cyclic frames of PROFINET: the dissector of Wireshark shows the frame, and this one the process data
 -- of those frames whose numbers a person has entered.
 local function add_process_data(link)
-    local proto = Proto(device.id .. "_" .. link.name .. "_pn", device.title .. ", process data of PROFINET")
+    local proto = new_protocol(device.id .. "_" .. link.name .. "_pn", device.title .. ", process data of PROFINET")
     local prefix = link.name .. "_pn_"
     local prefs, table_of, previous = protocol.prefs, DissectorTable.get("ethertype"), nil
     local text = "Numbers of the cyclic frames, such as 0x8001. Empty for none."
@@ -190,7 +199,7 @@ for _, link in ipairs(device.link_order) do
     for _, name in ipairs(titles) do
         local message = name and device.messages[name] or nil
         local id = device.id .. "_" .. link.name .. (name and "_" .. name or "")
-        local proto = Proto(id, device.title .. ", " .. (message and message.title or link.title))
+        local proto = new_protocol(id, device.title .. ", " .. (message and message.title or link.title))
         proto.dissector = dissector_of({}, link, message)
         decode_as(link, proto)
     end

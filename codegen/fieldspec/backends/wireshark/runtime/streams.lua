@@ -78,11 +78,7 @@ end
 local function head_of(link, direction, bytes, asked, message)
     local head = { values = {}, repeated = {} }
     local shape = link[direction]
-    local parts = bytes:sub(#shape.start + 1)
-    if link.hex then
-        parts = parts:gsub("%X.*$", "")
-        parts = parts:sub(1, #parts - #parts % 2):gsub("..", function(pair) return string.char(tonumber(pair, 16)) end)
-    end
+    local parts = frames.first_parts(link, shape, bytes)
     head.message = message
     for _, part in ipairs(shape.parts) do
         if part.offset >= 0 and part.value and #parts >= part.offset + part.size then

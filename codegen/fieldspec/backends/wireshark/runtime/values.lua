@@ -93,10 +93,9 @@ function values.quantity(number, value)
     if not value.scale then
         return value.unit and numbers.text(number) .. unit or nil, nil
     end
-    local count = type(number) == "number" and number or number:tonumber()
-    local approximate = (count * value.scale.factor + value.scale.shift) / value.scale.divisor
-    local exact = numbers.quotient(count, value.scale)
-    return (exact or "about " .. string.format("%.15g", approximate)) .. unit, approximate
+    local count = numbers.double(number)
+    local text, approximate = numbers.fraction(count, value.scale)
+    return text .. unit, approximate
 end
 
 -- The name of a number, the reason for which a codec refuses it or people should look at it, and the details.

@@ -113,7 +113,7 @@ export class ExplainedBody {
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
     if (list.tail) {
-      const text = `the elements of ${name} do not end with their bytes: see byte ${this.start + this.fault.at}`;
+      const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
     if (this.end - this.start < this.record.least) return this.missingRow(fields, at);

@@ -93,6 +93,7 @@ class ExplainedFrame {
       ...inner,
       ...Array.from({ length: end + 1 - stop }, (_, at) => stop + at),
     ];
+    this.spot.escape = escape;
     this.spot.originals = Uint8Array.from([...data, ...this.surplus]);
     return data;
   }

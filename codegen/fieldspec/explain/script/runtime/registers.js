@@ -209,7 +209,7 @@ function registerRow(device, span, occupant, spot, operation) {
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
   const notes = [...row.notes, ...absence(device, span, occupant)];
-  return { ...row, ...place, notes, offset: piece ? row.offset : 0 };
+  return { ...row, ...place, notes, ...(piece ? {} : { offset: 0, canPlace: "" }) };
 }
 
 /** The note of a field in an element that the device has not got, where the span has the count, too. */

@@ -1,0 +1,48 @@
+"""Random escapes of frames: each method, for all parts or for those around the body, with delimiters that fit."""
+
+from __future__ import annotations
+
+from random_devices.draft import Draft, Spec
+
+_FLAGS = ("7E", "02", "C0 FE")
+
+
+def add_escape(draft: Draft, line: Spec) -> None:
+    """Adds an escape to a link, and the delimiters that fit it."""
+    for key in ("delimiters", "start", "end"):
+        line.pop(key, None)
+    method = draft.pick(("slip", "cobs", "double", "xor", "insert", "xor"))
+    escape: Spec = {"method": method}
+    if method in ("slip", "cobs"):
+        mark = "C0" if method == "slip" else "00"
+        line["end"] = mark
+        if draft.chance(25):
+            line["start"] = mark
+    elif method == "double":
+        first = draft.pick(("10", "1B", "00"))
+        escape["bytes"] = first if draft.chance(60) else f"{first} FF"
+        line |= {"start": f"{first} 02", "end": f"{first} 03"}
+    elif method == "xor":
+        mark = draft.pick(_FLAGS)
+        bytes_of_mark = mark if draft.chance(60) else f"{mark} 11"
+        escape |= {"bytes": bytes_of_mark, "byte": draft.pick((0x7D, 0x1B)), "mask": draft.pick((0x20, 1, 0xFF))}
+        line["end"] = mark
+        if draft.chance(60):
+            line["start"] = draft.pick((mark, "02"))
+    else:
+        pattern = draft.pick(("FF FF FD", "AA", "00 00"))
+        escape |= {"pattern": pattern, "byte": draft.pick((0xFD, 0, 0x55))}
+        line["start"] = pattern
+    if line["request"] is line["response"] and draft.chance(60):
+        _bound(draft, line, escape)
+    line["escape"] = escape
+
+
+def _bound(draft: Draft, line: Spec, escape: Spec) -> None:
+    """Escapes some parts only, the body among them; these names are the same in both directions."""
+    names = [part["name"] for part in line["request"]]
+    body = next(at for at, part in enumerate(line["request"]) if part.get("role") == "body")
+    if draft.chance(70):
+        escape["from"] = names[draft.number(0, body)]
+    if draft.chance(70):
+        escape["to"] = names[draft.number(body, len(names) - 1)]

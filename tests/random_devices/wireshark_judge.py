@@ -1,0 +1,72 @@
+"""The dissector as a judge: tshark shows of right frames what the explanation says, and of others that they are wrong.
+
+A dissector cuts frames out of packets, so of a damaged frame it may show another mistake than codecs do, and take the
+bytes behind a frame for the next one.
+"""
+
+from __future__ import annotations
+
+import random
+import shutil
+
+from fieldspec.backends.wireshark.backend import refusals
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.reference import CodecError, codec
+from random_devices.inputs import header_values, record_values
+from random_devices.queries import Answer, Query
+from wireshark_output.expectations import Case, expect, results
+
+
+def has_tshark() -> bool:
+    """Whether there is a Wireshark without windows."""
+    return shutil.which("tshark") is not None
+
+
+class Wireshark:
+    """Says nothing about queries; raises AssertionError where the dissector shows something else."""
+
+    def __init__(self, layout: DeviceLayout) -> None:
+        self.layout = layout
+        self.is_refused = bool(refusals([layout]))
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        """Nothing about single queries."""
+        dice = random.Random(len(queries))
+        frames = [query for query in queries if query.kind == "frame" and query.values is None and query.data]
+        cases = [case for query in frames if self._is_known(case := self._case(query, dice))]
+        if cases and not self.is_refused:
+            for case, items in results(cases):
+                reasons = set(case.explanation().reasons)
+                if reasons:
+                    has_finding = any(".expert." in item.name for item in items)
+                    assert has_finding or reasons == {"wrong_length"}, f"nothing is wrong with {case.text}"
+                else:
+                    expect(case, items)
+        return [Answer(reason=None)] * len(queries)
+
+    def _is_known(self, case: Case) -> bool:
+        """Whether the message of a frame is told by the frame, by its request, or by the port of the message."""
+        link = self.layout.links[case.link]
+        coded = [link.frame(direction).role("code") is not None for direction in ("request", "response")]
+        if coded == [True, False] and case.direction == "response":
+            return bool(case.request)
+        return bool(case.message) or all(coded)
+
+    def _case(self, query: Query, dice: random.Random) -> Case:
+        link, direction, message = query.path
+        request = self._request(link, message, dice) if direction == "response" and message else b""
+        return Case(self.layout, link, direction, message, request, query.data)
+
+    def _request(self, link: str, message: str, dice: random.Random) -> bytes:
+        """A request that the response answers; empty where there is none."""
+        if message not in self.layout.links[link].carried("request"):
+            return b""
+        values = record_values(self.layout, self.layout.messages[message].request, dice)
+        head = header_values(self.layout, link, self.layout.links[link].request, dice)
+        try:
+            return codec(self.layout).links[link].encode("request", message, {**head, **values})
+        except CodecError:
+            return b""
+
+
+__all__ = ["Wireshark", "has_tshark"]
