@@ -11,7 +11,7 @@ def add_escape(draft: Draft, line: Spec) -> None:
     """Adds an escape to a link, and the delimiters that fit it."""
     for key in ("delimiters", "start", "end"):
         line.pop(key, None)
-    method = draft.pick(("slip", "cobs", "double", "xor", "insert", "xor"))
+    method = draft.pick(("slip", "cobs", "double", "xor", "insert", "add"))
     escape: Spec = {"method": method}
     if method in ("slip", "cobs"):
         mark = "C0" if method == "slip" else "00"
@@ -29,6 +29,8 @@ def add_escape(draft: Draft, line: Spec) -> None:
         line["end"] = mark
         if draft.chance(60):
             line["start"] = draft.pick((mark, "02"))
+    elif method == "add":
+        escape["byte"] = draft.pick((0x33, 0xFF, 1))
     else:
         pattern = draft.pick(("FF FF FD", "AA", "00 00"))
         escape |= {"pattern": pattern, "byte": draft.pick((0xFD, 0, 0x55))}
@@ -36,6 +38,19 @@ def add_escape(draft: Draft, line: Spec) -> None:
     if line["request"] is line["response"] and draft.chance(60):
         _bound(draft, line, escape)
     line["escape"] = escape
+    if "from" in escape or "to" in escape:
+        _before_escape(draft, line, escape)
+
+
+def _before_escape(draft: Draft, line: Spec, escape: Spec) -> None:
+    """Some lengths and checksums that are not escaped are those of the bytes before they are."""
+    names = [part["name"] for part in line["request"]]
+    first = names.index(escape["from"]) if "from" in escape else 0
+    last = names.index(escape["to"]) if "to" in escape else len(names) - 1
+    for at, part in enumerate(line["request"]):
+        key = {"length": "counts", "checksum": "covers"}.get(part.get("role", ""))
+        if key is not None and not first <= at <= last and draft.chance(50):
+            part[key] = {**part.get(key, {}), "before_escape": True}
 
 
 def _bound(draft: Draft, line: Spec, escape: Spec) -> None:

@@ -95,7 +95,7 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
 
     It is a constant in each, or a byte with ranges.
     """
-    kind = draft.pick(("u8", "u16", "i8", "i16"))
+    kind = draft.pick(("u8", "u16", "i8", "i16", "u8", "u16", "u24", "u32", "i32"))
     low, high = bounds(kind)
     numbers: set[int] = set()
     directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
