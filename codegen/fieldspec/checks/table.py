@@ -56,6 +56,7 @@ from fieldspec.checks.identifiers_consistent import identifiers_consistent
 from fieldspec.checks.illegible_inferred import illegible_inferred
 from fieldspec.checks.inferred_keys_present import inferred_keys_present
 from fieldspec.checks.keys_fit_type import keys_fit_type
+from fieldspec.checks.keys_have_effect import keys_have_effect
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
@@ -173,6 +174,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("illegible_inferred", illegible_inferred),
     ("inferred_keys_present", inferred_keys_present),
     ("keys_fit_type", keys_fit_type),
+    ("keys_have_effect", keys_have_effect),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
