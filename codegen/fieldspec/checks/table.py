@@ -114,6 +114,7 @@ from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.texts_fit import texts_fit
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.types_fit_space import types_fit_space
+from fieldspec.checks.unit_addresses_match import unit_addresses_match
 from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
 from fieldspec.checks.varying_widths_end import varying_widths_end
@@ -232,6 +233,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("texts_fit", texts_fit),
     ("triggers_writable", triggers_writable),
     ("types_fit_space", types_fit_space),
+    ("unit_addresses_match", unit_addresses_match),
     ("units_known", units_known),
     ("value_within_range", value_within_range),
     ("varying_widths_end", varying_widths_end),
