@@ -73,8 +73,8 @@ def test_words_of_a_real_point_table_are_explained_with_their_request(run: Comma
 
 
 def test_a_part_of_a_value_that_must_be_accessed_in_one_request_is_pointed_out(run: CommandLine) -> None:
-    frame = run("encode", "ck10", "read_registers", "station=1", "address=resolution", "word_count=1").lines[0]
-    result = run("decode", "ck10", frame)
+    result = run("decode", "ck10", "01 03 13 88 00 01 00 A4", "--direction", "request")
+    assert "reads 0x1388" in result.lines
     assert (
         "note on resolution: The frame contains only some of its words, which must be accessed in one request."
         in result.lines

@@ -166,6 +166,27 @@ def test_a_value_that_is_read_only_is_not_written(
     assert message in result.err
 
 
+@pytest.mark.parametrize(
+    ("arguments", "register"),
+    [
+        (["write_register", "address=0x07D0", "value=77"], "axis_start_speed at 0x07D0"),
+        (["write_register", "address=0x07D1", "value=77"], "axis_start_speed at 0x07D0"),
+        (["write_registers", "address=0x07D0", "values=77"], "axis_start_speed at 0x07D0"),
+        (["write_registers", "address=0x07D4", "values=0,100,7"], "target_position_or_distance at 0x07D6"),
+        (["read_registers", "address=0x07D5", "word_count=3"], "axis_move_speed at 0x07D4"),
+        (["write_register", "address=0x2710", "value=1"], "points[0].position at 0x2710"),
+    ],
+)
+def test_a_part_of_an_atomic_register_is_not_accessed(
+    run_on_devices: CommandLine, arguments: list[str], register: str
+) -> None:
+    result = run_on_devices("encode", "ck10", *arguments, "station=1")
+    assert (result.code, result.out) == (2, "")
+    assert f"{register} has 2 words, all of which must be accessed in one request; no frame is written" in result.err
+    whole = run_on_devices("encode", "ck10", "write_registers", "address=0x07D4", "values=0,100,0,7", "station=1")
+    assert whole.code == 0
+
+
 def test_a_sentinel_may_be_written_to_a_register(run: CommandLine) -> None:
     result = run("encode", "widget", "write_register", "station=1", "address=limit", "value=0x7FFF")
     assert result.lines == ["01 06 20 03 7F FF 12 7A"]

@@ -9,7 +9,7 @@ from fieldspec.live.client import Client, Timing
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
-from python_package import module_of
+from python_package import codec_error, module_of
 from test_client_parts import Line
 
 SCANNER = newest(TEST_SPECS, "scanner")
@@ -36,6 +36,16 @@ def test_python_has_no_request_for_it() -> None:
     assert (frame.message.distance, frame.message.text) == (300, "ABC123")
     assert MODULE.host.encode_response(5, frame.message) == bytes.fromhex(READ)
     assert not hasattr(MODULE, "GoodReadRequest")
+
+
+def test_python_takes_its_name_in_place_of_a_request() -> None:
+    frame = bytes.fromhex(READ)
+    assert MODULE.host.decode_response(frame, "good_read") == MODULE.host.decode_response(frame)
+    with pytest.raises(codec_error(), match="the code 0x10 answers another request") as refusal:
+        MODULE.host.decode_response(bytes.fromhex(STATE), "good_read")
+    assert getattr(refusal.value, "reason", "") == "unknown_code"
+    with pytest.raises(codec_error(), match="no message here is 'read_state'"):
+        MODULE.host.decode_response(frame, "read_state")
 
 
 def test_its_code_is_none_of_a_request() -> None:

@@ -18,7 +18,7 @@ SEEDS = (1, 2, 3)
 COUNT = 12
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
-LEAST = 3
+LEAST = 1
 """Devices without findings that have a key."""
 
 

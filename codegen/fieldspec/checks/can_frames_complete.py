@@ -19,7 +19,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.escape import CAN_DATA
 from fieldspec.model.link import Link, Part
-from fieldspec.model.sizes import RecordSizes, messages_on, part_size
+from fieldspec.model.sizes import RecordSizes, messages_on, messages_sent, part_size
 
 _CODE = "can_frames_complete"
 _FOREIGN = ("start", "end", "delimiters", "encoding", "escape", "serial", "network", "silence")
@@ -115,9 +115,7 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
     for direction in ("request", "response"):
         around = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
-        for message in messages_on(device, link):
-            if not (message.is_requested if direction == "request" else message.is_answered_on(link.name)):
-                continue
+        for message in messages_sent(device, link, direction):
             record = message.request if direction == "request" else message.response
             bounds = sizes.bounds(record)
             if bounds is not None and bounds[1] + around > CAN_DATA:

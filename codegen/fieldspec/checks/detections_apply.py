@@ -2,23 +2,31 @@
 
 Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses.
 
-Example: `form: decimal` for a text, or `detected_as: [104]` in two versions of a line.
+Example: `form: decimal` for a text, or `detected_as: [104]` in two versions of a line. Or `form: decimal` without
+`places` for the versions 1.00 and 1.20, of which no number tells the second.
 
 Cure: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
-different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does.
+different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does. Write
+the versions with as many digits after the point as there are `places`.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from fieldspec.checks.facts import facts
-from fieldspec.checks.finding import finding, label
+from fieldspec.checks.finding import finding, label, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Detection, Device, VersionLine
+from fieldspec.model.fact import Fact
 from fieldspec.model.value import Kind, Value
 
 _CODE = "detections_apply"
+_EARLIER = "before-"
+_DECIMAL = re.compile("[0-9]{1,9}")
+_HEXADECIMAL = re.compile("[0-9A-F]{1,9}")
+_HELP = "correct `form` and `places`, write the version with as many digits, or list its values under `detected_as`"
 
 
 def detections_apply(device: Device) -> Iterator[Diagnostic]:
@@ -31,6 +39,10 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, device.place, "id", text, "state `detected_by` in the line, or remove `detected_as`")
     chosen = device.detection
     for line in device.lines:
+        own = line.detected_by or (chosen if line.builds or line.like else None)
+        if own is not None:
+            yield from _unrepresented(device, line, own)
+    for line in device.lines:
         other = line.detected_by
         if chosen is None or other is None or not (line.builds or line.like):
             continue
@@ -41,7 +53,7 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_detection(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
-    fact = next((fact for fact in facts(device) if fact.place.path == detection.fact), None)
+    fact = _fact(device, detection)
     if fact is None:
         return
     value = getattr(fact, "value", None)
@@ -84,6 +96,52 @@ def _read_as(detection: Detection, item: int | str, others: list[str]) -> str:
     places = detection.places
     text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
     return text if text in others else ""
+
+
+def _fact(device: Device, detection: Detection) -> Fact | None:
+    return next((fact for fact in facts(device) if fact.place.path == detection.fact), None)
+
+
+def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
+    """The versions that no number of the value stands for, where a form says how numbers are read."""
+    value = getattr(_fact(device, detection), "value", None)
+    if not isinstance(value, Value) or value.type.kind is not Kind.INTEGER or not detection.form:
+        return
+    for version in line.versions:
+        if version.detected_as:
+            continue
+        bound = version.id.removeprefix(_EARLIER)
+        number = _number_of(bound, detection, value.size)
+        if isinstance(number, str):
+            yield finding(_CODE, detection.place, "form", f"no number tells {version.id}: {number}", _HELP)
+        elif bound == version.id and not _holds(value, number):
+            text = f"{detection.fact} cannot be {number}, which is to tell {version.id}"
+            yield finding(_CODE, detection.place, "fact", text, _HELP)
+
+
+def _number_of(version: str, detection: Detection, size: int) -> int | str:
+    """The number that stands for a version; a text that says why there is none."""
+    digits = version[version[:1] in ("v", "V") :]
+    if detection.form == "bytes":
+        numbers = [int(part) if _DECIMAL.fullmatch(part) else 256 for part in digits.split(".")]
+        if max(numbers) > 255 or any(numbers[size:]):
+            return f"as bytes it is no number of {plural(size, 'byte')}"
+        return int.from_bytes(bytes([*numbers, *bytes(size)][:size]), "big")
+    places = detection.places
+    head, _, fraction = digits.partition(".")
+    if not (_DECIMAL if detection.form == "decimal" else _HEXADECIMAL).fullmatch(head + fraction):
+        return f"it does not consist of {detection.form} digits" + (
+            " in capitals" if detection.form != "decimal" else ""
+        )
+    if not places and fraction:
+        return f"without `places`, it has no point, and {version} has {plural(len(fraction), 'digit')} after it"
+    # Only numbers are compared without zeros; a version with letters has to be what is read.
+    is_exact = not _DECIMAL.fullmatch(head + fraction)
+    if len(fraction) != places and (fraction.strip("0") or is_exact):
+        return f"it has {plural(places, 'digit')} after the point, and {version} has {len(fraction)}"
+    if is_exact and (digits != version or head != (head.lstrip("0") or "0" * bool(places))):
+        return "a version with letters begins with neither zeros nor a `v`"
+    return int(head + fraction[:places].ljust(places, "0"), 10 if detection.form == "decimal" else 16)
 
 
 def _holds(value: Value, item: int) -> bool:

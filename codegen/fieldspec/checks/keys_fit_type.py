@@ -96,7 +96,7 @@ def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
         if part.role != "checksum" or "byte_order" not in part.place or part.digits:
             continue
         kind = checksum_named(part.algorithm)
-        if kind.unit_size == 1 and kind.width <= 8:
+        if not kind.has_order:
             text = f"{part.name} is a checksum of {plural(kind.width, 'bit')}, which has no byte order"
             yield finding("keys_fit_type", part.place, "byte_order", text, "remove it, or correct the checksum")
 

@@ -20,7 +20,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.link import Part, PartSpan
 from fieldspec.model.record import Field
-from fieldspec.model.sizes import RecordSizes, messages_on, shapes
+from fieldspec.model.sizes import RecordSizes, messages_sent, shapes
 from fieldspec.model.value import Kind, Value
 from fieldspec.source import Span
 
@@ -84,7 +84,7 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
     for shape in shapes(device, direction):
         data = [
             (f"{direction} of {message.name}", message.place, direction, getattr(message, direction))
-            for message in messages_on(device, shape.link)
+            for message in messages_sent(device, shape.link, direction)
         ]
         error = shape.link.exception_response
         if direction == "response" and error is not None and error.record in device.records:

@@ -17,7 +17,7 @@ from decimal import Decimal
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.sizes import RecordSizes, messages_on, shapes
+from fieldspec.model.sizes import RecordSizes, messages_sent, shapes
 from fieldspec.model.texts import Limit
 
 _SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
@@ -62,7 +62,7 @@ def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
             continue
         bits = (serial.start_bits or 1) + max(serial.data_bits, default=8) + max(serial.stop_bits, default=1)
         bits += 0 if set(serial.parity) <= {"none"} else 1
-        for message in messages_on(device, shape.link):
+        for message in messages_sent(device, shape.link, limit.transmits):
             bounds = sizes.bounds(message.request if limit.transmits == "request" else message.response)
             length = shape.length(bounds[1]) if bounds is not None else 0
             time = Fraction(length * bits * scale, min(serial.baud))

@@ -56,6 +56,7 @@ from fieldspec.checks.identifiers_consistent import identifiers_consistent
 from fieldspec.checks.illegible_inferred import illegible_inferred
 from fieldspec.checks.inferred_keys_present import inferred_keys_present
 from fieldspec.checks.keys_fit_type import keys_fit_type
+from fieldspec.checks.keys_have_effect import keys_have_effect
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
@@ -113,6 +114,7 @@ from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.texts_fit import texts_fit
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.types_fit_space import types_fit_space
+from fieldspec.checks.unit_addresses_match import unit_addresses_match
 from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
 from fieldspec.checks.varying_widths_end import varying_widths_end
@@ -173,6 +175,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("illegible_inferred", illegible_inferred),
     ("inferred_keys_present", inferred_keys_present),
     ("keys_fit_type", keys_fit_type),
+    ("keys_have_effect", keys_have_effect),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
@@ -230,6 +233,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("texts_fit", texts_fit),
     ("triggers_writable", triggers_writable),
     ("types_fit_space", types_fit_space),
+    ("unit_addresses_match", unit_addresses_match),
     ("units_known", units_known),
     ("value_within_range", value_within_range),
     ("varying_widths_end", varying_widths_end),

@@ -45,7 +45,8 @@ class Explanation:
     """The meaning of a frame.
 
     `rows` cover every byte of the frame once, in order. `registers` are the registers that the frame reads or writes,
-    by address; their bytes, if the frame carries them, are in `rows` too.
+    by address; their bytes, if the frame carries them, are in `rows` too. `accessed` are the addresses of the first and
+    the last word or bit that a message with `accesses` reads or writes; None where the frame does not tell.
     `message` is empty if nothing tells which one it is. `error` marks an exception response.
     `values` are the raw values by name: those of the header without the length, and those of the fields in the body.
     `errata` are the ids of those about the message and about the link as a whole.
@@ -60,6 +61,7 @@ class Explanation:
     registers: tuple[ExplanationRow, ...]
     values: dict[str, Raw] = field(repr=False)
     errata: tuple[str, ...] = ()
+    accessed: tuple[int, int] | None = None
 
     @property
     def reasons(self) -> tuple[str, ...]:
@@ -106,6 +108,7 @@ class _Frame:
         self.message: MessageLayout | None = self.sent.get(self.named)
         self.error = False
         self.values: dict[str, Raw] = {}
+        self.accessed: tuple[int, int] | None = None
 
     def explanation(self) -> Explanation:
         """The whole explanation. The header comes first, as its code tells what the body is."""
@@ -124,8 +127,9 @@ class _Frame:
         if self.message is not None:
             errata += errata_of_message(self.layout.device, self.message.message)
         name = self.message.name if self.message else ""
+        frame, words = self.frame, self.accessed
         return Explanation(
-            self.link.name, self.direction, name, self.error, self.frame, tuple(rows), registers, self.values, errata
+            self.link.name, self.direction, name, self.error, frame, tuple(rows), registers, self.values, errata, words
         )
 
     def _is_marked(self) -> bool:
@@ -354,7 +358,10 @@ class _Frame:
             span = accessed_bits(bits, body.values, asked, at, data)
         else:
             span = accessed(access, body.values, asked, at, data, self.layout.device.space(access.space).unit_size)
-        return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
+        if span is None:
+            return rows, ()
+        self.accessed = span.address, span.end - 1
+        return rows, tuple(register_rows(self.layout, span, self.spot, access.operation))
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""

@@ -48,15 +48,18 @@ def bytes_of(text: str) -> bytes:
     if is_each_enclosed(text):
         text = re.sub(r"[\[\]<>]+", " ", text)
     data = b""
-    for piece in re.split(_SEPARATOR, text):
-        if not piece:
-            continue
+    pieces = [piece for piece in re.split(_SEPARATOR, text) if piece]
+    # Programs that print a byte as one digit where they can print no other byte as 0 and a digit.
+    is_padded = any(re.match("0[0-9A-Fa-f]", piece) for piece in pieces)
+    for piece in pieces:
         match = re.fullmatch(_PIECE, piece)
         if match is None:
             raise Unreadable(f"`{piece}` is not a byte in hexadecimal digits")
         digits = match["digits"] or match["suffixed"]
         if len(digits) % 2 and len(digits) > 1:
             raise Unreadable(f"`{piece}` has an odd number of digits")
+        if len(piece) == 1 and is_padded:
+            raise Unreadable(f"at byte {len(data)}, `{piece}` is one digit of two")
         data += bytes.fromhex(digits.zfill(2))
     if not data:
         raise Unreadable("there are no bytes in it")

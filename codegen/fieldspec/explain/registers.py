@@ -64,12 +64,22 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) 
 
 
 def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
-    """Why the words of a span cannot be read or written; empty if all of them can, as far as the spec says."""
+    """Why the words of a span cannot be read or written; empty if all of them can, as far as the spec says.
+
+    A part of an atomic value can be neither read nor written.
+    """
     for occupant in sorted(occupants(layout, span), key=lambda occupant: occupant.address):
-        why = FORBIDS.get((operation, occupant.access))
+        why = FORBIDS.get((operation, occupant.access), "")
+        if not why and occupant.atomic and not _is_within(occupant, span):
+            why = f"has {occupant.words} {span.unit}s, all of which must be accessed in one request"
         if why:
             return f"{occupant.path} at 0x{occupant.address:04X} {why}"
     return ""
+
+
+def _is_within(occupant: Occupant, span: Span) -> bool:
+    """Whether a span has all words of an occupant."""
+    return span.address <= occupant.address and occupant.address + occupant.words <= span.end
 
 
 def occupant_at(layout: DeviceLayout, space: str, address: int) -> Occupant | None:
@@ -201,7 +211,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
-        inside = span.address <= occupant.address and occupant.address + occupant.words <= span.end
+        inside = _is_within(occupant, span)
         read = DecodedValue(None, notes=() if inside else (_PARTIAL[occupant.atomic].format(span.unit),))
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
     if not piece:

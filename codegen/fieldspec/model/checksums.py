@@ -39,6 +39,11 @@ class Checksum:
         return (self.width + 7) // 8
 
     @property
+    def has_order(self) -> bool:
+        """Whether the order of its bytes, or that of the numbers that it takes, matters."""
+        return self.size > 1 or self.unit_size > 1
+
+    @property
     def mask(self) -> int:
         """The greatest result."""
         return (1 << self.width) - 1

@@ -143,6 +143,15 @@ def messages_on(device: Device, link: Link) -> list[Message]:
     return [message for message in device.messages.values() if sent_on(link, message)]
 
 
+def messages_sent(device: Device, link: Link, direction: str) -> list[Message]:
+    """The messages on a link with a frame in one direction: only the device sends some, and others have no answer."""
+    return [
+        message
+        for message in messages_on(device, link)
+        if (message.is_requested if direction == "request" else message.is_answered_on(link.name))
+    ]
+
+
 def shapes(device: Device, direction: str) -> list[Shape]:
     """The frames in one direction; only those with a length part, where a link has one."""
     all_shapes = []

@@ -43,9 +43,7 @@ def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
         done = [step.operation for step in message.access_steps]
         done = [verb for verb in done if verb == "read" or explanation.direction == "request"]
         return f"{' and '.join(f'{verb}s' for verb in dict.fromkeys(done))} registers"
-    addresses = [row.address + row.words for row in explanation.registers if row.address is not None]
-    first = min(row.address for row in explanation.registers if row.address is not None)
-    last = max(addresses) - 1
+    first, last = explanation.accessed or (0, 0)
     span = f"0x{first:04X}" if first == last else f"0x{first:04X}..0x{last:04X}"
     return f"{accesses.operation}s {span}" if accesses else span
 

@@ -58,7 +58,10 @@ class ExchangeView:
 
 @dataclass(frozen=True, slots=True)
 class DirectionView:
-    """A link in one direction: its `Frames`, its classes, and the code of its methods."""
+    """A link in one direction: its `Frames`, its classes, and the code of its methods.
+
+    `unrequested` are the names and classes of coded messages without a request.
+    """
 
     direction: str
     frames: str
@@ -70,6 +73,7 @@ class DirectionView:
     quickly: str
     classes: str
     rows: list[str]
+    unrequested: list[tuple[str, str]]
     has_subcodes: bool
     has_response_codes: bool
     alias: str
@@ -86,6 +90,11 @@ class DirectionView:
     framer: str
     framer_arguments: list[str]
     framer_doc: list[str]
+
+    @property
+    def unrequested_classes(self) -> str:
+        """The name of the mapping with the classes of messages without a request."""
+        return self.classes.replace("_RESPONSE_CLASSES", "_UNREQUESTED_CLASSES")
 
 
 @dataclass(frozen=True, slots=True)
@@ -273,6 +282,11 @@ def _direction(
         quickly=_quick_key(code),
         classes=f"_{upper}_{direction.upper()}_CLASSES",
         rows=_class_rows(link, direction, carried, views),
+        unrequested=[
+            (literal(exchange.message.name), exchange.side(direction)[1])
+            for exchange in carried
+            if code is not None and not exchange.message.message.is_requested
+        ],
         has_subcodes=code is not None and bool(link.shared_codes(direction)),
         has_response_codes=code is not None and link.has_response_codes,
         alias=alias,

@@ -8,6 +8,7 @@ from fieldspec.changes.attributes import ALL, PYTHON
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair, ValuePair
 from fieldspec.changes.descriptions import change, difference_text, named
+from fieldspec.model.checksums import checksum_named
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.link import Link, Part
@@ -243,7 +244,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
                 text = f"{named(link.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, link, key, text, old, new)
     for part in comparison.of(Part):
-        if part.old.algorithm and part.new.algorithm:
+        if all(side.algorithm and checksum_named(side.algorithm).has_order for side in (part.old, part.new)):
             old, new = part.old.byte_order or "little", part.new.byte_order or "little"
             if old != new:
                 text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"

@@ -177,9 +177,9 @@ class Entry:
         numbers = whole_intervals(node.text)
         if numbers is not None and all(low <= high for low, high in numbers):
             return Ranges(numbers)
-        bounds = intervals(node.text)
-        whole = tuple((int(low), int(high)) for low, high in bounds)
-        if any(Decimal(low) != a or Decimal(high) != b for (low, high), (a, b) in zip(whole, bounds, strict=True)):
+        whole = tuple((int(low), int(high)) for low, high in intervals(node.text))
+        if numbers is None:
+            # A bound such as 3000.0 is a quantity, even where it is a whole number.
             self.refuse(
                 "wrong_form", key, "a bound is not a whole number", "raw values are whole numbers; use `unit_range`"
             )

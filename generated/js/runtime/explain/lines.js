@@ -68,12 +68,15 @@ export function bytesOfText(text) {
   let inner = unquoted(text);
   if (isEachEnclosed(inner)) inner = inner.replace(/[[\]<>]+/g, " ");
   let digits = "";
-  for (const piece of inner.split(SEPARATOR)) {
-    if (!piece) continue;
+  const pieces = inner.split(SEPARATOR).filter(Boolean);
+  // Programs that print a byte as one digit where they can print no other byte as 0 and a digit.
+  const isPadded = pieces.some((piece) => /^0[0-9A-Fa-f]/.test(piece));
+  for (const piece of pieces) {
     const match = PIECE.exec(piece);
     if (!match) throw new Unreadable(`\`${piece}\` is not a byte in hexadecimal digits`);
     const own = match.groups.digits || match.groups.suffixed;
     if (own.length % 2 && own.length > 1) throw new Unreadable(`\`${piece}\` has an odd number of digits`);
+    if (piece.length === 1 && isPadded) throw new Unreadable(`at byte ${digits.length / 2}, \`${piece}\` is one digit of two`);
     digits += own.padStart(2, "0");
   }
   if (!digits) throw new Unreadable("there are no bytes in it");
