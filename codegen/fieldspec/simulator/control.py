@@ -109,7 +109,9 @@ def _state(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _assumptions(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]:
-    return {"assumptions": {part.name: part.assumed for part in simulation.behaviour.assumptions()}}
+    assumed = {part.name: part.assumed for part in simulation.behaviour.assumptions()}
+    reported = simulation.engine.reported_version
+    return {"assumptions": assumed | ({"version": reported.text} if reported is not None else {})}
 
 
 COMMANDS: Mapping[str, Callable[[Simulation, Mapping[str, Any]], dict[str, Any]]] = {
