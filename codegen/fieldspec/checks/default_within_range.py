@@ -27,8 +27,11 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
         key = default_key(fact.place)
         if isinstance(value.default, str):
             if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
-                text = f"the default of {fact.name} is a text"
-                yield finding("default_within_range", fact.place, key, text, "state it as a raw value")
+                text = f"the default of {fact.name} is `{value.default}`, but its raw values are whole numbers"
+                help = "state the raw value: the value in the unit, less the offset, divided by the scale"
+                if value.default.isdecimal():
+                    help = f"numbers have no leading zeros: write it as `{value.default.lstrip('0')}`"
+                yield finding("default_within_range", fact.place, key, text, help)
             continue
         if value.default is None:
             continue

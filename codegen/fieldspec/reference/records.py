@@ -93,9 +93,9 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
 
 
 def _width_text(record: RecordLayout, error: WidthError) -> str:
-    counted = next((span for span in record.spans if span.name == error.name and span.count is not None), None)
-    if error.reason == "incomplete" and counted is not None and counted.count is not None:
-        return f"{record.spans[counted.count].name} says more bytes of {error.name} than there are"
+    count = next((span.count for span in record.spans if span.name == error.name), None)
+    if error.reason == "incomplete" and count is not None:
+        return f"{record.spans[count].name} says more bytes of {error.name} than there are"
     texts = {
         "incomplete": "has no end",
         "wrong_length": "is followed by more bytes",
