@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
@@ -24,6 +26,13 @@ def run_on_devices(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.Monke
     return CommandLine(capsys, monkeypatch, SPECS)
 
 
+_WITH_RECORDS = [
+    example.id
+    for example in WIDGET.device.examples.values()
+    if not example.refused and not example.exception_response and "[{" in str(example.values)
+]
+
+
 def arguments_of(value: object, name: str = "") -> list[str]:
     """Values of the spec as arguments: `nest.corners.0.x=1`."""
     if isinstance(value, dict):
@@ -34,6 +43,17 @@ def arguments_of(value: object, name: str = "") -> list[str]:
         text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
         return [f"{name}={text}"]
     return [argument for key, member in pairs for argument in arguments_of(member, f"{name}.{key}".lstrip("."))]
+
+
+def test_elements_of_lists_are_named_as_decode_prints_them(run: CommandLine) -> None:
+    example = next(e for e in WIDGET.device.examples.values() if e.id in _WITH_RECORDS)
+    code = WIDGET.links[example.link].frame(example.direction).role("code")
+    values = {name: value for name, value in example.values.items() if code is None or name != code.name}
+    arguments = [re.sub(r"\.([0-9]+)(?=[.=])", r"[\1]", argument) for argument in arguments_of(values)]
+    assert any("[0]" in argument for argument in arguments)
+    options = ["--link", example.link, "--direction", example.direction]
+    result = run("encode", "widget", example.message, *arguments, *options)
+    assert bytes.fromhex(result.lines[0]) == example.frame
 
 
 @pytest.mark.parametrize(

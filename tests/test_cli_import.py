@@ -268,3 +268,16 @@ def test_an_exported_list_gives_back_the_exponents_of_its_scales(run: CommandLin
     (group,) = yaml.safe_load(spec.read_text("utf-8"))["registers"]
     scaled = {row["name"]: row["scale_by"] for row in group["rows"] if "scale_by" in row}
     assert (scaled["power"], scaled["modules_current"]) == ("power_sf", "module_current_sf")
+
+
+def test_cells_that_are_no_facts_and_bounds_in_counts_are_told(run: CommandLine, tmp_path: Path) -> None:
+    path = tmp_path / "list.csv"
+    rows = ("Address;Name;Type;Unit;Scale;Min;Max", "1;Speed;INT16;rpm;0,1;;", "2;Heat;INT16;rpm;0.1;-40;125")
+    path.write_text("\n".join(rows), "utf-8")
+    result = run("import", str(path), "--to", str(run.folder / "drive" / "device.yaml"))
+    assert result.code == 0
+    assert result.err.splitlines() == [
+        "fieldspec: cells of 1 register are no facts that the spec can have; see `notes`",
+        "fieldspec: the bounds of 1 register with a scale are taken as counts; "
+        "where the list has them in the unit, write `unit_range`",
+    ]

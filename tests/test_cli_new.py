@@ -106,3 +106,29 @@ def test_a_new_file_in_a_checkout_leads_editors_to_the_schema(tmp_path: Path) ->
     first, *_ = (folder / "my-drive" / "device.yaml").read_text("utf-8").splitlines()
     path = first.partition("$schema=")[2]
     assert (folder / "my-drive" / path).resolve() == schema.resolve()
+
+
+def test_an_empty_folder_here_gets_the_new_device(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder.parent / "project" / "specs").mkdir(parents=True)
+    monkeypatch.chdir(folder.parent / "project")
+    assert main(["check", "my-drive"]) == 2
+    assert f"these are the specs of {folder}, as specs here has no device" in capsys.readouterr().err
+    assert main(["new", "device", "my-drive", "--protocol", "packet"]) == 0
+    assert Path("specs/my-drive/device.yaml").is_file()
+    assert not (folder / "my-drive").exists()
+    assert main(["check", "my-drive"]) == 0
+
+
+def test_an_unknown_protocol_of_a_spec_gets_the_name_of_an_installed_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    specs = tmp_path / "specs"
+    assert run(specs, "new", "device", "my-drive", "--protocol", "modbus") == 0
+    (specs / "protocols" / "modbus.yaml").unlink()
+    file = specs / "my-drive" / "device.yaml"
+    file.write_text(file.read_text("utf-8").replace("protocol: modbus", "protocol: modbuss"), "utf-8")
+    capsys.readouterr()
+    assert run(specs, "check", "my-drive") == 1
+    assert "did you mean `modbus`?" in capsys.readouterr().out

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from command_line import CommandLine
@@ -81,3 +83,55 @@ def test_the_command_line_sends_none(run: CommandLine) -> None:
     result = run("encode", "scanner", "good_read", "--link", "host")
     assert result.code == 2
     assert "only the device sends good_read; use: --direction response" in result.err
+
+
+ENGINE = """
+device:
+  id: engine
+  name: Engine
+  vendor: Test
+  manual: {title: m, file: m.txt, sha256: "%s", lines: 900}
+links:
+  - name: bus
+    source: 1 L1
+    byte_order: little
+    can: {identifier: 29, source: 1 L1}
+    response: &parts
+      - {name: priority, type: u8, bits: 26..28}
+      - {name: group, role: code, type: u24, bits: 8..25}
+      - {name: station, type: u8, bits: 0..7}
+      - {name: data, role: body}
+    request: *parts
+messages:
+  - {name: speed, code: 0xF004, requested: false, source: 1 L2, response: [{name: speed, type: u16}]}
+""" % ("1" * 64)
+SPEED = "(1612345678.0) can0 0CF00400#2110"
+OTHER = "(1612345678.1) can0 18EAFF00#04F0"
+
+
+@pytest.fixture
+def engine(run: CommandLine, tmp_path: Path) -> CommandLine:
+    """The command line with a device that nobody asks anything."""
+    (tmp_path / "engine").mkdir()
+    (tmp_path / "engine" / "device.yaml").write_text(ENGINE, "utf-8")
+    run.folder = tmp_path
+    return run
+
+
+def test_an_unknown_frame_of_a_bus_without_requests_is_one_from_the_device(engine: CommandLine) -> None:
+    result = engine("decode", "engine", "-", stdin=f"{OTHER}\n{SPEED}\n".encode())
+    assert "line 1: unknown response, bus, Engine 1" in result.lines
+    assert "wrong: group at byte 8: should be one of 0xF004" in result.lines
+    assert "does not answer" not in result.out
+
+
+def test_a_frame_that_is_said_to_be_a_request_is_told_that_there_is_none(engine: CommandLine) -> None:
+    result = engine("decode", "engine", "--direction", "request", "98EAFF000200000004F0")
+    assert result.lines[-1] == "wrong: group at byte 8: should be that of a message, and none has a request here"
+
+
+def test_what_comes_between_a_request_and_its_response_is_not_called_a_wrong_answer(run: CommandLine) -> None:
+    question = codec(SCANNER).links["host"].encode("request", "read_state", {"station": 5}).hex()
+    result = run("decode", "scanner", "-", stdin=f"< {question}\n> {READ}\n".encode())
+    assert "good_read" in result.out
+    assert "does not answer" not in result.out

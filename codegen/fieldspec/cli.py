@@ -238,7 +238,7 @@ def _parser() -> argparse.ArgumentParser:
         nargs="*",
         metavar="MESSAGE NAME=VALUE",
         help="raw values, quantities such as 20.00mm, or names of enum members and bits; lists as 1,2,3, "
-        "members as point.x=1",
+        "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
     sent(encode, f"{way} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")

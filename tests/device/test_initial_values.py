@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from fieldspec.commands.simulate import report_silence
-from simulators import Unit
+from fieldspec.simulator.control import CommandError, carried_out
+from fieldspec.simulator.faults import Fault, FaultError
+from fieldspec.simulator.simulation import Simulation
+from simulators import Unit, parts_of
 
 SPEC = """
 device:
@@ -32,6 +37,7 @@ links:
       - {name: gap, type: u16, reserved: true}
     response: *parts
 enums:
+  - {name: item, source: 1 L1, members: [{value: 1, name: total}, {value: 2, name: label}, {value: 3, name: number}]}
   - {name: model, source: 1 L1, members: [{value: 3, name: big, unavailable: true}, {value: 4, name: small}]}
 records:
   - {name: part, source: 1 L2, fields: [{name: kind, type: u8, enum: model}, {name: weight, type: u16}]}
@@ -49,6 +55,24 @@ messages:
       - {name: parts, record: part, count: 2}
       - {name: spare_count, type: u8, measures: {items: spares}}
       - {name: spares, record: part, repeat: 1..3}
+  - name: read
+    code: 2
+    source: 2 L30
+    request: [{name: item, type: u8, enum: item}]
+    response:
+      - {name: item, type: u8, enum: item, same_as: item}
+      - name: value
+        choice:
+          by: item
+          cases:
+            - {name: energy, when: [total], type: bytes, length: 4}
+            - {name: label, when: [label], type: text, length: 3}
+            - {name: number, when: [number], type: u16, range: 3..9}
+  - name: write
+    code: 3
+    source: 2 L31
+    request: [{name: size, type: u8, measures: {bytes: data}}, {name: data, type: text, varies: true, length: 5}]
+    response: []
 """ % ("1" * 64)
 ANSWER = {
     "model": 4,
@@ -88,3 +112,34 @@ def test_what_no_response_can_say_is_reported_once(folder: str, capsys: pytest.C
     assert (
         line == "fieldspec: bus: no response of ping can say this: unknown_value: model is 9, which model does not list"
     )
+
+
+@pytest.mark.parametrize(("item", "value"), [(1, bytes(4)), (2, ""), (3, 3)])
+def test_a_choice_has_a_value_of_the_case_that_the_request_chooses(folder: str, item: int, value: object) -> None:
+    assert unit_of(folder).ask("read", item=item) == {"item": item, "value": value}
+
+
+def test_a_request_that_measures_more_than_it_has_is_refused_in_words(folder: str) -> None:
+    unit = unit_of(folder)
+    frame = bytearray(unit.codec.encode("request", "write", {**unit.head, "data": "abc"}))
+    place = frame.index(b"abc") - 1
+    frame[place] = 4
+    answer = unit.answer_to(unit.codec.with_checksum("request", bytes(frame)))
+    assert "size says more bytes of data than there are" in answer.text
+
+
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("model", "did you mean messages/ping/response/model?"),
+        ("messages/ping/response/modell", "did you mean messages/ping/response/model"),
+        ("xyz", "`fieldspec facts` lists the paths"),
+    ],
+)
+def test_an_unknown_signal_gets_the_path_that_it_means(folder: str, name: str, hint: str) -> None:
+    layout, behaviour = parts_of("trail", folder)
+    simulation = Simulation(layout, behaviour)
+    with pytest.raises(CommandError, match=re.escape(hint)):
+        carried_out(simulation, {"set": {name: 1}})
+    with pytest.raises(FaultError, match=re.escape(hint)):
+        simulation.add_fault(Fault("stuck_bit", signal=name))

@@ -75,6 +75,19 @@ def test_exception_responses_that_do_not_say_what_they_answer_are_explained_as_b
         assert have == explained_by_python(layout, job), job
 
 
+def test_frames_of_a_link_that_only_the_device_uses_are_explained_as_by_the_command_line() -> None:
+    layout = newest(TEST_SPECS, "pedal")
+    module = module_path(layout).replace(".js", "_explain.js")
+    options: list[dict[str, str]] = [{}, {"link": "position"}, {"link": "position", "direction": "request"}]
+    jobs = [
+        {"module": module, "frame": frame, "options": known, "request": ""}
+        for known in options
+        for frame in ("0000012005000000 1A03E803".replace(" ", ""), "0000012105000000" + "1A03E80301")
+    ]
+    for job, (have,) in zip(jobs, explained_by_node(jobs), strict=True):
+        assert have == explained_by_python(layout, job), job
+
+
 class CollectingPrinter(FramePrinter):
     """Collects the explanations of a log instead of printing them."""
 

@@ -57,6 +57,8 @@ def _flags(draft: Draft) -> Spec:
         bit, width = _bit(draft, at, 8 * SIZES[kind])
         word["bits"].append(bit)
         at += width + (draft.number(0, 9) if draft.chance(40) else 0)
+    if draft.chance(20):
+        word["bits"].reverse()
     single = [bit["name"] for bit in word["bits"] if "bit" in bit and not {"reserved", "since", "until"} & set(bit)]
     if len(single) > 1 and draft.chance(25):
         word["states"] = [draft.fact(set=single[:1], clear=single[1:2]), draft.fact(set=single[1:2], clear=single[:1])]

@@ -63,6 +63,16 @@ class Names:
         close = [path for path in self.operands.by_path if path.partition("/")[0] == scope]
         return close if "/" in name else sorted({role for operand in self.operands.all for role in operand.roles})
 
+    def unknown(self, name: str) -> str:
+        """What is wrong with a name that is no signal: what the names of signals are, and those that it may mean."""
+        from difflib import get_close_matches
+
+        last = name.rpartition("/")[2]
+        meant = [path for path in self.operands.by_path if path.rpartition("/")[2] == last]
+        meant = meant or get_close_matches(name, [*self.like(name), *self.operands.by_path], 3, 0.75)
+        hint = f"did you mean {' or '.join(meant[:3])}?" if meant else "`fieldspec facts` lists the paths"
+        return f"the device has no signal {name!r}; a signal is a role, or a path as registers/NAME; {hint}"
+
     def has_member(self, signal: str, member: str) -> bool:
         """Whether a text is a value of a signal: a state of a machine, a member of an enum, or a special value."""
         scope, _, rest = signal.partition("/")

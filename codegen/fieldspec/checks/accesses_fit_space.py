@@ -17,9 +17,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label, range_key
+from fieldspec.checks.finding import enumeration, finding, label, range_key
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.address_space import BIT, BYTE, AddressSpace
+from fieldspec.model.address_space import BIT, BYTE, WORD, AddressSpace
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.ranges import Ranges, merged
@@ -30,9 +30,17 @@ _CODE = "accesses_fit_space"
 
 
 def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
+    of_bits = spaces_of_bits(device)
+    for name, accessing in of_bits.items():
+        space = device.spaces[name]
+        text = f"{enumeration(accessing)} access bits in {name}, whose unit is the {space.unit}"
+        help = f"state `unit: bit` for {name}, or name another space in the messages"
+        yield finding(_CODE, space.place, "unit", text, help)
     for message in device.messages.values():
         access = message.accesses
         if access is None or access.space not in ("", *device.spaces):
+            continue
+        if device.space_name(access.space) in of_bits:
             continue
         holder = message.response if access.operation == "read" else message.request
         field, space = holder.named(access.values), device.space(access.space)
@@ -58,6 +66,29 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
 def _numbers(access: RegisterAccess) -> tuple[str, ...]:
     """The fields of a request that an access names, one for each purpose."""
     return (access.start, access.count, access.values if access.operation == "write" else "")
+
+
+def spaces_of_bits(device: Device) -> dict[str, list[str]]:
+    """The spaces of words whose messages all carry bits, each with the names of the messages.
+
+    They pack the values into bytes, or say which number sets a bit.
+    """
+    spaces: dict[str, list[tuple[str, bool]]] = {}
+    for message in device.messages.values():
+        access = message.accesses
+        if access is None or device.space_name(access.space) not in device.spaces:
+            continue
+        holder = message.response if access.operation == "read" else message.request
+        field = holder.named(access.values)
+        value = field.value if field is not None and field.repeat is not None else None
+        is_packed = value is not None and value.type.name == "u8"
+        rows = spaces.setdefault(device.space_name(access.space), [])
+        rows.append((message.name, access.set is not None or is_packed))
+    return {
+        name: [message for message, _ in rows]
+        for name, rows in spaces.items()
+        if device.spaces[name].unit == WORD and len(rows) > 1 and all(has_bits for _, has_bits in rows)
+    }
 
 
 def _words(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:

@@ -13,15 +13,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.accesses_fit_space import spaces_of_bits
 from fieldspec.checks.finding import finding, label, range_key
 from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 
 
 def counts_match_repeats(device: Device) -> Iterator[Diagnostic]:
+    of_bits = spaces_of_bits(device)  # whose unit is wrong, and then all counts are
     for message in device.messages.values():
         access = device.word_access(message)
-        if access is None or not access.count or (access.space and access.space not in device.spaces):
+        if access is None or device.space_name(access.space) in of_bits:
+            continue
+        if not access.count or (access.space and access.space not in device.spaces):
             continue
         count = message.request.named(access.count)
         values = (message.response if access.operation == "read" else message.request).named(access.values)

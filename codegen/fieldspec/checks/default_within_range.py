@@ -54,8 +54,13 @@ def _wrong_form(value: Value, default: int | str) -> tuple[str, str] | None:
         return "that of bytes, which no output has", "remove it, and say it in `notes`"
     if kind is Kind.TEXT:
         return None if isinstance(default, str) else ("a number", f'write the text in quotes: "{default}"')
-    if isinstance(default, str) and not (kind is Kind.FLOAT and _DECIMAL.fullmatch(default)):
-        return "a text", "state it as a raw value"
+    if isinstance(default, str) and kind is not Kind.FLOAT:
+        help = "state the raw value: the value in the unit, less the offset, divided by the scale"
+        if default.isdecimal():
+            help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"
+        return f"`{default}`, but its raw values are whole numbers", help
+    if isinstance(default, str) and not _DECIMAL.fullmatch(default):
+        return f"`{default}`, but its values are numbers", "state it as a raw value"
     return None
 
 

@@ -132,8 +132,9 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
             yield finding(_CODE, part.place, "name", text, help)
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
             text = f"{part.name} comes after the body, but nothing states its value"
-            help = "give it a `const` or `reserved: true`; parts that users supply come before the body"
-            help += ", or are the last field of each message"
+            help = (
+                "give it a `const`; parts that users supply come before the body, or are the last field of each message"
+            )
             yield finding(_CODE, part.place, "name", text, help)
 
 

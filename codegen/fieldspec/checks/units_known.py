@@ -13,7 +13,8 @@ have under `units`, with its quantity and its factor. Correct the code, or remov
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Collection, Iterator
 
 from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label, near
@@ -24,6 +25,44 @@ from fieldspec.model.ucum import is_code
 from fieldspec.model.units import standard_unit, standard_units
 
 _CODE = "units_known"
+_SCALED = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(.+)")
+_OTHER_WORDS = {
+    "amp": "A",
+    "amps": "A",
+    "celsius": "°C",
+    "c": "°C",
+    "deg": "°",
+    "deg_c": "°C",
+    "degc": "°C",
+    "degree": "°",
+    "degrees": "°",
+    "fahrenheit": "°F",
+    "hour": "h",
+    "hours": "h",
+    "hr": "h",
+    "kelvin": "K",
+    "meter": "m",
+    "millimeter": "mm",
+    "min": "min",
+    "minute": "min",
+    "minutes": "min",
+    "msec": "ms",
+    "newton": "N",
+    "pascal": "Pa",
+    "percent": "%",
+    "r/min": "rpm",
+    "rev/min": "rpm",
+    "sec": "s",
+    "second": "s",
+    "seconds": "s",
+    "usec": "µs",
+    "us": "µs",
+    "volt": "V",
+    "volts": "V",
+    "watt": "W",
+    "watts": "W",
+}
+"""What others write for some units, in small letters."""
 
 
 def units_known(device: Device) -> Iterator[Diagnostic]:
@@ -55,5 +94,32 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             titled = standard or next(
                 (own for own in standard_units().values() if own.title.lower() == unit.lower()), None
             )
-            help = f"write it as `{titled.symbol}`" if titled is not None else near(unit, known)
+            help = f"write it as `{_yaml_text(titled.symbol)}`" if titled is not None else _meant(unit, known)
             yield finding(_CODE, fact.place, "unit", f"`unit` cannot be `{unit}`", help)
+
+
+def _meant(unit: str, known: Collection[str]) -> str:
+    """The help for a unit that the language does not have: what others write for one that it has, or a near one."""
+    scaled = _SCALED.fullmatch(unit)
+    if scaled is not None and (symbol := _symbol(scaled[2], known)):
+        return f"state the factor apart: `scale: {scaled[1]}, unit: {_yaml_text(symbol)}`"
+    symbol = _symbol(unit, known)
+    return f"write it as `{_yaml_text(symbol)}`" if symbol else near(unit, known)
+
+
+def _symbol(unit: str, known: Collection[str]) -> str:
+    """The symbol of a unit that may be written in another way; empty where there is none."""
+    if unit in known:
+        return unit
+    if (standard := standard_unit(unit)) is not None:
+        return standard.symbol
+    other = _OTHER_WORDS.get(unit.lower(), "")
+    if other in known:
+        return other
+    alike = [symbol for symbol in known if symbol.lower() == unit.lower()]
+    return alike[0] if len(alike) == 1 else ""
+
+
+def _yaml_text(symbol: str) -> str:
+    """A symbol as YAML has it: `%` begins no text without quotes."""
+    return f'"{symbol}"' if symbol.startswith("%") else symbol

@@ -108,13 +108,13 @@ def _names_text(names: Collection[str]) -> str:
 
 
 def _nested(pairs: list[str]) -> dict[str, object]:
-    """`items.0.size=1` as nested mappings and lists."""
+    """`items.0.size=1`, or `items[0].size=1`, as nested mappings and lists; `items=[]` is an empty list."""
     root: dict[str, object] = {}
     for pair in pairs:
         name, equals, value = pair.partition("=")
         if not equals or not name:
             raise UsageError(f"{pair} is not of the form NAME=VALUE")
-        *path, last = name.split(".")
+        *path, last = _INDEX.sub(r".\1", name).split(".")
         occupant = root
         for step in path:
             inner = occupant.setdefault(step, {})
@@ -123,7 +123,7 @@ def _nested(pairs: list[str]) -> dict[str, object]:
             occupant = inner
         if last in occupant:
             raise UsageError(f"{name} has two values")
-        occupant[last] = value
+        occupant[last] = [] if value == "[]" else value
     return {name: _lists_of(value) for name, value in root.items()}
 
 
@@ -293,6 +293,7 @@ def carried_bits(access: RegisterAccess, text: str) -> object:
     return access.set if bits[0] else access.clear
 
 
+_INDEX = re.compile(r"\[([0-9]{1,5})\]")
 _COUNTS = re.compile(r"[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+)(?:[, ]+[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+))*")
 
 

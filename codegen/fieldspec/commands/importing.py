@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import hashlib
 import re
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 from fieldspec.commands import list_files, specs, storage
@@ -49,7 +51,25 @@ def run(arguments: argparse.Namespace) -> int:
     storage.write(path, text.encode("utf-8"), new=True)
     skipped = f", {len(register_list.skipped)} rows without an address" if register_list.skipped else ""
     print(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
+    for remark in _remarks(text):
+        print(remark, file=sys.stderr)
     return 0
+
+
+def _remarks(text: str) -> Iterator[str]:
+    """What to look at in a spec that was written from a list, without which a cell would go unnoticed."""
+    rows = [line for line in text.splitlines() if line.lstrip().startswith("- {")]
+    doubtful = sum("notes: [" in row for row in rows)
+    if doubtful:
+        yield f"fieldspec: cells of {_registers(doubtful)} are no facts that the spec can have; see `notes`"
+    scaled = sum(" scale: " in row and " range: " in row for row in rows)
+    if scaled:
+        help = "where the list has them in the unit, write `unit_range`"
+        yield f"fieldspec: the bounds of {_registers(scaled)} with a scale are taken as counts; {help}"
+
+
+def _registers(number: int) -> str:
+    return "1 register" if number == 1 else f"{number} registers"
 
 
 def _device(path: Path) -> str:

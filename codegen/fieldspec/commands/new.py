@@ -114,10 +114,15 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
 
 
 def _folder(specs_option: str | None) -> Path:
-    """The folder of the new device. Where nobody has one yet, it is `specs` here, or the one that the option names."""
+    """The folder of the new device: the one that the option names, or `specs` here, also while it is empty or missing.
+
+    Specs of a parent folder are taken where there is no `specs` here.
+    """
     named = specs_option or os.environ.get(specs.VARIABLE)
     if named and not Path(named).exists():
         return Path(named)
+    if not named and Path(specs.FOLDER).is_dir():
+        return Path(specs.FOLDER)
     folder = spec_files.folder_or_none(specs_option)
     return Path(specs.FOLDER if folder in (None, INSTALLED) else folder)
 

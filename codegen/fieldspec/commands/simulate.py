@@ -21,6 +21,7 @@ from fieldspec.render.blocks import Line, Table
 from fieldspec.simulator.clock import SystemClock
 from fieldspec.simulator.control import CommandError, carried_out
 from fieldspec.simulator.faults import KINDS, Fault, FaultError, fault_of
+from fieldspec.simulator.reported_version import reported_version
 from fieldspec.simulator.server import Server
 from fieldspec.simulator.simulation import (
     Simulation,
@@ -210,12 +211,15 @@ def _seed(simulation: Simulation, name: str) -> None:
 def _print_assumptions(layout: DeviceLayout, behaviour: Behaviour) -> None:
     from fieldspec.commands.terminal import print_blocks
 
+    reported = reported_version(layout, behaviour)
     rows = tuple((part.name, part.assumed) for part in behaviour.assumptions())
+    if reported is not None:
+        rows = (("version", reported.text), *rows)
     if not behaviour.parts:
         text = f"{layout.device.id} has no behaviour: it answers with what is written, and nothing happens over time."
         if any(link.link.exception_response is not None for link in layout.links.values()):
             text += " It is silent where it refuses a request: no `refuse` says with which exception it answers."
-        print_blocks([Line(text)])
+        print_blocks([Line(text if reported is None else f"{text} At delivery, {reported.text}.")])
         return
     print_blocks([Table(("part", "assumption"), rows)])
 

@@ -227,10 +227,24 @@ def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -
     path = folder(specs_option)
     known = devices(path)
     for device in sorted(wanted.difference(known)):
-        raise unknown("device", device, known)
+        error = unknown("device", device, known)
+        raise UsageError(f"{error}{_passed_over(specs_option, path)}")
     if not known:
         raise UsageError(f"the folder {path} contains no device; a device is a folder with a {MAIN}")
     return path, with_protocols(files(path, wanted))
+
+
+def _passed_over(specs_option: str | None, path: str) -> str:
+    """What to say of a folder `specs` here that has no device, so that the specs of another folder are read."""
+    here = os.path.join(os.getcwd(), FOLDER)
+    if (
+        specs_option
+        or os.environ.get(VARIABLE)
+        or not os.path.isdir(here)
+        or os.path.realpath(here) == os.path.realpath(path)
+    ):
+        return ""
+    return f"; these are the specs of {path}, as {FOLDER} here has no device"
 
 
 def relative_path(path: str | os.PathLike[str]) -> str:

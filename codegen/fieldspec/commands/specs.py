@@ -11,6 +11,7 @@ from fieldspec.commands.spec_files import (
     FOLDER,
     VARIABLE,
     files,
+    installed_protocols,
     of_devices,
     origins,
     relative_path,
@@ -66,7 +67,7 @@ def editor_line(path: Path) -> str:
 def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
     """The project in the folder with the specs. Raises UsageError for unknown devices."""
     path, contents = of_devices(specs_option, devices)
-    return read(contents, devices, relative_path(path), origins(contents))
+    return read(contents, devices, relative_path(path), origins(contents), installed_protocols)
 
 
 def picked(spec: DeviceSpec, version: str) -> str:

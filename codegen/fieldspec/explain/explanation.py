@@ -291,7 +291,8 @@ class _Frame:
                 return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
             expected = self.sent.get(self.named)
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
-            text = f"one of {known}" if expected is None else link.code_text(expected, self.direction)
+            several_text = f"one of {known}" if known else f"that of a message, and none has a {self.direction} here"
+            text = several_text if expected is None else link.code_text(expected, self.direction)
             return read.judged(False, text, "unknown_code")
         message = self.message.message
         text = f"{message.title or message.label or message.name}, refused" if self.error else message.title

@@ -152,7 +152,9 @@ def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: st
     if not near:
         places = [(link, way) for link in layout.links for way in DIRECTIONS if options.goes(link, way)]
         carrying = [(link, way) for link, way in places if options.message in layout.links[link].carried(way)]
-        near = [(*place, options.message, False) for place in carrying or places]
+        # Nobody sends a request on a link whose messages come from the device alone.
+        sending = carrying or [(link, way) for link, way in places if layout.links[link].carried(way)]
+        near = [(*place, options.message, False) for place in sending or places]
 
     examples = _examples(layout, frame)
 
@@ -229,12 +231,18 @@ def remarks(layout: DeviceLayout, chosen: ChosenReading, asked_in: int, options:
     if chosen.chosen == "closest":
         yield f"this is not a valid frame of {layout.device.id}; what is explained here comes closest"
         yield from _of_other_length(layout, chosen, options)
-    elif asked_in and chosen.explanation.direction == "response":
+    elif asked_in and chosen.explanation.direction == "response" and not _is_unrequested(layout, chosen):
         answers = "this answers" if chosen.chosen == "request" else "this does not answer"
         yield f"{answers} the request in line {asked_in}"
     if chosen.chosen == "likeliest":
         yield _ambiguous(layout, chosen)
     yield from chosen.mismatches
+
+
+def _is_unrequested(layout: DeviceLayout, chosen: ChosenReading) -> bool:
+    """Whether a frame is one that the device sends of its own accord, so that it answers nothing."""
+    announced = layout.messages.get(chosen.explanation.message)
+    return announced is not None and not announced.message.is_requested
 
 
 def _coded(layout: DeviceLayout, link: str) -> bool:

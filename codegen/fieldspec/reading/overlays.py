@@ -131,7 +131,7 @@ class _Application:
                 "overlay_fact_missing",
                 f"there is no fact {quoted(path.text)} in the base version",
                 path,
-                "see `fieldspec facts` for the paths",
+                _near_path(self.tree, path.text),
             )
             return None
         return at, node_at(self.tree, at)
@@ -337,6 +337,31 @@ def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -
     elif text == renaming.old and renaming.referred and key in _REFERENCES.get(renaming.section, ()):
         text = renaming.new
     return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
+
+
+def _near_path(tree: Mapping, path: str) -> str:
+    """The help for the path of a fact that is not there: the name that its first unknown step may mean."""
+    steps = path.split("/")
+    known = next(n for n in range(len(steps) - 1, -1, -1) if not n or keys(tree, "/".join(steps[:n])) is not None)
+    before = "/".join(steps[:known])
+    holder: Node = node_at(tree, keys(tree, before) or []) if before else tree
+    close = near(steps[known], _names_below(holder, 2))
+    if not close.startswith("did you mean"):
+        return "see `fieldspec facts` for the paths"
+    name = close.partition("`")[2].partition("`")[0]
+    return f"did you mean `{'/'.join([*steps[:known], name, *steps[known + 1 :]])}`?"
+
+
+def _names_below(node: Node, levels: int) -> list[str]:
+    """The names of the entries of a list, of the rows of its groups, or of what is listed in an entry."""
+    if isinstance(node, Sequence):
+        inner = [item for item in node.items if isinstance(item, Mapping) and ("group" in item.values)]
+        rows = [name for item in inner for name in _names_below(item, 1)]
+        return [*rows, *(name for item in node.items if (name := identity(item)))]
+    if not isinstance(node, Mapping):
+        return []
+    lists = [child for child in node.values.values() if isinstance(child, Sequence) and levels]
+    return [*node.values, *(name for child in lists for name in _names_below(child, levels - 1))]
 
 
 def _number(node: Node, key: str) -> int | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from collections.abc import Mapping as Table
 
 from fieldspec.classes import dataclass, field
@@ -190,19 +191,20 @@ def read(
     only: frozenset[str] = frozenset(),
     folder: str = "",
     origins: Table[str, str] | None = None,
+    installed: Callable[[], Iterable[str]] = tuple,
 ) -> Project:
     """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders.
 
-    Findings show the files below `folder`, but those that `origins` gives other paths.
+    Findings show the files below `folder`, but those that `origins` gives other paths, and name `installed` protocols.
     """
-    return _Reader(files, folder, origins or {}).project(only)
+    return _Reader(files, folder, origins or {}, installed).project(only)
 
 
 class _Reader:
-    def __init__(self, files: Table[str, bytes], folder: str, origins: Table[str, str]) -> None:
-        self.folder = folder
-        self.origins = origins
-        self.files = files
+    def __init__(
+        self, files: Table[str, bytes], folder: str, origins: Table[str, str], installed: Callable[[], Iterable[str]]
+    ) -> None:
+        self.files, self.folder, self.origins, self.installed = files, folder, origins, installed
         self.findings: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
         self.uses: dict[str, set[str]] = {}
@@ -371,7 +373,8 @@ class _Reader:
             return None
         path = f"{PROTOCOLS}/{name.text}.yaml"
         if path not in self.files:
-            known = [p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/")]
+            own = (p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/"))
+            known = sorted({*own, *self.installed()})
             text = f"there is no file `{path}`"
             self.findings.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
             return None

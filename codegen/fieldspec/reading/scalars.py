@@ -17,6 +17,7 @@ from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted, synonym
+from fieldspec.reading.help_on_scalars import number_help
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
@@ -196,8 +197,13 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         kinds = " or ".join(_KINDS.get(name, name) for name in names)
         message = f"{what} must be {kinds}, not {_have(node)}"
         form = _FORMS.get(names[0], "") if isinstance(node, Scalar) else ""
+        if isinstance(node, Scalar) and not {"integer", "number"}.isdisjoint(names):
+            form = number_help(node.text, node.quoted, "integer" in names) or form
         return Diagnostic("wrong_type", message, _head(node), help=f"{form}; {description}" if form else description)
     if keyword in ("pattern", "maxLength"):
+        if isinstance(node, Scalar) and "number" in part.get("type", ()):
+            help = number_help(node.text, node.quoted, whole=False)
+            description = f"{help}; {description}" if help else description
         return Diagnostic("wrong_form", f"{what} cannot be {quoted(text or '')}", node.span, help=description)
     if keyword in ("minimum", "maximum"):
         limit = part.get(keyword)
@@ -255,6 +261,8 @@ def _known_key(key: str, known: Schema) -> str:
     """The help for a word that other tools use, or for a key of the entries of a list here; empty for others."""
     if "unit_range" in known and key.lower() in _BOUNDS:
         return "write `unit_range: low..high` in the unit, or `range: low..high` in counts"
+    if f"{key.lower()}s" in known:
+        return f"did you mean `{key.lower()}s`?"
     if own := synonym(key, known):
         return f"the key for it is `{own}`"
     for name, part in known.items():

@@ -28,6 +28,7 @@ from yaml.events import (
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import LARGEST_FILE, quoted
+from fieldspec.reading.help_on_syntax import syntax_help
 from fieldspec.reading.nodes import ALL_THERE, Mapping, Node, Scalar, Sequence, copied
 from fieldspec.source import Refused, SourceFile, Span
 
@@ -102,7 +103,9 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
         if error.context and error.context_mark and error.context_mark.index != at:
             start = error.context_mark.index
             labels = (Label(Span(file, start, start + 1), error.context),)
-        finding = Diagnostic("yaml_syntax", error.problem or "not YAML", Span(file, at, at + 1), labels)
+        problem = error.problem or "not YAML"
+        help = syntax_help(problem, file.text, at)
+        finding = Diagnostic("yaml_syntax", problem, Span(file, at, at + 1), labels, help)
     except yaml.reader.ReaderError as error:
         at = min(error.position, max(0, len(file.text) - 1))
         finding = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))

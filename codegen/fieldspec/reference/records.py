@@ -65,7 +65,7 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
     try:
         image, fields = image_of(record.spans, data)
     except WidthError as error:
-        raise CodecError(error.reason, _width_text(error), offset + error.at) from None
+        raise CodecError(error.reason, _width_text(record, error), offset + error.at) from None
     try:
         values = decoded(record.image, image, device)
         for span, extent in zip(record.spans, fields, strict=True):
@@ -92,7 +92,10 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
         raise CodecError(error.reason, error.detail, at) from None
 
 
-def _width_text(error: WidthError) -> str:
+def _width_text(record: RecordLayout, error: WidthError) -> str:
+    count = next((span.count for span in record.spans if span.name == error.name), None)
+    if error.reason == "incomplete" and count is not None:
+        return f"{record.spans[count].name} says more bytes of {error.name} than there are"
     texts = {
         "incomplete": "has no end",
         "wrong_length": "is followed by more bytes",

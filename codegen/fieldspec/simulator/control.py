@@ -50,7 +50,7 @@ def _value(simulation: Simulation, name: str) -> object:
         return engine.states[rest]
     cells = engine.cells.of(name)
     if not cells:
-        raise CommandError(f"the device has no signal {name!r}")
+        raise CommandError(engine.cells.names.unknown(str(name)))
     raw = cells[-1].read()
     return raw.rstrip(b"\0").decode("latin-1") if isinstance(raw, bytes) else raw
 
@@ -63,7 +63,7 @@ def _set(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]:
     for name, value in values.items():
         cells = engine.cells.of(str(name))
         if not cells:
-            raise CommandError(f"the device has no signal {name!r}")
+            raise CommandError(engine.cells.names.unknown(str(name)))
         for cell in cells:
             if isinstance(value, str) and cell.value is not None and cell.value.type.letter == "s":
                 fault = text_fault(cell.value, "big", value) if cell.value.text_form is not None else None
@@ -109,7 +109,9 @@ def _state(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _assumptions(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]:
-    return {"assumptions": {part.name: part.assumed for part in simulation.behaviour.assumptions()}}
+    assumed = {part.name: part.assumed for part in simulation.behaviour.assumptions()}
+    reported = simulation.engine.reported_version
+    return {"assumptions": assumed | ({"version": reported.text} if reported is not None else {})}
 
 
 COMMANDS: Mapping[str, Callable[[Simulation, Mapping[str, Any]], dict[str, Any]]] = {

@@ -16,6 +16,7 @@ from fieldspec.simulator.axis import LEAST_SECONDS, Axis, Limits
 from fieldspec.simulator.cells import BitCell, Cell, Cells
 from fieldspec.simulator.memory import Memory
 from fieldspec.simulator.refusal import Refusal
+from fieldspec.simulator.reported_version import reported_version
 
 if TYPE_CHECKING:
     from typing import Any, TypeAlias
@@ -59,11 +60,16 @@ class Engine:
         self.saved_elements: dict[tuple[str, int, int], Raw] = {}
         self.overridden: dict[str, Raw] = {}
         """Values that a person or a fault holds fast, by the path of their cells."""
+        self.reported_version = reported_version(layout, behaviour)
+        """What the device tells of its version; None where the spec or a behaviour leaves it to other values."""
         self._deliver()
         self.power_on()
         self.refresh()
 
     def _deliver(self) -> None:
+        if self.reported_version is not None:
+            for cell in self.cells.of(self.reported_version.fact):
+                cell.write(self.reported_version.raw)
         for part in self.behaviour.of_kind("initial"):
             for cell in self.cells.of(part.subject):
                 cell.write(self.raw(cell, part["value"]))

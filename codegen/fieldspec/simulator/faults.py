@@ -176,7 +176,7 @@ def hold(server: Server, fault: Fault) -> None:
     """Makes a lasting fault act. Raises FaultError for a signal that the device does not have."""
     if fault.kind in _LASTING:
         if not server.engine.cells.of(fault.signal):
-            raise FaultError(f"the device has no signal {fault.signal!r}")
+            raise FaultError(server.engine.cells.names.unknown(fault.signal))
         server.engine.overridden[fault.signal] = fault.value
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
+from fieldspec.model.value import Kind
 from fieldspec.simulator.memory import default_raw
 
 if TYPE_CHECKING:
@@ -51,7 +52,22 @@ def initial_value(device: Device, field: FieldLayout) -> Any:
 
 def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
     """The values of a record within a response where nothing else states them."""
-    return {field.name: initial_value(device, field) for field in record.fields if field.field.measures is None}
+    values: dict[str, Any] = {}
+    for field in decided_fields(record, values):
+        if field.field.measures is None:
+            values[field.name] = initial_value(device, field)
+    return values
+
+
+def decided_fields(record: RecordLayout, values: Mapping[str, Any]) -> Iterator[FieldLayout]:
+    """The fields of a record, of which each has its values in `values` before the next one is asked for.
+
+    A field with cases has the type that the value of the selector decides.
+    """
+    for field in record.fields:
+        number = values.get(record.selector.name) if field.cases and record.selector is not None else None
+        chosen = record.chosen.get(number) if isinstance(number, int) else None
+        yield field if chosen is None else chosen.fields[-1]
 
 
 def signed(raw: Any, size: int, is_signed: bool) -> Any:
@@ -71,3 +87,9 @@ def in_type(raw: Any, field: FieldLayout) -> Any:
     if raw < 0 and not value.type.signed:
         raw = signed(round(raw), value.size, False)
     return min(max(round(raw), value.low), value.high)
+
+
+def in_case(device: Device, raw: Any, field: FieldLayout) -> Any:
+    """A raw value in the type of a field; what the field has at first where it is a value of another case."""
+    is_text = field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES)
+    return in_type(raw, field) if isinstance(raw, str | bytes) == is_text else initial_value(device, field)

@@ -12,11 +12,10 @@ from fieldspec.model.value import Kind
 from fieldspec.reference.frames import FrameCodec, codec
 from fieldspec.reference.parameters import bytes_of_value, carries, field_of_bytes, value_of_bytes
 from fieldspec.reference.records import CodecError
-from fieldspec.simulator import judging, parameters
+from fieldspec.simulator import judging, parameters, raw_values
 from fieldspec.simulator.access_steps import carry_out_steps
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.memory import element_value
-from fieldspec.simulator.raw_values import chosen_kind, in_type, initial_value, number_of_kind, signed
 from fieldspec.simulator.refusal import Refusal, reason_place
 from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 from fieldspec.simulator.segments import Transfer, Transfers, sent_bytes
@@ -189,7 +188,7 @@ class Server:
         if value is None and (pieces is not None or (carried is not None and carried.carries_bytes)):
             raise Refusal("unknown_address", f"nothing says how many bytes parameter {target.number} has")
         if value_field is not None:
-            kind = chosen_kind(request, values)
+            kind = raw_values.chosen_kind(request, values)
             if kind is not None and value is not None and kind != value.type.name:
                 raise Refusal("type_invalid", f"the parameter is {value.type.name}, not {kind}")
             raw = values[value_field.name]
@@ -200,7 +199,7 @@ class Server:
                     raise Refusal("type_invalid", error.detail) from None
             raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
             if value is not None:
-                raws = [signed(item, value.size, value.type.signed) for item in raws]
+                raws = [raw_values.signed(item, value.size, value.type.signed) for item in raws]
             parameters.write_parameter(engine, target, raws)
             if request.selector is not None:
                 engine.memory.formats[key] = values[request.selector.name]
@@ -225,10 +224,10 @@ class Server:
                 raise Refusal("type_invalid", f"no response carries {value.size} bytes")
             return bytes_of_value(engine.layout.device, answer_field, value, read[0])
         if response.selector is None:
-            return {answer_field.name: in_type(read[0], answer_field)}
+            return {answer_field.name: raw_values.in_type(read[0], answer_field)}
         number = engine.memory.formats.get(key)
         if number is None and value is not None:
-            number = number_of_kind(response, value.type.name)
+            number = raw_values.number_of_kind(response, value.type.name)
         if number is None:
             raise Refusal("format_invalid", "no format carries the value")
         return {response.selector.name: number, answer_field.name: read}
@@ -257,7 +256,7 @@ class Server:
     ) -> Answer:
         """The response of a message. Raises Refusal."""
         response = self._head(frames, head)
-        for field in announced.response.fields:
+        for field in raw_values.decided_fields(announced.response, response):
             if field.field.measures is None:
                 response[field.name] = body[field.name] if field.name in body else self._field(field, values)
         try:
@@ -273,7 +272,7 @@ class Server:
         if field.record is not None:
             part = self.answers.get(path)
             if part is None:
-                return initial_value(engine.layout.device, field)
+                return raw_values.initial_value(engine.layout.device, field)
             records = self._records(part)
             if not records and not field.is_list:
                 raise Refusal("value_invalid", f"there is no {field.name}")
@@ -282,9 +281,10 @@ class Server:
         if value is not None and value.parameter is not None and value.parameter.part == "values":
             return parameters.all_values(engine, value.parameter.set)
         cell = next(iter(engine.cells.of(path)), None)
-        if cell is None or field.is_list or (value is not None and value.const is not None):
-            return initial_value(engine.layout.device, field)
-        return in_type(cell.read(), field)
+        is_unset = cell is None or (cell.value is None and path not in engine.memory.fields)
+        if cell is None or is_unset or field.is_list or (value is not None and value.const is not None):
+            return raw_values.initial_value(engine.layout.device, field)
+        return raw_values.in_case(engine.layout.device, cell.read(), field)
 
     def _records(self, part: Part) -> list[dict[str, Any]]:
         """The records of a collection that answer. Raises Refusal where the one that is asked for is missing."""

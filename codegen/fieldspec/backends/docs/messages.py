@@ -80,15 +80,24 @@ def _frame(
 ) -> DocumentTable:
     anchor = f"{message_layout.message.place.path}/{link.name}-{direction}"
     record = message_layout.data(direction)
-    shape = link.frame(direction)
     title = link.link.direction_name(direction).capitalize()
-    length = length_text(shape.header_size + shape.trailer_size, record)
-    if link.link.encoding == "hex_ascii":
-        length += ", as two characters each"
+    length = _length(link, direction, record)
     caption = f"{title} on {link.link.title or link.name}: {length}"
     return FrameTable(context, link, direction, anchor, anchored).table(
         caption, record, message_layout.message.code_of(direction)
     )
+
+
+def _length(link: LinkLayout, direction: str, record: RecordLayout) -> str:
+    """The length of a frame, as its table counts: with its delimiters, and without the identifier of a CAN frame."""
+    shape, escape = link.frame(direction), link.link.escape
+    around, marks = shape.header_size + shape.trailer_size, len(shape.start) + len(shape.end)
+    if link.link.encoding == "hex_ascii":
+        text = f"{length_text(around, record)}, as two characters each"
+        return f"{text}, and {many(marks, 'character')} as delimiters" if marks else text
+    if escape is not None and link.link.is_can:
+        return f"{length_text(around - escape.fields_size, record)} of data"
+    return length_text(around + marks, record)
 
 
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:

@@ -44,7 +44,7 @@ def _member(entry: Entry) -> Member:
 
 
 def flags(entry: Entry) -> Flags:
-    """A bit field."""
+    """A bit field. Its bits are put in order, the lowest first: the order in which a spec lists them means nothing."""
     primitive = PRIMITIVES[entry.text("type")]
     bit_0 = entry.text("bit_0") or "least"
     highest = 8 * primitive.size - 1 if bit_0 == "most" else None
@@ -53,7 +53,7 @@ def flags(entry: Entry) -> Flags:
         **entry.fact(),
         type=primitive,
         ranges=entry.whole_ranges("range"),
-        bits=tuple(bits if highest is None else reversed(bits)),
+        bits=tuple(sorted(bits, key=lambda bit: bit.first)),
         states=tuple(
             State(**inner.fact(), set=inner.texts("set"), clear=inner.texts("clear"))
             for inner in entry.entries("states")

@@ -224,7 +224,8 @@ class ExplainedFrame {
       }
       const asked = this.sent.get(this.named);
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
-      const should = asked ? codeText(link, direction, asked) : `one of ${known.join(", ")}`;
+      const several = known.length ? `one of ${known.join(", ")}` : `that of a message, and none has a ${direction} here`;
+      const should = asked ? codeText(link, direction, asked) : several;
       return judged(read, false, should, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;

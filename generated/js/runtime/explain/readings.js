@@ -170,7 +170,9 @@ function closestReading(device, frame, options, mark) {
     const places = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction]))
       .filter(([link, direction]) => options.goes(link, direction));
     const carrying = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].has(options.message));
-    near = (carrying.length ? carrying : places).map((place) => [...place, options.message, false]);
+    // Nobody sends a request on a link whose messages come from the device alone.
+    const sending = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].size);
+    near = [carrying, sending, places].find((some) => some.length).map((place) => [...place, options.message, false]);
   }
   const examples = exampleKeys(device, frame);
   const faultsOf = (reading) => {
@@ -250,11 +252,16 @@ export function remarksOn(device, chosen, askedIn, options) {
   if (chosen.chosen === "closest") {
     texts.push(`this is not a valid frame of ${device.data.device}; what is explained here comes closest`);
     texts.push(...otherLengths(device, chosen, options));
-  } else if (askedIn && chosen.explanation.direction === "response") {
+  } else if (askedIn && chosen.explanation.direction === "response" && !isUnrequested(device, chosen)) {
     texts.push(`${chosen.chosen === "request" ? "this answers" : "this does not answer"} the request in line ${askedIn}`);
   }
   if (chosen.chosen === "likeliest") texts.push(ambiguityText(device, chosen));
   return [...texts, ...chosen.mismatches];
+}
+
+/** Whether a frame is one that the device sends of its own accord, so that it answers nothing. */
+function isUnrequested(device, chosen) {
+  return Boolean(device.messages.get(chosen.explanation.message)?.unrequested);
 }
 
 /** Whether frames of a link carry the code of their message. */
