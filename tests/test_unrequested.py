@@ -72,7 +72,7 @@ def test_what_arrives_is_explained_as_no_response(run: CommandLine) -> None:
 
 def test_a_frame_of_another_length_is_one_from_the_device(run: CommandLine) -> None:
     assert (
-        "the frame has 10 bytes; node_heartbeat response has 3"
+        "the data of the frame have 2 bytes; node_heartbeat response has 1"
         in run("decode", "node", "--link", "heartbeat", "00000701 02000000 0500").lines
     )
     named = run("decode", "node", "--message", "node_heartbeat", "00000701 02000000 0500")
@@ -121,13 +121,15 @@ def engine(run: CommandLine, tmp_path: Path) -> CommandLine:
 def test_an_unknown_frame_of_a_bus_without_requests_is_one_from_the_device(engine: CommandLine) -> None:
     result = engine("decode", "engine", "-", stdin=f"{OTHER}\n{SPEED}\n".encode())
     assert "line 1: unknown response, bus, Engine 1" in result.lines
-    assert "wrong: group at byte 8: should be one of 0xF004" in result.lines
+    assert "wrong: group in the identifier: should be one of 0xF004" in result.lines
     assert "does not answer" not in result.out
 
 
 def test_a_frame_that_is_said_to_be_a_request_is_told_that_there_is_none(engine: CommandLine) -> None:
     result = engine("decode", "engine", "--direction", "request", "98EAFF000200000004F0")
-    assert result.lines[-1] == "wrong: group at byte 8: should be that of a message, and none has a request here"
+    assert (
+        result.lines[-1] == "wrong: group in the identifier: should be that of a message, and none has a request here"
+    )
 
 
 def test_what_comes_between_a_request_and_its_response_is_not_called_a_wrong_answer(run: CommandLine) -> None:

@@ -1,0 +1,106 @@
+"""Joins the trees of several files: those of a device, and those of the protocols that it uses."""
+
+from __future__ import annotations
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.reading.findings import near
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
+from fieldspec.reading.rows import rows_in_order
+from fieldspec.reading.used_records import used_records
+from fieldspec.reading.yaml_reader import key_span
+
+_DEVICE_SECTIONS = ("device", "protocol", "uses", "versions")
+
+
+def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
+    """One tree of all files: the items of lists follow each other, every other section occurs once."""
+    whole = files[0]
+    findings: list[Diagnostic] = []
+    for tree in files[1:]:
+        for key, value in tree.values.items():
+            have = whole.values.get(key)
+            if isinstance(have, Sequence) and isinstance(value, Sequence):
+                whole = whole.with_value(key, _concatenated(have, value))
+            elif have is None:
+                whole = whole.with_entry(key, value, tree)
+            else:
+                first = Label(key_span(whole, key), "the first one")
+                text = f"the section `{key}` is in two files of the device"
+                findings.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "remove one of them"))
+    return whole, findings
+
+
+def _concatenated(first: Sequence, second: Sequence) -> Sequence:
+    return Sequence(first.file, first.start, first.end, first.items + second.items)
+
+
+def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The device's tree with the items that it uses of a protocol; where both have an item, the device's keys win."""
+    findings: list[Diagnostic] = []
+    for section, base in protocol.values.items():
+        if section in _DEVICE_SECTIONS or not isinstance(base, Sequence):
+            continue
+        chosen, missing = _chosen(base, use.values.get(section), section)
+        findings += missing
+        messages = protocol.values.get("messages")
+        if section == "records" and "messages" in use.values and isinstance(messages, Sequence):
+            used, _ = _chosen(messages, use.values["messages"], "messages")
+            chosen = used_records(protocol, chosen, used, device)
+        own = device.values.get(section)
+        value = chosen if own is None else _merged(chosen, own)
+        if section in device.values:
+            device = device.with_value(section, value)
+        else:
+            device = device.with_entry(section, value, protocol)
+    return device, findings
+
+
+def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence, list[Diagnostic]]:
+    """The items of a section whose names are listed, or all where nothing is listed."""
+    if not isinstance(names, Sequence):
+        return base, []
+    have = {identity(item): item for item in base.items}
+    findings = []
+    items = []
+    for name in names.items:
+        if isinstance(name, Scalar) and name.text not in have:
+            text = f"the protocol has no {section[:-1]} `{name.text}`"
+            hint = near(name.text, [known for known in have if known is not None])
+            findings.append(Diagnostic("references_resolve", text, name.span, help=hint))
+        elif isinstance(name, Scalar):
+            items.append(have[name.text])
+    return Sequence(base.file, base.start, base.end, tuple(items)), findings
+
+
+def _merged(base: Node, over: Node) -> Node:
+    """`base` overridden by `over`: mappings by key, lists of named items by name, everything else as a whole."""
+    if isinstance(base, Mapping) and isinstance(over, Mapping):
+        base = _without_standards(base, over)
+        values, keys = dict(base.values), {key: base.holder(key) for key in base.values}
+        for key, value in over.values.items():
+            have = base.values.get(key)
+            values[key] = value if have is None else _merged(have, value)
+            if key == "rows" and isinstance(have, Sequence) and isinstance(value, Sequence):
+                values[key] = rows_in_order(values[key], have, value)
+            keys[key] = over.holder(key)
+        return Mapping(over.file, over.start, over.end, values, keys)
+    if isinstance(base, Sequence) and isinstance(over, Sequence) and _named(base) and _named(over):
+        extra = {identity(item): item for item in over.items}
+        items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
+        return Sequence(over.file, over.start, over.end, (*items, *extra.values()))
+    return over
+
+
+def _without_standards(base: Mapping, over: Mapping) -> Mapping:
+    """An entry without the clauses of standards for those of its keys that `over` states itself."""
+    standards = base.values.get("standard")
+    if not isinstance(standards, Mapping):
+        return base
+    for key, clause in standards.values.items():
+        if isinstance(clause, Mapping) and key in over.values:
+            standards = standards.without(key)
+    return base.with_value("standard", standards) if standards.values else base.without("standard")
+
+
+def _named(sequence: Sequence) -> bool:
+    return bool(sequence.items) and all(identity(item) is not None for item in sequence.items)
