@@ -34,7 +34,7 @@ def test_all_codecs_agree_on_random_devices(number: int) -> None:
 @pytest.mark.parametrize("case", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
 def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
     spec = yaml.safe_load(case.read_text(encoding="utf-8"))
-    for number in (1, 2, 5):
+    for number in (1, 2):
         result = compare(spec, number, 60)
         assert result.findings == ()
         assert result.disagreements == []

@@ -16,7 +16,15 @@ from fieldspec.model.value import Signal, Value
 from fieldspec.render.blocks import Block, Line, Table, drawn, narrowed
 from fieldspec.render.item import Item, ParameterNumber, fact_details, fact_of, handles
 from fieldspec.render.item_details import details
-from fieldspec.render.overview import field_table, member_table, parameter_table, range_text, register_table, unit_text
+from fieldspec.render.overview import (
+    constant_text,
+    field_table,
+    member_table,
+    parameter_table,
+    range_text,
+    register_table,
+    unit_text,
+)
 
 _NARROWEST = 9
 """The characters of the column with the names of details; longer names widen it."""
@@ -124,7 +132,7 @@ def _subindices(parameter: Parameter) -> Iterator[Block]:
     for inner in parameter.subindices:
         label = " ".join(text for text in (inner.printed_name, inner.label) if text)
         value, name = inner.value, "reserved" if inner.reserved else inner.name
-        always = "" if value.const is None else str(value.const)
+        always = constant_text(value)
         first = (inner.indices.text(), name, label, value.type.name, inner.access)
         rows.append((*first, unit_text(value), range_text(value), always, value.enum or value.flags, inner.doc))
     if rows:

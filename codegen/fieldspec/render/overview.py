@@ -8,9 +8,10 @@ from fieldspec.explain.values import range_in_unit
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Enum
 from fieldspec.model.registers import ParameterSet, Register
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 from fieldspec.render.blocks import Block, Line, Table, narrowed
 
 
@@ -21,8 +22,17 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
     yield "range", range_text(value)
     yield "written", "" if value.write_ranges is None else range_text(value.for_writing())
     yield "default", "" if value.default is None else str(value.default)
-    yield "always", "" if value.const is None else str(value.const)
+    yield "digits", digits_text(value) if value.digits else ""
+    yield "always", constant_text(value)
     yield "values", ", ".join(f"{sentinel.text} = {sentinel.name}" for sentinel in value.sentinels)
+
+
+def constant_text(value: Value) -> str:
+    """A constant with all its bytes, `0x00010000`; as a number if it is negative or has one digit; empty for others."""
+    if value.const is None:
+        return ""
+    is_short = value.const < 10 or value.type.kind is not Kind.INTEGER
+    return str(value.const) if is_short else f"0x{value.const:0{2 * value.size}X}"
 
 
 def unit_text(value: Value) -> str:
@@ -71,13 +81,15 @@ def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tup
 def _type(field: FieldLayout, name: str) -> str:
     repeat = field.field.repeat
     times = f" x {repeat.text() if repeat else field.count}" if field.is_list else ""
-    return (name or field.primitive.name) + times
+    value = field.value
+    digits = f" as {digits_text(value)}" if value is not None and value.digits else ""
+    return (name or field.primitive.name) + digits + times
 
 
 def _value(value: Value | None) -> tuple[str, ...]:
     if value is None:
         return "", "", "", ""
-    default = value.default if value.const is None else f"always {value.const}"
+    default = value.default if value.const is None else f"always {constant_text(value)}"
     names = value.enum or value.flags or ", ".join(f"{sentinel.text} = {sentinel.name}" for sentinel in value.sentinels)
     write_range = "" if value.write_ranges is None else f"; written: {range_text(value.for_writing())}"
     return unit_text(value), range_text(value) + write_range, "" if default is None else str(default), names
