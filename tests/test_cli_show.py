@@ -131,7 +131,7 @@ def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, 
         ("0x2100", ["Pt100", "set servo"]),
         ("Ut102", ["unused Ut102", "number Ut102, 0x4102 (16642) on the wire"]),
         ("0x4102", ["unused Ut100", "here Ut102, 0x4102 (16642) on the wire"]),
-        ("964", ["identification", "elements 5", "0 maker u16 2730", "2..4 reserved u16"]),
+        ("964", ["identification", "elements 5", "0 maker u16 0x0AAA", "2..4 reserved u16"]),
         (
             "servo",
             [

@@ -19,6 +19,8 @@ ROOT = Path(__file__).parent.parent
 FOLDERS = [ROOT / "specs", ROOT / "tests" / "specs"]
 SPECS = [path for folder in FOLDERS for path in sorted(folder.glob("*/*.yaml"))]
 PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
+ALLOWED = {"references_resolve", "version_never", "version_twice", "version_unknown", "wrong_form"}
+"""The findings of reading that random specs have; the last one for enums that follow from numbers that there are not."""
 SEEDS = 400
 PARSERS = [yaml.Loader, *([yaml._yaml.CParser] if yaml.__with_libyaml__ else [])]
 
@@ -125,8 +127,6 @@ def test_any_spec_that_fits_the_schema_is_read() -> None:
         text = random_specs.spec(seed)
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         project = read_whole(files)
-        assert set(codes(project.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, (
-            f"seed {seed}"
-        )
+        assert set(codes(project.findings)) <= ALLOWED, f"seed {seed}"
         built += "gadget" in project.devices
     assert built > SEEDS / 2

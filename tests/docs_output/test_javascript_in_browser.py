@@ -114,7 +114,7 @@ def test_the_lab_explains_and_builds_every_example(
         assert result["remarks"] == want["remarks"], result["id"]
         rows = [
             {
-                "offset": str(row["offset"]),
+                "offset": row["can_place"] or str(row["offset"]),
                 "raw": " ".join(row["raw"][at : at + 2] for at in range(0, len(row["raw"]), 2)),
                 "path": row["path"] or row["doc"] or "surplus",
                 "value": row["value"] or "",
