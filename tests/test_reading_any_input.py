@@ -20,7 +20,7 @@ FOLDERS = [ROOT / "specs", ROOT / "tests" / "specs"]
 SPECS = [path for folder in FOLDERS for path in sorted(folder.glob("*/*.yaml"))]
 PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 ALLOWED = {"references_resolve", "version_never", "version_twice", "version_unknown", "wrong_form"}
-"""The findings of reading that random specs have; the last one for enums that follow from numbers that there are not."""
+"""The findings of reading that random specs have; the last one for enums that follow from absent numbers."""
 SEEDS = 400
 PARSERS = [yaml.Loader, *([yaml._yaml.CParser] if yaml.__with_libyaml__ else [])]
 
