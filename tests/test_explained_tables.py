@@ -1,4 +1,4 @@
-"""Fields of tables that share words are explained from their own bytes."""
+"""Fields of tables that share words, and the values of a set of parameters, are explained from their own bytes."""
 
 from __future__ import annotations
 
@@ -22,4 +22,21 @@ def test_fields_that_begin_in_the_middle_of_a_word_are_read_from_there() -> None
         ("limits[0]", 7, 12, 1),
         ("limits[1]", 8, 13, 1),
         ("limits[2]", 9, 14, 1),
+    ]
+
+
+def test_the_values_of_a_set_are_named_by_the_numbers_of_its_parameters() -> None:
+    spec = (CASES / "parameters-in-rows.yaml").read_text("utf-8")
+    (layout,) = layouts_of(spec)
+    answer = explained(layout, "serial", "response", bytes.fromhex("02 0001 0002 0003"), "read_all")
+    meanings = [(row.path, row.meanings[0].name) for row in answer.rows[1:]]
+    assert meanings == [("values[0]", "speed"), ("values[1]", "speed"), ("values[2]", "stroke")]
+
+
+def test_the_code_of_cobs_before_no_data_is_explained() -> None:
+    (layout, *_) = layouts_of((CASES / "137a6d61.yaml").read_text("utf-8"))
+    rows = explained(layout, "speed_25", "response", bytes.fromhex("01 00"), "limit_42").rows
+    assert [(row.path, row.offset, row.raw.hex(), row.verdict) for row in rows] == [
+        ("escape", 0, "01", "right"),
+        ("end", 1, "00", "right"),
     ]

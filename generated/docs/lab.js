@@ -1608,6 +1608,16 @@ function endRows(parts) {
   return [rowOf(surplus), ...rows];
 }
 
+/**
+ * The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
+ * `raw` are the bytes that are sent.
+ */
+function escapeRow(spot, { path, source }, at, raw) {
+  return rowOf({
+    kind: "mark", offset: spot.start + at, length: raw.length, raw, path: "escape", fact: path, verdict: "right", source,
+  });
+}
+
 function markRows({ link }, name, offset, raw, should) {
   if (!should.length) return [];
   const right = sameBytes(raw, should);
@@ -1884,6 +1894,17 @@ function elementOf(words, number, parameter, at) {
   return new ParameterElement(words, number, parameter, at, subindex);
 }
 
+/** The parameter and its number at a place among the values of all numbers of a set; nothing behind the last. */
+function placedParameter({ parameters }, place) {
+  let rest = place;
+  for (const parameter of parameters) {
+    const { number, count = 1 } = parameter;
+    if (rest < count) return [parameter, number + rest];
+    rest -= count;
+  }
+  return [];
+}
+
 /**
  * The row of element `index` of a field, with the name and the meaning that its parameter gives it. `known` are the
  * values of the frame so far and those of the request that it answers. `outer` is the message.
@@ -1893,9 +1914,9 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
   const [name, part, numberField] = field.value.parameter;
   if (part === "values") {
     const [words] = device.setsNamed(name);
-    const parameter = words.parameters[index];
+    const [parameter, number] = placedParameter(words, index);
     if (!parameter) return row;
-    return readAs(device, row, field, new ParameterElement(words, parameter.number, parameter), isRequest);
+    return readAs(device, row, field, new ParameterElement(words, number, parameter), isRequest);
   }
   const asked = part === "number" ? row.number : known(numberField);
   const match = isWhole(asked ?? "") ? parameterAt(device, name, asked) : undefined;
@@ -2566,7 +2587,10 @@ function reasonsOf({ rows }) {
   return rows.map(({ reason }) => reason).filter((reason) => reason && reason !== "out_of_range");
 }
 
-/** A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them. */
+/**
+ * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them, and
+ * `emptyEscape` those that an escape sends for no bytes at all.
+ */
 class ExplainedFrame {
   constructor(device, link, direction, frame, message, asked) {
     Object.assign(this, { device, direction, frame, asked });
@@ -2575,6 +2599,7 @@ class ExplainedFrame {
     this.wrapped = unwrapped(this.link, direction, frame);
     this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
+    this.emptyEscape = new Uint8Array();
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
     this.data = this.shape.escape ? this.original(this.sentData) : this.sentData;
     this.named = message || (asked?.message ?? "");
@@ -2597,6 +2622,10 @@ class ExplainedFrame {
     }
     if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
     rows.push(...endRows(this.wrapped));
+    if (this.emptyEscape.length) {
+      rows.push(escapeRow(this.spot, this.link, this.shape.escapeStart, this.emptyEscape));
+      rows.sort((row, other) => row.offset - other.offset);
+    }
     const errata = [...this.device.errataOfWords([this.link.path]), ...(this.message?.errata ?? [])];
     return this.result(this.message?.name ?? "", rows, registers, errata);
   }
@@ -2629,6 +2658,7 @@ class ExplainedFrame {
       this.unreadable = start + error.offset;
       return sent;
     }
+    if (!originals.length) this.emptyEscape = sent.subarray(start, stop);
     const inner = originals.map(([, place]) => place + start);
     if (inner.length) inner[0] = start;  // what is sent before the first byte belongs to it
     const data = Uint8Array.from([...sent.subarray(0, start), ...originals.map(([byte]) => byte), ...sent.subarray(stop)]);

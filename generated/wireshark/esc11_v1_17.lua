@@ -4242,6 +4242,17 @@ local function row_at(set_name, wire_number)
     return nil, nil
 end
 
+-- The row of a parameter, and its number, at a place among the values of all numbers of a set; nil behind the last.
+local function row_placed(set, place)
+    for _, row in ipairs(set.rows) do
+        if place < row.count then
+            return row, row.number + place
+        end
+        place = place - row.count
+    end
+    return nil, nil
+end
+
 local function known(context, name)
     local number = context.values[name]
     if number == nil and context.asked then
@@ -4302,8 +4313,7 @@ function parameters.entry(context, field, index, bytes)
     end
     local row, number, inner, at
     if part.part == "values" then
-        row = device.parameters[part.set][1].rows[index + 1]
-        number = row and row.number
+        row, number = row_placed(device.parameters[part.set][1], index)
     else
         local wire_number = known(context, part.number)
         if not wire_number then

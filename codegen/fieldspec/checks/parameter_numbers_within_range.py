@@ -20,7 +20,7 @@ from fieldspec.checks.finding import enumeration, finding, interval, label, plur
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.ranges import merged, uncovered
+from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.model.record import Field
 from fieldspec.model.registers import ParameterSet
 from fieldspec.model.value import Kind, Value
@@ -38,8 +38,8 @@ def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
             continue
         if part.part == "number":
             yield from _compare_numbers(fact, value, part.set, sets)
-        if part.part == "values" and isinstance(fact, Field) and fact.count is not None:
-            yield from _field_numbers(fact, fact.count, sets[0])
+        if part.part == "values" and isinstance(fact, Field):
+            yield from _field_numbers(fact, sets[0])
 
 
 def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
@@ -55,12 +55,24 @@ def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
             yield finding(_CODE, parameter.place, "number", text, "correct the number or the set", there)
 
 
-def _field_numbers(field: Field, count: int, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+    """Whether a field has one value for each number of a set, and each parameter has one value."""
     have = sum(parameter.count for parameter in parameter_set.parameters)
-    if count != have:
-        text = f"{field.name} has {count} values, but {parameter_set.name} has {plural(have, 'parameter')}"
-        help = "correct the number of values or the list"
-        yield finding(_CODE, field.place, "count", text, help, _list(parameter_set))
+    ranges = field.repeat or Ranges(((field.count or 1, field.count or 1),))
+    if merged(ranges.intervals) != [(have, have)]:
+        many = f"{ranges.text()} {'value' if ranges.text() == '1' else 'values'}"
+        text = f"{field.name} has {many}, but {parameter_set.name} has {plural(have, 'parameter')}"
+        key = "repeat" if field.repeat is not None else "count" if field.count is not None else "name"
+        instead = " instead of `repeat`" if key == "repeat" else ""
+        help = f"state `count: {have}`{instead}" if have > 1 else f"remove `{key}`"
+        help += ", or correct the list"
+        yield finding(_CODE, field.place, key, text, help, _list(parameter_set))
+    parameter = next((each for each in parameter_set.parameters if each.elements or each.subindices), None)
+    if parameter is not None:
+        text = f"{field.name} has one value for each parameter, but {parameter.name} has elements"
+        help = "read the elements by messages of their own, or state them as parameters"
+        there = label(parameter.place, "elements" if parameter.elements else "subindices", "the elements")
+        yield finding(_CODE, field.place, "parameter", text, help, there)
 
 
 def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:

@@ -19,6 +19,7 @@ from fieldspec.explain.row import (
     end_rows,
     errata_of_message,
     errata_of_words,
+    escape_row,
     fact_row,
     start_rows,
     surplus_row,
@@ -90,7 +91,10 @@ def explained_after(
 
 
 class _Frame:
-    """A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them."""
+    """A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them.
+
+    `empty_escape` are the bytes that an escape sends for no bytes at all.
+    """
 
     def __init__(
         self, layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str, asked: Explanation | None
@@ -101,6 +105,7 @@ class _Frame:
         self.wrapped = unwrapped(self.link, direction, frame)
         self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
         self.unreadable: int | None = None
+        self.empty_escape = b""
         self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
         self.data = self._original(self.sent_data) if self.shape.escape is not None else self.sent_data
         self.named = message or (asked.message if asked else "")
@@ -123,14 +128,15 @@ class _Frame:
         if self.surplus:
             rows.append(surplus_row(self.spot, len(self.data), self.surplus))
         rows += end_rows(self.wrapped)
-        errata = errata_of_words(self.layout.device, (self.link.place.path,))
+        if self.empty_escape:
+            row = escape_row(self.spot, self.link, self.shape.escape_start, self.empty_escape)
+            rows = sorted((*rows, row), key=lambda row: row.offset)
+        errata, name = errata_of_words(self.layout.device, (self.link.place.path,)), ""
         if self.message is not None:
             errata += errata_of_message(self.layout.device, self.message.message)
-        name = self.message.name if self.message else ""
-        frame, words = self.frame, self.accessed
-        return Explanation(
-            self.link.name, self.direction, name, self.error, frame, tuple(rows), registers, self.values, errata, words
-        )
+            name = self.message.name
+        known = (tuple(rows), registers, self.values, errata, self.accessed)
+        return Explanation(self.link.name, self.direction, name, self.error, self.frame, *known)
 
     def _is_marked(self) -> bool:
         """Whether a part or the data say that a frame without a code is an exception response."""
@@ -154,6 +160,8 @@ class _Frame:
         except EscapeError as error:
             self.unreadable = start + error.offset
             return sent
+        if not originals:
+            self.empty_escape = sent[start:stop]
         inner = [place + start for _, place in originals]
         inner[:1] = [start][: len(inner)]  # what is sent before the first byte belongs to it
         data = sent[:start] + bytes(byte for byte, _ in originals) + sent[stop:]

@@ -73,12 +73,12 @@ def with_parameter(
         return row
     if part.part == "values":
         (parameter_set,) = device.sets(part.set)
-        if index >= len(parameter_set.parameters):
+        placed = parameter_set.at_place(index)
+        if placed is None:
             return row
-        parameter = parameter_set.parameters[index]
-        return _read_as(
-            device, row, field, _Element(parameter_set, parameter.number, parameter, None, None), is_request, field.size
-        )
+        parameter, number = placed
+        element = _Element(parameter_set, number, parameter, None, None)
+        return _read_as(device, row, field, element, is_request, field.size)
     asked = row.number if part.part == "number" else known.get(part.number)
     match = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
     if match is None:

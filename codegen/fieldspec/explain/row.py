@@ -299,6 +299,23 @@ def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
     yield from _mark_row(parts, "end", at, parts.end, parts.marks[1])
 
 
+def escape_row(spot: Spot, link: Link, at: int, raw: bytes) -> ExplanationRow:
+    """The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
+
+    `raw` are the bytes that are sent.
+    """
+    return ExplanationRow(
+        kind="mark",
+        offset=spot.start + at,
+        length=len(raw),
+        raw=raw,
+        path="escape",
+        fact=link.place.path,
+        verdict="right",
+        source=citations(link.sources),
+    )
+
+
 def _mark_row(parts: Unwrapped, name: str, at: int, data: bytes, should: bytes) -> Iterator[ExplanationRow]:
     if should:
         right = data == should

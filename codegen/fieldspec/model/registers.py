@@ -188,6 +188,14 @@ class ParameterSet(Fact):
     printed_as: str
     parameters: tuple[Parameter, ...]
 
+    def at_place(self, place: int) -> tuple[Parameter, int] | None:
+        """The parameter and its number at a place among the values of all numbers, in order; None behind the last."""
+        for parameter in self.parameters:
+            if place < parameter.count:
+                return parameter, parameter.number + place
+            place -= parameter.count
+        return None
+
     def numbered(self, number: int) -> Parameter | None:
         """The parameter with a number of the set."""
         return next(

@@ -147,17 +147,17 @@ def refuse_unwritable(target: Target) -> None:
         raise Refusal("write_forbidden", f"{parameter.name} can only be read")
 
 
-def all_values(engine: Engine, name: str) -> list[Raw]:
-    """The values of all parameters of a set or of a space, in the order of their numbers."""
-    return [
-        engine.memory.elements[set_name, number, 0]
-        for set_name, number, _ in numbers_of(engine.layout.device.sets(name))
-    ]
+def all_values(engine: Engine, name: str, is_list: bool) -> list[Raw] | Raw:
+    """The values of all parameters of a set or of a space, in the order of their numbers; that of a single one."""
+    numbers = numbers_of(engine.layout.device.sets(name))
+    values = [engine.memory.elements[set_name, number, 0] for set_name, number, _ in numbers]
+    return values if is_list else values[0]
 
 
-def write_all(engine: Engine, name: str, raws: list[Raw]) -> None:
-    """Writes all parameters of a set. Raises Refusal."""
+def write_all(engine: Engine, name: str, values: list[Raw] | Raw) -> None:
+    """Writes all parameters of a set; `values` is one value for a set of one. Raises Refusal."""
     rows = numbers_of(engine.layout.device.sets(name))
+    raws = values if isinstance(values, list) else [values]
     for (_, _, parameter), raw in zip(rows, raws, strict=True):
         why = "" if parameter.reserved else invalid(engine, parameter.value, raw)
         if why:

@@ -156,7 +156,7 @@ class Server:
             return self._of_parameter(link, announced, values, target)
         every = parameters.part_of(announced.request, "values")
         if every is not None and every.value is not None and every.value.parameter is not None:
-            parameters.write_all(engine, every.value.parameter.set, list(values[every.name]))
+            parameters.write_all(engine, every.value.parameter.set, values[every.name])
         engine.follow_message(message.name, message.place.path, message.roles)
         engine.refresh()
         return {}
@@ -279,7 +279,7 @@ class Server:
             return records if field.is_list else records[0]
         value = field.value
         if value is not None and value.parameter is not None and value.parameter.part == "values":
-            return parameters.all_values(engine, value.parameter.set)
+            return parameters.all_values(engine, value.parameter.set, field.is_list)
         cell = next(iter(engine.cells.of(path)), None)
         is_unset = cell is None or (cell.value is None and path not in engine.memory.fields)
         if cell is None or is_unset or field.is_list or (value is not None and value.const is not None):

@@ -1,7 +1,7 @@
 import { codeText, isAmbiguous, isException, messageWithCode, refusedMessage } from "./device.js";
 import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
-import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
+import { endRows, escapeRow, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
 import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
 import { canHeaderFault } from "../escapes.js";
 import { accessedSpan, registerRows } from "./registers.js";
@@ -21,7 +21,10 @@ export function reasonsOf({ rows }) {
   return rows.map(({ reason }) => reason).filter((reason) => reason && reason !== "out_of_range");
 }
 
-/** A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them. */
+/**
+ * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them, and
+ * `emptyEscape` those that an escape sends for no bytes at all.
+ */
 class ExplainedFrame {
   constructor(device, link, direction, frame, message, asked) {
     Object.assign(this, { device, direction, frame, asked });
@@ -30,6 +33,7 @@ class ExplainedFrame {
     this.wrapped = unwrapped(this.link, direction, frame);
     this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
+    this.emptyEscape = new Uint8Array();
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
     this.data = this.shape.escape ? this.original(this.sentData) : this.sentData;
     this.named = message || (asked?.message ?? "");
@@ -52,6 +56,10 @@ class ExplainedFrame {
     }
     if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
     rows.push(...endRows(this.wrapped));
+    if (this.emptyEscape.length) {
+      rows.push(escapeRow(this.spot, this.link, this.shape.escapeStart, this.emptyEscape));
+      rows.sort((row, other) => row.offset - other.offset);
+    }
     const errata = [...this.device.errataOfWords([this.link.path]), ...(this.message?.errata ?? [])];
     return this.result(this.message?.name ?? "", rows, registers, errata);
   }
@@ -84,6 +92,7 @@ class ExplainedFrame {
       this.unreadable = start + error.offset;
       return sent;
     }
+    if (!originals.length) this.emptyEscape = sent.subarray(start, stop);
     const inner = originals.map(([, place]) => place + start);
     if (inner.length) inner[0] = start;  // what is sent before the first byte belongs to it
     const data = Uint8Array.from([...sent.subarray(0, start), ...originals.map(([byte]) => byte), ...sent.subarray(stop)]);

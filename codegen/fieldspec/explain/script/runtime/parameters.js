@@ -54,6 +54,17 @@ function elementOf(words, number, parameter, at) {
   return new ParameterElement(words, number, parameter, at, subindex);
 }
 
+/** The parameter and its number at a place among the values of all numbers of a set; nothing behind the last. */
+function placedParameter({ parameters }, place) {
+  let rest = place;
+  for (const parameter of parameters) {
+    const { number, count = 1 } = parameter;
+    if (rest < count) return [parameter, number + rest];
+    rest -= count;
+  }
+  return [];
+}
+
 /**
  * The row of element `index` of a field, with the name and the meaning that its parameter gives it. `known` are the
  * values of the frame so far and those of the request that it answers. `outer` is the message.
@@ -63,9 +74,9 @@ export function withParameter(device, row, field, index, known, outer, isRequest
   const [name, part, numberField] = field.value.parameter;
   if (part === "values") {
     const [words] = device.setsNamed(name);
-    const parameter = words.parameters[index];
+    const [parameter, number] = placedParameter(words, index);
     if (!parameter) return row;
-    return readAs(device, row, field, new ParameterElement(words, parameter.number, parameter), isRequest);
+    return readAs(device, row, field, new ParameterElement(words, number, parameter), isRequest);
   }
   const asked = part === "number" ? row.number : known(numberField);
   const match = isWhole(asked ?? "") ? parameterAt(device, name, asked) : undefined;

@@ -126,6 +126,16 @@ export function endRows(parts) {
   return [rowOf(surplus), ...rows];
 }
 
+/**
+ * The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
+ * `raw` are the bytes that are sent.
+ */
+export function escapeRow(spot, { path, source }, at, raw) {
+  return rowOf({
+    kind: "mark", offset: spot.start + at, length: raw.length, raw, path: "escape", fact: path, verdict: "right", source,
+  });
+}
+
 function markRows({ link }, name, offset, raw, should) {
   if (!should.length) return [];
   const right = sameBytes(raw, should);
