@@ -14,7 +14,7 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.plc.routines.absent import absent_values
-from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.wrapping import framed
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded

@@ -20,7 +20,7 @@ from standard_text import anonymous, named, without_comments
 from external_tools import require_tool
 from fieldspec.backends.st.backend import files, text
 from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.structured.layout_table import rows
 from fieldspec.plc.structured.program import Program
 from layouts import SPECS, newest

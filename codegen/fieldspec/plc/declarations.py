@@ -26,12 +26,12 @@ from fieldspec.plc.narrowing import narrowed
 from fieldspec.plc.omissions import for_dialect
 from fieldspec.plc.routines.blocks.ports import ports
 from fieldspec.plc.routines.expressions import EnumType, StructType, Type
-from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
 from fieldspec.plc.routines.register_range import answer_name, answer_type, register_type
 from fieldspec.plc.routines.registers import registers_of
 from fieldspec.plc.routines.remarks import cited, member_remark, printed
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import Names, World
 from fieldspec.plc.spaces import with_supported_spaces
 from fieldspec.plc.structs import Struct, StructMember, fixed

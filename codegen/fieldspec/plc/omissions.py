@@ -19,7 +19,7 @@ from fieldspec.model.watches import watches
 from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.narrowing import number_refusals
-from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.structs import fixed
 
 

@@ -8,9 +8,10 @@ from fieldspec.backends.c.absent import absent_values, declare_absent
 from fieldspec.backends.c.checksums import checksum_parts, declare_checksums
 from fieldspec.backends.c.conversions import declare_conversion
 from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
-from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
+from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum
 from fieldspec.backends.c.escapes import declare_escapes
 from fieldspec.backends.c.expressions import hexadecimal, string, unsigned
+from fieldspec.backends.c.flags import declare_flags
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from fieldspec.backends.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.backends.c.conversions import count_bounds, count_type
-from fieldspec.backends.c.enums import available_members, code_tables, enum_type, named_bits
+from fieldspec.backends.c.enums import available_members, code_tables, enum_type
 from fieldspec.backends.c.expressions import (
     FALSE,
     NULL,
@@ -35,6 +35,7 @@ from fieldspec.backends.c.expressions import (
     unsigned,
     whole_double,
 )
+from fieldspec.backends.c.flags import named_bits
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.parameters import wire_number_type
 from fieldspec.backends.c.quantities import EXACT_BYTES

@@ -15,8 +15,8 @@ from fieldspec.plc.enums import TextTable
 from fieldspec.plc.routines.blocks.device import Blocks
 from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.expressions import Elementary
-from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import narrowest
 from fieldspec.plc.structs import Struct
 

@@ -10,11 +10,12 @@ from fieldspec.plc.routines.checksums import checksum
 from fieldspec.plc.routines.enums import enum_routines
 from fieldspec.plc.routines.exchanges import exchange_blocks
 from fieldspec.plc.routines.frames import frame_routines
-from fieldspec.plc.routines.messages import message_routines, telegram_routines
+from fieldspec.plc.routines.messages import message_routines
 from fieldspec.plc.routines.reals import real_routines
 from fieldspec.plc.routines.registers import group_routines, table_routines
 from fieldspec.plc.routines.routine import Routine, called
 from fieldspec.plc.routines.scaling import scaling_routines
+from fieldspec.plc.routines.telegrams import telegram_routines
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import framed
 

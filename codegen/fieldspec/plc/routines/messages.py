@@ -1,19 +1,16 @@
-"""Messages of a link and process data: requests, responses, telegrams."""
+"""The requests and responses of the messages of a link."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.plc.routines.bit_counts import refuse_other_bit_counts
 from fieldspec.plc.routines.expressions import (
     BOOL,
-    BYTE,
     INT,
-    WORD,
     ArrayType,
     Call,
     Conversion,
@@ -29,26 +26,22 @@ from fieldspec.plc.routines.expressions import (
     every,
     number,
     plus,
-    sequence,
 )
 from fieldspec.plc.routines.frames import code_type, head_members, wire_of
-from fieldspec.plc.routines.holders import Bytes, Holder, Words
+from fieldspec.plc.routines.holders import Bytes
 from fieldspec.plc.routines.records import (
     choice_type,
     field_type,
     is_user_field,
-    members_of,
     read_choice,
     read_field,
-    read_fields,
     selecting,
     write_choice,
     write_field,
-    write_fields,
 )
 from fieldspec.plc.routines.routine import Assignment, Draft, Routine, Statement, when
 from fieldspec.plc.routines.subcodes import refuse_other_subcode
-from fieldspec.plc.routines.values import Wire, order_remark
+from fieldspec.plc.routines.values import Wire
 from fieldspec.plc.routines.world import PREFIXES, World
 from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
 
@@ -340,61 +333,3 @@ def _element_count(
         draft.refusal(odd, "wrong_length"),
         Assignment(count, Operation("/", (rest, element), INT)),
     ]
-
-
-def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
-    """The messages that are sent without anything around them."""
-    links = [link for link in layout.links.values() if not framed(link)]
-    messages = {message.name: message for link in links for message in link.messages.values()}
-    return list(messages.values())
-
-
-def telegram_routines(world: World) -> Iterator[Routine]:
-    """The functions of all telegrams, for each direction in which they have a fixed size."""
-    for message in telegrams(world.layout):
-        for data in message.bodies:
-            if not data.size:
-                continue
-            for unit in ("bytes", "words") if data.size % 2 == 0 else ("bytes",):
-                yield _packed(world, message, data, unit)
-                yield _unpacked(world, message, data, unit)
-
-
-def _holder(world: World, draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
-    if unit == "bytes":
-        return Bytes(draft.declare("aBytes", sequence(data.size or 0, BYTE), "in_out", remark), number(0))
-    array = draft.declare("aWords", sequence((data.size or 0) // 2, WORD), "in_out", remark)
-    return Words(array, number(0), world.layout.device.byte_order)
-
-
-def _about(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> str:
-    size = f"{data.size} bytes" if unit == "bytes" else f"{(data.size or 0) // 2} words"
-    title = message.message.title or message.name.replace("_", " ")
-    return f"{title}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
-
-
-def _packed(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
-    draft = Draft(
-        world.routine("pack", data.name, unit),
-        f"telegram {message.name}",
-        world.status,
-        f"Struct to process data: {_about(world, message, data, unit)}",
-    )
-    kind = world.struct(data.name)
-    struct = draft.declare("stData", kind, "in_out", "is read only")
-    holder = _holder(world, draft, data, unit, "receives the process data")
-    draft.add(write_fields(draft, world, data, holder, members_of(world, data, struct)))
-    return draft.finished()
-
-
-def _unpacked(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
-    draft = Draft(
-        world.routine("unpack", data.name, unit),
-        f"telegram {message.name}",
-        world.status,
-        f"Process data to struct: {_about(world, message, data, unit)}",
-    )
-    holder = _holder(world, draft, data, unit, "is read only")
-    struct = draft.declare("stData", world.struct(data.name), "in_out", "receives the values")
-    draft.add(read_fields(draft, world, data, holder, members_of(world, data, struct)))
-    return draft.finished()

@@ -8,10 +8,10 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.device import Device
 from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.routines.expressions import Expression, number
-from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.printer import call_lines
 from fieldspec.plc.routines.records import is_user_field
 from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import framed, link_words
 

@@ -12,9 +12,9 @@ from fieldspec.model.address_space import WORD
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.plc.declarations import Declarations
 from fieldspec.plc.routines.blocks.ports import AXIS
-from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import is_user_field
 from fieldspec.plc.routines.registers import registers_of
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
 
 _CALL = "{block}(Execute := {execute}, {arguments}, stAxis := {axis}, stData := {data});\n"

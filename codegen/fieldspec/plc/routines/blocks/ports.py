@@ -13,7 +13,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.record import Message
 from fieldspec.plc.routines.expressions import BOOL, INT, UDINT, UINT, Expression, Member, StructType, Type
-from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import framed
 from fieldspec.plc.structs import fixed
