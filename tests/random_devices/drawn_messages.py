@@ -262,13 +262,16 @@ _PARAMETER_DIGITS: dict[str, tuple[Spec, ...]] = {
     "i32": ({"digits": "decimal", "length": 10}, {"digits": "decimal", "length": 9, "varies": True}),
 }
 """How values of parameters may be sent as digits, by their types."""
+_NUMBERS = ("u8", "i8", "u16", "i16", "u24", "i24", "u32", "i32", "u64", "i64")
 
 
 def parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
     """The messages that read and write the parameters of a set by their numbers."""
     parameter_set = draft.pick(draft.spec["parameters"])
     name = parameter_set.get("space") or parameter_set["name"]
-    if draft.chance(12) and "space" not in parameter_set:
+    rows = _rows_of_one_type(parameter_set)
+    if draft.chance(20) and "space" not in parameter_set and rows:
+        parameter_set["rows"] = rows
         return _with_codes(draft, _messages_of_all(draft, parameter_set), codes, links)
     is_text = draft.chance(35)
     sent = {"digits": "upper_hex", "length": 4} if is_text else {}
@@ -290,11 +293,17 @@ def _with_codes(draft: Draft, drawn: list[Spec], codes: set[int], links: list[st
     return drawn
 
 
+def _rows_of_one_type(parameter_set: Spec) -> list[Spec]:
+    """The rows of a set that have the type of the first number, and no elements."""
+    rows = [row for row in parameter_set["rows"] if row["type"] in _NUMBERS and "elements" not in row]
+    return [row for row in rows if row["type"] == rows[0]["type"] and "digits" not in row]
+
+
 def _messages_of_all(draft: Draft, parameter_set: Spec) -> list[Spec]:
     """Messages that read and write all parameters of a set, in the order of their numbers."""
     count = sum(row.get("count", 1) for row in parameter_set["rows"])
     keys: Spec = {
-        "type": draft.pick(("u16", "u32", "i32")),
+        "type": parameter_set["rows"][0]["type"],
         "parameter": {"set": parameter_set["name"], "part": "values"},
     }
     if count > 1:
