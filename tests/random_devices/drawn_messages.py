@@ -269,7 +269,7 @@ def parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[
     """The messages that read and write the parameters of a set by their numbers."""
     parameter_set = draft.pick(draft.spec["parameters"])
     name = parameter_set.get("space") or parameter_set["name"]
-    rows = _rows_of_one_type(parameter_set)
+    rows = _rows_of_first_type(parameter_set)
     if draft.chance(20) and "space" not in parameter_set and rows:
         parameter_set["rows"] = rows
         return _with_codes(draft, _messages_of_all(draft, parameter_set), codes, links)
@@ -293,7 +293,7 @@ def _with_codes(draft: Draft, drawn: list[Spec], codes: set[int], links: list[st
     return drawn
 
 
-def _rows_of_one_type(parameter_set: Spec) -> list[Spec]:
+def _rows_of_first_type(parameter_set: Spec) -> list[Spec]:
     """The rows of a set that have the type of the first number, and no elements."""
     rows = [row for row in parameter_set["rows"] if row["type"] in _NUMBERS and "elements" not in row]
     return [row for row in rows if row["type"] == rows[0]["type"] and "digits" not in row]

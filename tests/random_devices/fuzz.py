@@ -71,10 +71,11 @@ class Tally:
 
 @dataclass
 class Shrinking:
-    """The shortest device so far on which judges disagree, and since when there is one."""
+    """The shortest device so far on which judges disagree, the seed of its frames, and since when there is one."""
 
     disagreement: str = ""
     text: str = ""
+    seed: int = 0
     start: float = 0.0
 
     @property
@@ -82,11 +83,11 @@ class Shrinking:
         """Whether a shorter device is no longer looked for."""
         return bool(self.text) and time.monotonic() > self.start + PATIENCE
 
-    def add(self, disagreement: str, text: str) -> None:
+    def add(self, disagreement: str, text: str, seed: int) -> None:
         """Takes a device, if it is shorter."""
         self.start = self.start or time.monotonic()
         if not self.text or len(text) < len(self.text):
-            self.disagreement, self.text = disagreement, text
+            self.disagreement, self.text, self.seed = disagreement, text, seed
 
 
 def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, frames: int = FRAMES) -> Tally:
@@ -101,7 +102,7 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
         except Exception as error:
             result = Comparison(disagreements=[f"compiler: {type(error).__name__}: {error}"])
         if result.disagreements:
-            shrinking.add(result.disagreements[0], text_of(spec))
+            shrinking.add(result.disagreements[0], text_of(spec), number)
             raise AssertionError(result.disagreements[0])
         if shrinking.text:
             return
@@ -127,7 +128,7 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
         if not shrinking.text:
             raise
         tally.devices += 1
-        tally.cases[shrinking.disagreement] = shrinking.text
+        tally.cases[shrinking.disagreement] = f"# seed {shrinking.seed}\n{shrinking.text}"
     return tally
 
 

@@ -84,7 +84,8 @@ def places_of(case: Case, row: ExplanationRow) -> tuple[tuple[int, int], ...]:
     """
     link = case.layout.links[case.link].link
     if link.encoding == "hex_ascii":
-        at, size = (row.offset - len(link.start)) // 2, row.length // 2
+        start, _ = link.delimiters(case.direction)
+        at, size = (row.offset - len(start)) // 2, row.length // 2
         return (at, size), (HEADERS + at, size)
     return ((HEADERS + row.offset, row.length),)
 
@@ -104,7 +105,8 @@ def is_equal(item: Item, number: object) -> bool:
         return item.value.lower() in ("nan", "-nan")
     if isinstance(number, float):
         return float(item.value) == number or abs(float(item.value) - number) <= 1e-5 * abs(number)
-    return NUMBER.fullmatch(item.value) is not None and int(item.value, 0) == number
+    base = 16 if item.value.startswith("0x") else 10
+    return NUMBER.fullmatch(item.value) is not None and int(item.value, base) == number
 
 
 def expect_values(case: Case, explanation: Explanation, items: list[Item]) -> None:

@@ -9,6 +9,7 @@ from fieldspec.explain.explanation import Explanation, explained
 from fieldspec.explain.recognition import Reading, closest, lengths, recognised
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.escape import CAN_HEADER
 from fieldspec.model.link import Link
 
@@ -332,7 +333,7 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     names = dict.fromkeys([*known["request"], *known["response"]])
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
     escape = link.link.escape if link.link.is_can else None
-    own_size, identifier = (len(own.frame), 0) if escape is None else (len(own.frame) - CAN_HEADER, escape.fields_size)
+    identifier = 0 if escape is None else escape.fields_size
     sizes = [
         f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name), identifier)}"
         for name in ([options.message] if options.message in names else names)
@@ -340,8 +341,24 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
         if name in known[direction]
     ]
     if sizes:
-        opening = "the frame has" if escape is None else "the data of the frame have"
-        yield f"{opening} {own_size} bytes; {', '.join(sizes)}"
+        yield f"{_own_size(link, own)}; {', '.join(sizes)}"
+
+
+def _own_size(link: LinkLayout, own: Explanation) -> str:
+    """The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`."""
+    if link.link.is_can:
+        return f"the data of the frame have {_byte_count(len(own.frame) - CAN_HEADER)}"
+    rows = [row for row in own.rows if row.kind != "mark"]
+    is_hex = link.link.encoding == "hex_ascii"
+    size = sum(row.length for row in rows) // 2 if is_hex else sum(len(row.raw) for row in rows)
+    without = ["delimiters"] if any(link.link.delimiters(own.direction)) else []
+    without += ["escapes"] if link.frame(own.direction).escape is not None else []
+    opening = f"without its {' and '.join(without)}, the frame has" if without else "the frame has"
+    return f"{opening} {_byte_count(size)}"
+
+
+def _byte_count(count: int) -> str:
+    return "1 byte" if count == 1 else f"{count} bytes"
 
 
 def _bounds(least: int, most: int | None, identifier: int) -> str:

@@ -346,6 +346,21 @@ function otherLengths(device, chosen, options) {
     const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
     return `${messageText(link, direction, name)} has ${size}`;
   }));
-  const opening = escape ? `the data of the frame have ${own.frame.length - 8}` : `the frame has ${own.frame.length}`;
-  return sizes.length ? [`${opening} bytes; ${sizes.join(", ")}`] : [];
+  return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];
+}
+
+/** The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`. */
+function ownSize(link, { direction, frame, rows }) {
+  const { escape } = link[direction];
+  if (escape?.method === "can") return `the data of the frame have ${byteCount(frame.length - 8)}`;
+  const inner = rows.filter(({ kind }) => kind !== "mark");
+  const isHex = link.encoding === "hex_ascii";
+  const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
+  const without = [...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
+  const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
+  return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
+}
+
+function byteCount(count) {
+  return count === 1 ? "1 byte" : `${count} bytes`;
 }

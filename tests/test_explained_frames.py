@@ -1,8 +1,11 @@
-"""Fields of tables that share words, and the values of a set of parameters, are explained from their own bytes."""
+"""Explanations of single frames of random devices: tables, values of sets, and escapes."""
 
 from __future__ import annotations
 
+import pytest
+
 from fieldspec.explain.explanation import explained
+from fieldspec.explain.readings import FrameOptions, read, remarks
 from fieldspec.reference import codec
 from random_devices.agreement import layouts_of
 from random_devices.fuzz import CASES
@@ -40,3 +43,13 @@ def test_the_code_of_cobs_before_no_data_is_explained() -> None:
         ("escape", 0, "01", "right"),
         ("end", 1, "00", "right"),
     ]
+
+
+@pytest.mark.parametrize(("frame", "size"), [("02 05 00", "1 byte"), ("01 02 03 00", "2 bytes")])
+def test_the_size_of_a_frame_is_counted_as_those_of_messages_are(frame: str, size: str) -> None:
+    (layout, *_) = layouts_of((CASES / "137a6d61.yaml").read_text("utf-8"))
+    options = FrameOptions((("speed_25", "response"),), "limit_42")
+    chosen = read(layout, bytes.fromhex(frame), options)
+    assert list(remarks(layout, chosen, 0, options))[1] == (
+        f"without its delimiters and escapes, the frame has {size}; limit_42 response has 0"
+    )
