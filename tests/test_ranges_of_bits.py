@@ -1,6 +1,8 @@
-"""Fields of bits with a range: a word with another number is not sent, and is marked when it is read."""
+"""Fields of bits with a range or a unit: what does not fit is not sent, and is marked when it is read."""
 
 from __future__ import annotations
+
+import re
 
 import pytest
 
@@ -54,3 +56,32 @@ def test_a_number_that_the_bits_do_not_hold_has_no_word() -> None:
     assert raw_value(COUNTER.device, "drive", DRIVE, "speed=-2000") == word(-2000)
     with pytest.raises(MeaningError, match="5000 does not fit the 12 bits of speed"):
         raw_value(COUNTER.device, "drive", DRIVE, "speed=5000")
+
+
+def test_a_quantity_becomes_the_nearest_count_of_its_bits() -> None:
+    drive = MODULE.Drive(speed_rpm=-12.6, temperature_celsius=20, enabled=True)
+    assert (drive.speed, drive.temperature, drive.enabled) == (-50, 120, True)
+    assert (drive.speed_rpm, drive.temperature_celsius) == (-12.5, 20)
+
+
+@pytest.mark.parametrize(
+    ("bits", "error", "text"),
+    [
+        ({"speed_rpm": 512}, codec_error(), "out_of_range: speed is 512, not in -512.0..511.75"),
+        ({"speed": 1, "speed_rpm": 1}, TypeError, "takes only one of 'speed' or 'speed_rpm'"),
+        ({"speed": 1.5}, TypeError, "cannot be interpreted as an integer"),
+    ],
+)
+def test_bits_refuse_a_quantity_that_they_do_not_hold(
+    bits: dict[str, float], error: type[Exception], text: str
+) -> None:
+    with pytest.raises(error, match=re.escape(text)):
+        MODULE.Drive(**bits)
+
+
+def test_a_quantity_between_counts_of_a_fraction_names_the_counts_beside_it() -> None:
+    value = COUNTER.records["counts"].named("forward")
+    assert value is not None
+    assert value.value is not None
+    with pytest.raises(MeaningError, match=r"the nearest counts are 2 and 3$"):
+        raw_value(COUNTER.device, "forward", value.value, "1%")

@@ -185,12 +185,12 @@ def _in_unit_of(device: Device, value: Value, entered: object) -> Fraction | Non
 
 
 def _near(value: Value, quantity: Fraction) -> str:
-    """The quantities of the counts beside one that has none, where these are decimal numbers."""
-    if not isinstance(value.scale, Decimal):
-        return ""
+    """The quantities of the counts beside one that has none; these counts, where they are no decimal numbers."""
     from fractions import Fraction
 
     count = (quantity - Fraction(value.offset)) / Fraction(value.scale)
+    if not isinstance(value.scale, Decimal):
+        return f"; the nearest counts are {floor(count)} and {ceil(count)}"
     below, above = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
     offset = f"; it has the offset {value.offset:f} {value.unit}" if value.offset else ""
     return f"; the nearest ones are {below:f}{value.unit} and {above:f}{value.unit}{offset}"

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from operator import index
+
+from ._conversions import counts
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import ClassVar, Final
+    from typing import Any, ClassVar, Final
+
+    from ._typing import Quantity
 
 
 def _bits() -> tuple[tuple[bool, ...], ...]:
@@ -23,26 +28,33 @@ BITS_OF = _bits()
 class Flags:
     """A word with its bits as properties. Bits without a name are kept in `raw`.
 
-    Arguments by name set bits of `raw`; fields of several bits take numbers. Raises CodecError where a number
-    does not fit its bits. An `IntFlag` would keep every value that it ever saw, and take several times as long.
+    Arguments by name set bits of `raw`; fields of several bits take numbers, or by their name in the unit a
+    quantity, which becomes the nearest count. Raises CodecError where a number does not fit its bits. An `IntFlag`
+    would keep every value that it ever saw, and take several times as long.
     """
 
     __slots__ = ("raw",)
     _BITS: ClassVar[dict[str, tuple[int, int]]] = {}
     _SIGNED: ClassVar[frozenset[str]] = frozenset()
+    _QUANTITIES: ClassVar[dict[str, tuple[str, tuple[int, int, int]]]] = {}
+    """The field of bits of each name in a unit, and (a, b, c) of quantity = (count * a + b) / c."""
 
-    def __init__(self, raw: int = 0, **bits: int) -> None:
+    def __init__(self, raw: int = 0, **bits: Quantity) -> None:
         self.raw: Final = self._changed(raw, bits) if bits else raw
 
-    def _changed(self, raw: int, bits: dict[str, int]) -> int:
-        for name, value in bits.items():
+    def _changed(self, raw: int, bits: dict[str, Any]) -> int:
+        for argument, value in bits.items():
+            name, ratio = self._QUANTITIES.get(argument, (argument, None))
             if name not in self._BITS:
                 raise TypeError(f"{self.__class__.__name__} has no bit {name}")
+            if ratio is not None and name in bits:
+                raise TypeError(f"{self.__class__.__name__}() takes only one of {name!r} or {argument!r}")
             first, most = self._BITS[name]
             low, high = (~(most >> 1), most >> 1) if name in self._SIGNED else (0, most)
-            if not low <= value <= high:
-                raise CodecError("out_of_range", f"{name} is {int(value)}, not in {low}..{high}")
-            raw = raw & ~(most << first) | (value & most) << first
+            count = index(value) if ratio is None else counts(name, value, ratio, ((low, high),))
+            if not low <= count <= high:
+                raise CodecError("out_of_range", f"{name} is {count}, not in {low}..{high}")
+            raw = raw & ~(most << first) | (count & most) << first
         return raw
 
     def __int__(self) -> int:

@@ -91,7 +91,7 @@ class BitView:
 
 @dataclass(frozen=True, slots=True)
 class FlagsView:
-    """A word of flags: the table of its bits, the constructor for type checkers, and the states of the bits.
+    """A word of flags: the tables of its bits, the constructor for type checkers, and the states of the bits.
 
     `fitting` has the mask, the value and the member of each state. `taken` are the lines of a snapshot that read the
     bits of a byte at once. `scaled` are the properties of fields of bits in their units.
@@ -167,15 +167,21 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
     table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
     signed = [literal(taken_name) for bit, taken_name in named if bit.signed]
+    scaled = [
+        (bit, _scaled(bit, view, names)) for (bit, _), view in zip(named, bits, strict=True) if bit.as_value.scaled
+    ]
+    units = [f'"{view.name}": ("{view.snapshot}", {ratio(bit.as_value)})' for bit, view in scaled]
+    arguments = [*map(_argument, bits), *(f"{view.name}: {view.argument} = 0" for _, view in scaled)]
     return FlagsView(
         name=name,
         bits=bits,
         table=[
             *item_lines("_BITS = {", table, "}", 4),
             *(filled("_SIGNED = frozenset({", signed, "})", 4) if signed else []),
+            *(item_lines("_QUANTITIES = {", units, "}", 4) if units else []),
         ],
-        scaled=[_scaled(bit, view, names) for (bit, _), view in zip(named, bits, strict=True) if bit.as_value.scaled],
-        init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8),
+        scaled=[view for _, view in scaled],
+        init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *arguments], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
         taken=lines,
@@ -239,12 +245,12 @@ def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
 
 
 def _scaled(bit: Bit, view: BitView, names: Scope) -> BitView:
-    """The property of a field of bits in its unit."""
+    """The property of a field of bits in its unit; its snapshot is the name of that field."""
     value = bit.as_value
     name = names.take(f"{bit.name}_{unit_word(value.unit)}")
     unit = f" in {value.unit}" if value.unit else ""
     doc = docstring([f"`{view.name}`{unit}."], 8)
-    return BitView(name, "float", "", in_unit(f"self.{view.name}", ratio(value)), "", doc)
+    return BitView(name, "float", "_Quantity", in_unit(f"self.{view.name}", ratio(value)), view.name, doc)
 
 
 def _view(name: str, type_: str, read: str, doc: list[str]) -> BitView:
