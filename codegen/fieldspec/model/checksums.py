@@ -54,7 +54,7 @@ SIMPLE = {
     "lrc": Checksum("sum", 8, complement="twos"),
     "sum8": Checksum("sum", 8),
 }
-"""The algorithms that every output computes, and for which the codecs have shorter code."""
+"""The algorithms for which the codecs have shorter code."""
 
 FLETCHER = {
     "adler32": Checksum("fletcher", 32, initial=1, modulus=65521),

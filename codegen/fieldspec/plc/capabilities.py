@@ -39,7 +39,7 @@ CONSTRUCTS = {
     "moving_tables": "tables of records that begin where a register says",
     "pieces": "values of parameters that are read and written in pieces",
     "frames": "frames: head, length, check, refusals",
-    "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
+    "other_frames": "frames with escapes, several checksums, or others than CRC-8, CRC-16, and sums and xors of 8 bits",
     "can_frames": "frames of CAN buses",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",

@@ -8,9 +8,9 @@ from fieldspec.classes import replace
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.fact import Fact
 from fieldspec.plc.dialects import Dialect
+from fieldspec.plc.routines.checksums import is_supported
 
 
 def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list[Diagnostic]]:
@@ -37,7 +37,7 @@ def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
     for frame in (link.request, link.response):
         checks = frame.checksums
         for check in checks:
-            if check.algorithm not in SIMPLE:
+            if not is_supported(check.algorithm):
                 key = "checksum" if "checksum" in check.part.place else "algorithm"
                 stated = f"{check.part.stated_algorithm} with a prefix" if check.part.prefix else check.algorithm
                 yield check.part, key, f"the checksum {check.name} of {link.name} has the algorithm {stated}"
