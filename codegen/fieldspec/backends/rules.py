@@ -48,6 +48,23 @@ Example: `values` with `repeat: 0..8`, counted by a field before it, with a `sta
 
 Cure: Do without what is left out, or use another output.
 """,
+    "output_frames_words": """The frames of a link are the bytes of their parts, between the delimiters, in word maps.
+
+Why: the map says which byte of a frame each value is. Where bytes are escaped, are two characters each or are in the
+identifier of a CAN frame, a program that fills the words and sends them sends wrong bytes.
+
+Example: a link with `escape: {method: slip}`.
+
+Cure: Do without the frames, or use another output: Python, JavaScript and C escape and unescape.
+""",
+    "output_registers_words": """Every register has words of its own, in word maps.
+
+Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them.
+
+Example: the control table of a servo, in a space with `unit: byte`.
+
+Cure: Do without the registers; the map has the bytes of the messages that read and write them.
+""",
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 
 Why: the dissector does not undo escapes, so it would show other values than the frame has.
