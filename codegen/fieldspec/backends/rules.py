@@ -30,7 +30,8 @@ Example: a table with `base: 0x1000, base_by: log_address`.
 
 Cure: Do without what is left out. Python, JavaScript and C take the address that the device says.
 """,
-    "output_texts_ascii": """Every text is ASCII, filled up with zeros behind it, in dissectors, queries and word maps.
+    "output_texts_ascii": """Every text is ASCII of one length, filled up with zeros behind it, in dissectors, queries
+and word maps.
 
 Why: these outputs do not convert encodings, so they would show other characters, or spaces that are no part of a text.
 
