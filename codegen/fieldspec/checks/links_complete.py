@@ -162,6 +162,11 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
 
 def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> str:
     """The help for a name that no part has: that of a delimiter, or one like another."""
+    if direction == "response" and name in (part.name for part in link.request):
+        return (
+            f"nothing in a response counts or covers {name} of the request: correct the name; or, where a checksum is "
+            "also that of bytes of the request, state it as the last field of each response, and compare it yourself"
+        )
     marks = dict(zip(("start", "end"), link.delimiters(direction), strict=True))
     if not marks.get(name):
         return near(name, names)
