@@ -33,6 +33,7 @@ REFUSALS = {
     "digits": "plc_numbers_binary",
     "formed_texts": "plc_texts_ascii",
     "inner_lists": "plc_lists_last",
+    "escaped_frames": "plc_frames_supported",
     "other_frames": "plc_frames_supported",
     "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",

@@ -271,3 +271,18 @@ def test_the_reader_of_the_output_may_close_the_pipe(tmp_path: Path) -> None:
     process.stdout.close()
     assert (process.stderr.read(), process.wait()) == (b"", 0)
     process.stderr.close()
+
+
+@pytest.mark.parametrize(("transaction", "code"), [(6, 1), (7, 0)])
+@pytest.mark.parametrize("marks", [("", ""), ("TX: ", "RX: ")])
+def test_a_response_that_repeats_another_number_is_wrong(
+    run: CommandLine, marks: tuple[str, str], transaction: int, code: int
+) -> None:
+    frame = ["--link", "checked", "--format", "hex"]
+    request = run("encode", "gateway", "echo", "destination=1", "origin=2", "transaction=7", "data=1,2", *frame)
+    values = ["destination=2", "origin=1", "status=0", f"transaction={transaction}", "data=1,2"]
+    response = run("encode", "gateway", "echo", "--direction", "response", *values, *frame)
+    log = "\n".join(mark + result.lines[0] for mark, result in zip(marks, (request, response), strict=True))
+    result = run("decode", "gateway", "--link", "checked", stdin=log.encode())
+    assert result.code == code
+    assert ("transaction does not repeat the request: should be 7" in result.lines) == (code == 1)

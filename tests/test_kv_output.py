@@ -18,7 +18,6 @@ from fieldspec.backends.kv.backend import files
 from fieldspec.backends.kv.dialect import KV
 from fieldspec.backends.vectors.backend import vector
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import original_parts
 from fieldspec.layout.record import FieldLayout
 from fieldspec.reference.structs import value_construct
 from layouts import SPECS, TEST_SPECS, has_digits, layout_at, layouts, newest
@@ -66,7 +65,7 @@ EXAMPLES = [
     and not has_digits(layout)
     and not (example.refused or example.exception_response or layout.messages[example.message].message.accesses)
     and layout.links[example.link].link.encoding == "binary"
-    and not layout.links[example.link].link.is_can
+    and layout.links[example.link].link.escape is None
 ]
 
 
@@ -77,9 +76,8 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
     values = vector(layout, example)["values"]
     assert isinstance(values, dict)
     shape = link.frame(example.direction)
-    marks = len(shape.start), len(example.frame) - len(shape.end)
     unit = 1 if shape.checksum else 2
-    words = memory(original_parts(shape, example.frame[slice(*marks)]), unit)
+    words = memory(example.frame, unit)
     ends = (f"{example.message} {example.direction}", f"{example.message} on {link.name} {example.direction}")
     compared = 0
     for row in rows_of(layout):

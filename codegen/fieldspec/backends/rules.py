@@ -30,7 +30,8 @@ Example: a table with `base: 0x1000, base_by: log_address`.
 
 Cure: Do without what is left out. Python, JavaScript and C take the address that the device says.
 """,
-    "output_texts_ascii": """Every text is ASCII, filled up with zeros behind it, in dissectors, queries and word maps.
+    "output_texts_ascii": """Every text is ASCII of one length, filled up with zeros behind it, in dissectors, queries
+and word maps.
 
 Why: these outputs do not convert encodings, so they would show other characters, or spaces that are no part of a text.
 
@@ -47,6 +48,23 @@ these outputs state one place.
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
 
 Cure: Do without what is left out, or use another output.
+""",
+    "output_frames_words": """The frames of a link are the bytes of their parts, between the delimiters, in word maps.
+
+Why: the map says which byte of a frame each value is. Where bytes are escaped, are two characters each or are in the
+identifier of a CAN frame, a program that fills the words and sends them sends wrong bytes.
+
+Example: a link with `escape: {method: slip}`.
+
+Cure: Do without the frames, or use another output: Python, JavaScript and C escape and unescape.
+""",
+    "output_registers_words": """Every register has words of its own, in word maps.
+
+Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them.
+
+Example: the control table of a servo, in a space with `unit: byte`.
+
+Cure: Do without the registers; the map has the bytes of the messages that read and write them.
 """,
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 

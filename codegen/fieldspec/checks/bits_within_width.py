@@ -1,10 +1,12 @@
-"""Every bit is within its word, the word fits every value that uses it, and one of them is as wide as the word.
+"""Every bit is within its word, the word fits every value that uses it, no value is wider than the word, and one of
+them is as wide.
 
 Why: a bit that the word does not have cannot be read. Either the word is too narrow or the bit number is
-wrong. A word that is wider than all its values has a wrong type, or they have.
+wrong. A word that is wider than all its values has a wrong type, or they have. In a value that is wider than the word,
+nothing says what the other bits are, nor which half has the word.
 
-Example: bit 16 in a word of type `u16`, a bit field with bit 9 that a `u8` uses, or one of type `u32` that only a `u16`
-uses.
+Example: bit 16 in a word of type `u16`, a bit field with bit 9 that a `u8` uses, one of type `u32` that only a `u16`
+uses, or one of type `u16` that a `u32` uses.
 
 Cure: Correct the type or the bit number, and write an erratum if the manual prints it that way.
 """
@@ -39,6 +41,13 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
         if used is None:
             continue
         widest[used.name] = max(widest.get(used.name, 0), value.type.size)
+        if value.type.kind is Kind.INTEGER and value.type.size > used.type.size:
+            text = f"{fact.name} is {value.type.name}, wider than {used.name}, which is {used.type.name}"
+            help = (
+                f"correct the type, or state `type: {value.type.name}` for {used.name}: narrower values may use it too"
+            )
+            there = label(used.place, "type", f"the type of {used.name}")
+            yield finding("bits_within_width", fact.place, "flags", text, help, there)
         if not used.bits:
             continue
         highest = max(used.bits, key=lambda bit: bit.last)

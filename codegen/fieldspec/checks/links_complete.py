@@ -160,6 +160,25 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
         yield finding(_CODE, part.place, "type", text, "use an integer type from `u8` to `u32`")
 
 
+def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> str:
+    """The help for a name that no part has: that of a delimiter, or one like another."""
+    if direction == "response" and name in (part.name for part in link.request):
+        return (
+            f"nothing in a response counts or covers {name} of the request: correct the name; or, where a checksum is "
+            "also that of bytes of the request, state it as the last field of each response, and compare it yourself"
+        )
+    marks = dict(zip(("start", "end"), link.delimiters(direction), strict=True))
+    if not marks.get(name):
+        return near(name, names)
+    size, place = len(marks[name]), "first" if name == "start" else "last"
+    order = ", byte_order: big" if size > 1 else ""
+    part = f"type: u{8 * size}{order}, const: 0x{marks[name].hex().upper()}" if size <= 8 else "type: bytes"
+    return (
+        f"`{name}` is a delimiter and no part, so nothing counts or covers it: name one of "
+        f"{', '.join(names)}; or state `{{name: {name}, {part}}}` as the {place} part instead of `{name}`"
+    )
+
+
 def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     """Whether a length counts, or a check covers, neighbouring parts that it can."""
     parts = link.parts(direction)
@@ -168,7 +187,13 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     for name in (part.span.first, part.span.last):
         if name and name not in names:
             text = f"{_frame(link, direction)} has no part {name}"
-            yield finding(_CODE, part.place, key, text, near(name, names))
+            yield finding(
+                _CODE,
+                part.place,
+                key,
+                text,
+                _missing_part(link, direction, name, [own for own in names if own != part.name]),
+            )
     numbers = link.span(direction, part)
     if numbers is None:
         return

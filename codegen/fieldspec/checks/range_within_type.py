@@ -58,7 +58,16 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     for sentinel in value.sentinels:
         if not value.low <= sentinel.value <= value.high:
             text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_range_of(value)}"
-            yield finding("range_within_type", fact.place, "sentinels", text, _HELP)
+            yield finding("range_within_type", fact.place, "sentinels", text, _sentinel_help(value, sentinel.value))
+
+
+def _sentinel_help(value: Value, bits: int) -> str:
+    """The help for a sentinel that is stated by its bits, which a signed type has for a negative number."""
+    width = 8 * value.type.size
+    if not value.type.signed or value.digits or not 1 << width - 1 <= bits < 1 << width:
+        return _HELP
+    number = bits - (1 << width)
+    return f"0x{bits:X} are the bits of {number}: write it as `{number}` or `-0x{-number:X}`"
 
 
 def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:

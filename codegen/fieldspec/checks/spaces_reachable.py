@@ -1,21 +1,24 @@
 """An address space with tables consists of words. If a space contains values that can be read, a message reads it,
-and if it contains values that can be written, a message writes it.
+and if it contains values that can be written, a message writes it. If a message of the device itself writes a space,
+some value there can be written.
 
 Why: a register that no message reaches has no request in any output, and a message for another space would
-read another register.
+read another register. Where nothing can be written, the message accesses the wrong space, or the access of the
+registers is wrong, and no output writes them.
 
 Example: a group of input registers in a device whose only reading message accesses holding registers.
 
 Cure: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to
-the space that the message accesses.
+the space that the message accesses. Correct the access of the registers; if the device writes what the manual does not
+list, set `allow: {spaces_reachable: <reason>}` on the message.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.checks.finding import finding, is_imported, label
+from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
@@ -25,6 +28,7 @@ _CODE = "spaces_reachable"
 
 
 def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
+    yield from _read_only(device)
     if not device.spaces:
         return
     reached = {
@@ -44,6 +48,22 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
                 text = f"no message {operation}s {space.name}, which contains {fact.name}"
                 help = f"name the space under `accesses` of the message that {operation}s it"
                 yield finding(_CODE, fact.place, "space", text, help, label(space.place, "name", "the space"))
+
+
+def _read_only(device: Device) -> Iterator[Diagnostic]:
+    """Warnings of the messages that write spaces in which everything is read only."""
+    present: dict[str, set[str]] = {}
+    for _, name, accesses in _holders(device):
+        present.setdefault(device.space(name).name, set()).update(accesses)
+    for message in device.messages.values():
+        access = message.accesses
+        if access is None or access.operation != "write" or is_imported(message.place, device):
+            continue
+        space = device.space(access.space)
+        if present.get(space.name) == {"ro"}:
+            text = f"{message.name} writes {space.name or 'registers'}, and all that is there is read only"
+            help = "correct the space, or the `access` of what can be written there"
+            yield finding(_CODE, message.place, "accesses", text, help, severity=Severity.WARNING)
 
 
 def _holders(device: Device) -> Iterator[tuple[Fact, str, set[str]]]:

@@ -9,6 +9,7 @@ from collections.abc import Container, Iterator
 
 from fieldspec.checks.access_steps_fit_space import access_steps_fit_space
 from fieldspec.checks.accesses_agree import accesses_agree
+from fieldspec.checks.accesses_complete import accesses_complete
 from fieldspec.checks.accesses_fit_space import accesses_fit_space
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
@@ -130,6 +131,7 @@ from fieldspec.source import Span
 CHECKS: tuple[tuple[str, Check], ...] = (
     ("access_steps_fit_space", access_steps_fit_space),
     ("accesses_agree", accesses_agree),
+    ("accesses_complete", accesses_complete),
     ("accesses_fit_space", accesses_fit_space),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),

@@ -187,11 +187,15 @@ class Log:
         """The reading of a frame, and the line of the request before it that counts; 0 where there is none."""
         if self.asked is not None or not self.open:
             return read(self.layout, frame, self.said, self.mark, self.asked), 0
-        readings = ((read(self.layout, frame, self.said, self.mark, asked), line) for asked, line in self.open[::-1])
-        newest = next(readings)
-        if newest[0].chosen == "request":
-            return newest
-        return next((own for own in readings if own[0].chosen == "request"), newest)
+        nearest = None
+        for asked, line in self.open[::-1]:
+            own = read(self.layout, frame, self.said, self.mark, asked), line
+            if own[0].chosen == "request":
+                return own
+            if nearest is None or (own[0].mismatches and not nearest[0].mismatches):
+                nearest = own
+        assert nearest is not None
+        return nearest
 
     def _close(self, frame: Explanation) -> None:
         """Closes the requests that a frame answers, or leaves without an answer."""

@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.commands import layout_cache
+from fieldspec.commands.encode_computed import computed
 from fieldspec.commands.encode_parameters import with_parameter
 from fieldspec.commands.frame_options import frame_options, number_of
 from fieldspec.commands.usage import UsageError, unknown
@@ -38,13 +39,14 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"only the device sends {way.message}; use: --direction response")
     texts = _nested(pairs)
     fields = _fields(layout, way)
+    body = body_of(layout, way.link, way.direction, way.message, False)
     _by_print(layout, way, texts)
     for name in texts:
         if name not in fields:
-            raise unknown("field", name, fields)
+            why = computed(layout.links[way.link].frame(way.direction), body, name)
+            raise UsageError(f"{why}; give {', '.join(fields)}") if why else unknown("field", name, fields)
     _with_address(layout, way.message, texts)
     parts = layout.links[way.link].frame(way.direction).header
-    body = body_of(layout, way.link, way.direction, way.message, False)
     try:
         _with_words(layout, way.message, texts)
         with_parameter(layout, body, way.direction, texts)

@@ -96,7 +96,16 @@ def read(
     fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
     chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
-    return ChosenReading(_explained(layout, frame, fitting[0]), tuple(fitting), chosen)
+    mismatches = _unrepeated(answer, fitting[0]) if answer is not None and chosen != "likeliest" else ()
+    return ChosenReading(_explained(layout, frame, fitting[0]), tuple(fitting), chosen, mismatches)
+
+
+def _unrepeated(answer: ChosenReading, reading: Reading) -> tuple[str, ...]:
+    """What a response does not repeat of the request before it, where nothing else shows that it answers another."""
+    if answer.explanation.reasons or _reading(answer.explanation) != reading:
+        return ()
+    only = all(_NOT_REPEATED in text for text in answer.mismatches)
+    return answer.mismatches if only else ()
 
 
 def _examples(layout: DeviceLayout, frame: bytes) -> list[Reading]:
@@ -180,6 +189,9 @@ def _answer(layout: DeviceLayout, frame: bytes, asked: OpenRequest) -> ChosenRea
     )
 
 
+_NOT_REPEATED = "does not repeat the request"
+
+
 def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanation) -> Iterator[str]:
     """The places where a response does not fit its request."""
     for role in ("unit_address", "code"):
@@ -200,7 +212,7 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
             yield f"{ours.name} is {have}, but {want} in the request"
     for row in response.rows:
         if row.verdict.startswith("wrong") and not row.reason:
-            yield f"{row.path} does not repeat the request: {row.verdict.removeprefix('wrong: ')}"
+            yield f"{row.path} {_NOT_REPEATED}: {row.verdict.removeprefix('wrong: ')}"
     message = layout.messages.get(response.message)
     accesses = layout.device.register_access(message.message) if message and not response.error else None
     if accesses is not None and accesses.operation == "read":

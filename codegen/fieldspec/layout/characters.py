@@ -25,7 +25,10 @@ def character_refusals(
         for fact, value in (*(_part_values(layout) if reads_frames else ()), *_values(layout))
         if value is not None and (value.digits or value.text_form is not None or value.width)
     }
-    return [(_of_digits if value.digits else _of_text)(fact, reader, for_controllers) for fact, value in facts.values()]
+    return [
+        _of_digits(fact, reader, for_controllers) if value.digits else _of_text(fact, value, reader, for_controllers)
+        for fact, value in facts.values()
+    ]
 
 
 def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Refusal:
@@ -38,11 +41,14 @@ def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Refusal:
     return Refusal(fact, finding)
 
 
-def _of_text(fact: Fact, reader: str, for_controllers: bool) -> Refusal:
+def _of_text(fact: Fact, value: Value, reader: str, for_controllers: bool) -> Refusal:
     key = next((key for key in _TEXT_KEYS if key in fact.place), "name")
+    text = f"{fact.name} is not ASCII filled up with zeros behind it, and {reader} converts no other text"
+    if value.width:
+        key, text = "varies", f"{fact.name} varies in length, and {reader} reads only texts of one length"
     finding = Diagnostic(
         "plc_texts_ascii" if for_controllers else "output_texts_ascii",
-        f"{fact.name} is not ASCII filled up with zeros behind it, and {reader} converts no other text",
+        text,
         fact.place[key],
         help=LEAVE_OUT,
     )

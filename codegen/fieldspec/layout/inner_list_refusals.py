@@ -38,4 +38,11 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
         return ""
     if field is not body.sent_fields[-1]:
         return "has fields behind it"
-    return "has elements that differ in size" if field.record is not None and field.record.size is None else ""
+    record = field.record
+    if (
+        record is None
+        or record.size is not None
+        or any(own.value is not None and own.value.width for own in record.fields)
+    ):
+        return ""  # the text that varies in length is refused itself, and with it what has it
+    return "has elements that differ in size"

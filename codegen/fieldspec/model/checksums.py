@@ -70,7 +70,8 @@ _DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)_modulo_([0-9a-f]+)_from_([
 
 
 @cache
-def _catalogue() -> dict[str, Checksum]:
+def public_crcs() -> dict[str, Checksum]:
+    """The CRCs of the public catalogue by name."""
     from fieldspec.model.crc_catalogue import CRC_CATALOGUE
 
     algorithms = {}
@@ -113,7 +114,7 @@ def checksum_named(name: str) -> Checksum:
         width, unit_size, modulus, initial = derived.groups()
         start = int(initial, 16)
         return Checksum("fletcher", int(width), initial=start, unit_size=int(unit_size), modulus=int(modulus, 16))
-    return _catalogue()[name]
+    return public_crcs()[name]
 
 
 @cache
@@ -130,7 +131,7 @@ def algorithm_name(checksum: Checksum) -> str:
     """The name of an algorithm: the public one where it has one, else one that states its parameters."""
     if checksum.suffix:
         return f"{algorithm_name(replace(checksum, suffix=b''))}_then_{checksum.suffix.hex()}"
-    for algorithms in (SIMPLE, FLETCHER, _catalogue()):
+    for algorithms in (SIMPLE, FLETCHER, public_crcs()):
         for name, algorithm in algorithms.items():
             if algorithm == checksum:
                 return name

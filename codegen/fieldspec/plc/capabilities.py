@@ -39,7 +39,9 @@ CONSTRUCTS = {
     "moving_tables": "tables of records that begin where a register says",
     "pieces": "values of parameters that are read and written in pieces",
     "frames": "frames: head, length, check, refusals",
-    "other_frames": "frames with escapes, several checksums, or others than CRC-8, CRC-16, and sums and xors of 8 bits",
+    "hex_frames": "frames whose bytes are sent as two characters",
+    "escaped_frames": "frames with escapes",
+    "other_frames": "frames with several checksums, or others than CRC-8, CRC-16, and sums and xors of 8 bits",
     "can_frames": "frames of CAN buses",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
@@ -99,6 +101,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")
+    capabilities["escaped_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
     capabilities["moving_tables"] = refused("the addresses of elements are constants: plc_addresses_constant")

@@ -192,7 +192,7 @@ DIALECTS = {
     dialect.name: dialect
     for dialect in (
         STRUCTURED,
-        replace(STRUCTURED, name="twincat", title="TwinCAT 3 source files"),
+        replace(STRUCTURED, name="twincat", title="Structured Text in source files of TwinCAT 3"),
         replace(
             STRUCTURED,
             name="plcopen",

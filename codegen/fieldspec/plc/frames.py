@@ -19,7 +19,7 @@ def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[Device
     for name, link in layout.links.items():
         reasons = list(_unsupported(link))
         for fact, key, what in reasons[:1]:
-            text = f"{what}, which {dialect.title} has no functions for"
+            text = f"{what}; there are no functions for that in {dialect.title}"
             findings.append(Diagnostic("plc_frames_supported", text, fact.place[key], help=LEAVE_OUT))
         if not reasons:
             links[name] = link

@@ -77,7 +77,7 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Cure: Do without what is left out, or state the digits as a text.
 """,
-    "plc_texts_ascii": """Every text is ASCII that is filled up with zeros behind it.
+    "plc_texts_ascii": """Every text is ASCII of one length that is filled up with zeros behind it.
 
 Why: the functions of controllers copy the bytes of a text, so other encodings, spaces and terminators would be read as
 characters of the text.

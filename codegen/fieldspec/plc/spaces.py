@@ -14,7 +14,8 @@ def with_supported_spaces(layout: DeviceLayout, dialect: Dialect) -> tuple[Devic
     device, findings = layout.device, []
     for group in device.groups:
         if device.space(group.space).unit == BYTE:
-            text = f"an address of the registers in {group.name} is a byte, which {dialect.title} has no functions for"
+            text = f"an address of the registers in {group.name} is a byte; there are no functions for that in "
+            text += dialect.title
             findings.append(Diagnostic("plc_spaces_supported", text, group.place["group"], help=LEAVE_OUT))
     if not findings:
         return layout, []

@@ -6,7 +6,7 @@ import re
 
 _WITH_H = re.compile(r"([0-9A-Fa-f]{1,16})[hH]")
 _HEXADECIMAL = re.compile(r"(?:0X|[$#])?([0-9A-Fa-f]{1,16})")
-_ZEROS = re.compile(r"[-+]?0+([1-9][0-9]*)")
+_ZEROS = re.compile(r"[-+]?0+([1-9][0-9]*|0)")
 _NUMBER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|[0-9]{1,20}(\.[0-9]{1,20})?)")
 _MOST_CHARACTERS = 4
 
@@ -16,6 +16,8 @@ def number_help(text: str, quoted: bool, whole: bool) -> str:
     if quoted and _NUMBER.fullmatch(text) and not _ZEROS.fullmatch(text):
         return f"write it as `{text}`, without quotes"
     if (padded := _ZEROS.fullmatch(text)) is not None:
+        if padded[1] == "0":
+            return "numbers have no leading zeros: write it as `0`, without quotes"
         return (
             f"numbers have no leading zeros: write it as `{padded[1]}`, or as `0x{padded[1]}` where it is hexadecimal"
         )

@@ -17,6 +17,7 @@ from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted, synonym
+from fieldspec.reading.help_on_algorithms import algorithm_help
 from fieldspec.reading.help_on_scalars import number_help
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
@@ -188,7 +189,9 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         help = described(part.get("properties", {}).get(missing, {}))
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
-        hint = near(text, [str(option) for option in part.get("enum", [])], described(part))
+        options = [str(option) for option in part.get("enum", [])]
+        hint = algorithm_help(text, options) if last == "algorithm" else ""
+        hint = hint or near(text, options, described(part))
         return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":

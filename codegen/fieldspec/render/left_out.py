@@ -36,6 +36,8 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
         "the data of the message are shown as bytes",
     ),
     ("a field in a message, in dissectors", ("output_lists_last",), "the data of the message are shown as bytes"),
+    ("a register of bits or bytes, in word maps", ("output_registers_words",), "it is left out"),
+    ("a link, in word maps", ("output_frames_words",), "its frames are left out"),
     ("a part of a frame", (*NUMBERS, *TABLES), "an error"),
     (
         "a field of an exception response",

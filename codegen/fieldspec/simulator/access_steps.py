@@ -35,7 +35,7 @@ def carry_out_steps(
         }
         judged = {**values, **reads}
         is_count = any(wrong == step.count for step in steps)
-        reasons.append(Refusal("count_invalid" if is_count else "value_invalid", wrong))
+        reasons.append(Refusal("count_invalid" if is_count else "value_invalid", f"{wrong} is out of range"))
     try:
         _judge(engine, steps, judged)
     except Refusal as refusal:

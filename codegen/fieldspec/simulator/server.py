@@ -131,7 +131,8 @@ class Server:
             wrong = judging.first_out_of_range(engine.layout.device, announced.request, values)
             reasons: list[Refusal] = []
             if wrong:
-                reasons.append(Refusal("count_invalid" if wrong == access.count else "value_invalid", wrong))
+                reason = "count_invalid" if wrong == access.count else "value_invalid"
+                reasons.append(Refusal(reason, f"{wrong} is out of range"))
             try:
                 if access.operation == "read":
                     count = int(values[access.count]) if access.count else 1

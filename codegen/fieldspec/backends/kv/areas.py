@@ -218,9 +218,19 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
     for table in layout.tables.values():
         yield _table(table)
     for link in layout.links.values():
-        if link.link.encoding == "binary" and not link.link.is_can:
+        if frames_in_words(link):
             for message in link.messages.values():
                 yield from _message(layout, link, message)
+
+
+def frames_in_words(link: LinkLayout) -> bool:
+    """Whether the bytes that a link sends are those of the parts of its frames, between the delimiters."""
+    return link.link.encoding == "binary" and link.link.escape is None
+
+
+def has_frame_areas(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> bool:
+    """Whether the frames of a message on a link are areas, as far as the link allows it."""
+    return next(_message(layout, link, message), None) is not None
 
 
 def _runs(layout: DeviceLayout) -> Iterator[Area]:
@@ -278,19 +288,28 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
         coded = shape.role("code")
         if coded is not None:
             fixed[coded.name] = message.message.code_of(direction)
-        values = [of_part(part, part.offset, fixed.get(part.name)) for part in shape.header]
-        values += of_record(data, shape.header_size)
+        first = len(shape.start)
+        values = [_delimiter(link, "start delimiter", shape.start, 0)] if shape.start else []
+        values += [of_part(part, first + part.offset, fixed.get(part.name)) for part in shape.header]
+        values += of_record(data, first + shape.header_size)
         if whole is not None:
-            values += [of_part(part, whole + part.offset, None) for part in shape.trailer]
-        size = (
-            shape.header_size + (data.size if data.size is not None else data.most or data.least) + shape.trailer_size
-        )
+            values += [of_part(part, first + whole + part.offset, None) for part in shape.trailer]
+            values += [_delimiter(link, "end delimiter", shape.end, first + whole)] if shape.end else []
+        longest = data.size if data.size is not None else data.most or data.least
+        size = first + shape.header_size + longest + shape.trailer_size + len(shape.end)
         if values:
             name = f"{message.name} on {link.name}" if several else message.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.
             unit = 1 if shape.checksum else 2
             each = tuple(value for some in values for value in some.regular(unit))
             yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, each)
+
+
+def _delimiter(link: LinkLayout, name: str, mark: bytes, start: int) -> PlacedValue:
+    """The bytes that open or close a frame."""
+    size = len(mark)
+    kind = f"u{8 * size}" if size <= 8 else "bytes"
+    return PlacedValue(name, start, size, kind, "big", False, link.link, None, fixed=int.from_bytes(mark, "big"))
 
 
 Bit = tuple[int, int]

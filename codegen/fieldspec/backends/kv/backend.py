@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fieldspec.backends.kv import word_map
 from fieldspec.backends.kv.areas import Area, areas
 from fieldspec.backends.kv.dialect import KV, WordDialect
+from fieldspec.backends.kv.refusals import register_refusals, with_refused_links
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.bases import base_refusals
@@ -49,7 +50,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """What is left out: digits, texts in a form of their own, bases that registers hold, lists with fields behind."""
+    """What is left out: values that words do not hold, tables that move, registers and frames that are no words."""
     return [finding for layout in versions for finding in remaining(layout).findings]
 
 
@@ -57,9 +58,8 @@ def remaining(layout: DeviceLayout) -> Expressed:
     """What of a version word maps express."""
     reader = "a word map"
     each = (character_refusals, base_refusals, inner_list_refusals)
-    return expressed(
-        layout, [refusal for refusals_of in each for refusal in refusals_of(layout, reader)], reads_exceptions=False
-    )
+    of_values = [refusal for refusals_of in each for refusal in refusals_of(layout, reader)]
+    return with_refused_links(expressed(layout, [*of_values, *register_refusals(layout)], reads_exceptions=False))
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
@@ -91,14 +91,16 @@ _TABLE = "are in the table, for people; KV STUDIO imports comments alone"
 _NOT_EXACT = {
     "wide_numbers": adapted("are words; no instruction of the KV takes them"),
     "wide_lists": adapted("are words; no instruction of the KV takes them"),
-    "bits": refused("are in no word; the bytes of their messages are in the map"),
-    "can_frames": refused("are no words of a serial line"),
-    "byte_registers": refused("are in no word; the bytes of their messages are in the map"),
+    "bits": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
+    "escaped_frames": refused("have other bytes than their parts: output_frames_words"),
+    "hex_frames": refused("have two characters for each byte: output_frames_words"),
+    "can_frames": refused("are no words of a serial line: output_frames_words"),
+    "byte_registers": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "moving_tables": refused("addresses are constants: output_addresses_constant"),
     "pieces": adapted("are messages whose words are in the map; nothing puts them together"),
     "choices": adapted("stand once for each type, with the values that decide it"),
     "aliases": adapted("have the name to write"),
-    "other_frames": adapted("are words to fill in and to compare; nothing escapes, sums and compares them"),
+    "other_frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
     "frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
     "orders": adapted("are said for each value; the ladder turns words and bytes"),
     "scales": adapted(_TABLE),

@@ -111,7 +111,15 @@ export function readFrame(device, frame, options, mark = "", asked = null) {
   fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
   const marked = fitting.filter(([, direction]) => direction === mark);
   const chosen = fitting.length === 1 ? "only" : marked.length === 1 ? "mark" : "likeliest";
-  return { explanation: explainedReading(device, frame, fitting[0]), readings: fitting, chosen, mismatches: [] };
+  const mismatches = answer && chosen !== "likeliest" ? unrepeated(answer, fitting[0]) : [];
+  return { explanation: explainedReading(device, frame, fitting[0]), readings: fitting, chosen, mismatches };
+}
+
+/** What a response does not repeat of the request before it, where nothing else shows that it answers another. */
+function unrepeated({ explanation, mismatches }, reading) {
+  const own = readingOf(explanation);
+  if (reasonsOf(explanation).length || reading.some((value, at) => value !== own[at])) return [];
+  return mismatches.every((text) => text.includes(NOT_REPEATED)) ? mismatches : [];
 }
 
 /** Whether a codec refuses the frame, or a response does not fit its request. */
@@ -197,6 +205,8 @@ function answerOf(device, frame, request) {
   };
 }
 
+const NOT_REPEATED = "does not repeat the request";
+
 /** The places where a response does not fit its request. */
 function mismatchesOf(device, request, response) {
   const link = device.links.get(request.link);
@@ -219,7 +229,7 @@ function mismatchesOf(device, request, response) {
   }
   for (const row of response.rows) {
     if (row.verdict.startsWith("wrong") && !row.reason) {
-      texts.push(`${row.path} does not repeat the request: ${row.verdict.replace("wrong: ", "")}`);
+      texts.push(`${row.path} ${NOT_REPEATED}: ${row.verdict.replace("wrong: ", "")}`);
     }
   }
   const message = response.error ? undefined : device.messages.get(response.message);

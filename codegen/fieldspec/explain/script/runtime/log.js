@@ -53,13 +53,13 @@ export class LogReader {
   readingOf(frame) {
     const readAs = (asked) => ({ reading: readFrame(this.device, frame, this.options, this.mark, asked), asked });
     if (this.asked || !this.open.length) return readAs(this.asked);
-    let newest = null;
+    let nearest = null;
     for (const asked of this.open.toReversed()) {
       const own = readAs(asked);
       if (own.reading.chosen === "request") return own;
-      newest ??= own;
+      if (!nearest || (own.reading.mismatches.length && !nearest.reading.mismatches.length)) nearest = own;
     }
-    return newest;
+    return nearest;
   }
 
   /** Closes the requests that a frame answers, or leaves without an answer. */
