@@ -28,7 +28,7 @@ _RANGE = re.compile(r"(?:([a-z][a-z0-9_]*):)?(0x[0-9A-Fa-f]{1,8}|[0-9]{1,9})(?:\
 
 def run(arguments: argparse.Namespace) -> int:
     """Scans a device. Exit code 1 where it does not answer at all. Raises UsageError."""
-    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     try:
         with connected(layout, arguments) as client:
