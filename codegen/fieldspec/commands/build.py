@@ -32,6 +32,8 @@ def run(arguments: argparse.Namespace) -> int:
 
     Raises UsageError.
     """
+    if arguments.watch and arguments.check:
+        raise UsageError("--check writes nothing and --watch builds: use one of them")
     if arguments.watch:
         return watch(arguments)
     return build(arguments)

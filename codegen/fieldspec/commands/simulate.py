@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 
 def run(arguments: argparse.Namespace) -> int:
     """Serves a device until it is interrupted. Raises UsageError."""
+    if arguments.view and arguments.control:
+        raise UsageError("--view and --control both use the terminal: use one of them")
     spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     behaviour = behaviour_of(spec.tree_at(version))

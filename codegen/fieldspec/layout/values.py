@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
 
+_DIGITS = re.compile("[-+]?(?:0x[0-9A-Fa-f]+|[1-9][0-9]*)")
+
+
 class MeaningError(ValueError):
     """A value that has no raw value. `path` names it by field names joined by dots; `detail` says why."""
 
@@ -95,10 +98,19 @@ def _field(device: Device, path: str, field: FieldLayout, entered: object) -> Ra
     if not field.is_list:
         return _element_value(device, path, field, entered)
     if isinstance(entered, str) and field.record is None:
-        entered = [piece for piece in re.split(r"[, ]+", entered) if piece]
+        entered = pieces(path, entered)
     if not isinstance(entered, list):
         raise MeaningError(path, "a list is expected")
     return [_element_value(device, f"{path}.{number}", field, item) for number, item in enumerate(entered)]
+
+
+def pieces(path: str, text: str) -> list[str]:
+    """The items of `1, 2,3` or `1 2 3`. Raises MeaningError where one is missing, as in `1,,3`: others would move."""
+    text = text.strip(" ")
+    items = re.split(r" *, *| +", text) if text else []
+    if "" in items:
+        raise MeaningError(path, f"`{text}` has a comma without a value")
+    return items
 
 
 def _element_value(device: Device, path: str, field: FieldLayout, entered: object) -> Raw:
@@ -123,6 +135,8 @@ def raw_value(device: Device, path: str, value: Value, entered: object) -> Raw:
 def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
     """The raw value of an entered value."""
     assert value is not None
+    if isinstance(entered, dict) or (isinstance(entered, list) and not value.flags):
+        raise MeaningError(path, "one value is expected, and neither members nor a list")
     if value.flags and isinstance(entered, list | str) and not _is_count(entered):
         return _word(device, path, value, entered)
     if value.type.kind is Kind.BOOLEAN and str(entered).lower() in ("true", "false", "1", "0"):
@@ -234,6 +248,8 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
         raise MeaningError(path, f"`{entered}` is no member of {value.enum}: {names}")
     if value.scale_by:
         raise MeaningError(path, f"`{entered}` is no count; its scale is in {value.scale_by}, so give a count")
+    if _DIGITS.fullmatch(entered):
+        raise MeaningError(path, f"`{entered}` has more than 64 bits, and no value has")
     unit = f", or with its unit {value.unit}" if value.unit else _example(value)
     raise MeaningError(path, f"`{entered}` is no number; give a count{unit}")
 
