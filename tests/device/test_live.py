@@ -104,6 +104,7 @@ def test_a_write_that_the_device_does_not_take_over_is_told(
         (["watch"], "name what to watch"),
         (["dump"], "name one file"),
         (["scan", "0x1000..0x0FFF"], "is no range of addresses"),
+        (["scan", "x:1..5"], "names a space, and the device declares none"),
         (["read", "alarm", "--unit", "17"], "17 is not in 1..16"),
         (["read", "alarm", "--link", "usb"], "there is no link usb"),
     ],

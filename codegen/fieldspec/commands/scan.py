@@ -71,6 +71,8 @@ def _plan(client: Client, spaces: Sequence[ScanSpace], texts: Sequence[str]) -> 
     for text in texts:
         match = _RANGE.fullmatch(text)
         name = match[1] if match and match[1] else spaces[0].name
+        if name not in known and "" in known:
+            raise UsageError(f"`{text}` names a space, and the device declares none: write the addresses alone")
         if name not in known:
             raise unknown("space", name, known)
         first, last = (int(match[2], 0), int(match[3] or match[2], 0)) if match else (1, 0)
