@@ -52,6 +52,22 @@ def test_a_spec_with_findings_leaves_the_old_outputs(specs: Path, tmp_path: Path
     assert texts(tmp_path / "out") == before
 
 
+def test_a_refused_build_names_the_devices_that_can_be_built_alone(
+    specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    points = specs / "esc11/points.yaml"
+    sound = " ".join(sorted(file.parent.name for file in specs.glob("*/device.yaml") if file.parent != points.parent))
+    right = points.read_text("utf-8")
+    for wrong in ("type: u9", "type: i8, range: 0..300"):
+        points.write_text(right.replace("type: u8", wrong, 1), encoding="utf-8")
+        assert build(specs, tmp_path / "out", "--to", "vectors") == 1
+        error = f"fieldspec: nothing is written; build what has no errors alone: fieldspec build {sound}\n"
+        assert capsys.readouterr().err == (error if sound else "fieldspec: nothing is written\n")
+        assert build(specs, tmp_path / "out", "esc11", "--to", "vectors") == 1
+        assert capsys.readouterr().err == "fieldspec: nothing is written\n"
+    assert not list((tmp_path / "out").rglob("*.json"))
+
+
 def test_a_folder_in_place_of_a_file_is_reported_and_nothing_changes(
     specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

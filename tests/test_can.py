@@ -67,6 +67,19 @@ def test_a_number_with_more_bits_than_its_place_is_refused() -> None:
         MODULE.vehicle.encode_error(1, 1 << 18, MODULE.Reason(reason=1), priority=0)
 
 
+def test_the_offset_of_an_error_counts_the_identifier_first_and_then_the_data_as_the_guide_says() -> None:
+    bus = codec(newest(TEST_SPECS, "ecu-can")).links["bus"]
+    frame = bytearray(newest(TEST_SPECS, "ecu-can").device.examples["speed"].frame)
+    frame[8] ^= 0xFF  # byte 0 of the data, behind an identifier of one u16
+    with pytest.raises(CodecError) as refused:
+        bus.decode(bytes(frame), "request")
+    assert refused.value.offset == 2
+    frame[4] = 7  # the number of data in the packet
+    with pytest.raises(CodecError) as refused:
+        bus.decode(bytes(frame), "request")
+    assert (refused.value.reason, refused.value.offset) == ("wrong_mark", 4)
+
+
 @pytest.mark.parametrize(
     ("at", "byte", "text"),
     [

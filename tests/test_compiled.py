@@ -29,7 +29,7 @@ from layouts import newest
 NOWHERE = Span(SourceFile("x", ""), 0, 0)
 BROKEN = sorted(
     file.parent
-    for check in LAYOUT_CONDITIONS
+    for check in (*LAYOUT_CONDITIONS, "lengths_hold", "bits_match_range", "sources_present")
     for file in Path(__file__).parent.joinpath("cases", check).glob("failing*/device.yaml")
 )
 DEVICES = [(folder, device) for folder in (SPECS, TEST_SPECS) for device in spec_files.devices(folder)]
@@ -240,12 +240,17 @@ def test_a_compiled_device_is_loaded_without_the_modules_that_read_specs(cache: 
 
 
 @pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
-def test_a_device_without_a_valid_layout_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
+def test_a_device_with_errors_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
     match = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
     assert match is not None
-    shutil.copytree(case, tmp_path / "specs" / match[1])
-    for more in (["show"], ["decode"]):
-        frame = ["01 02 03"] if more == ["decode"] else []
-        assert main([*more, match[1], *frame, "--specs", str(tmp_path / "specs")]) == 2
-        assert f"the spec of {match[1]} has findings" in capsys.readouterr().err
+    device, specs = match[1], ["--specs", str(tmp_path / "specs")]
+    shutil.copytree(case, tmp_path / "specs" / device)
+    assert main(["check", device, *specs]) == 1
+    number = re.search(r"^[0-9]+ errors?", capsys.readouterr().out, re.MULTILINE)
+    assert number is not None
+    live = ["live", device, "read", "x", "--port", "tcp://127.0.0.1:9"]
+    for line in (["show", device], ["decode", device, "01 02 03"], ["encode", device], ["simulate", device], live):
+        assert main([*line, *specs]) == 2
+        error = f"the spec of {device} has {number[0]}; see them with: fieldspec check {device}\n"
+        assert capsys.readouterr().err == f"fieldspec: {error}"
     assert not cache.exists()

@@ -360,7 +360,8 @@ def test_registers_of_the_space_that_the_message_reads_are_explained() -> None:
     meter = newest(TEST_SPECS, "meter")
     assert [register.path for register in of("voltage", meter).registers] == ["voltage"]
     assert [register.path for register in of("station", meter).registers] == ["station"]
-    assert [register.path for register in of("read-coils", meter).registers] == [""]
+    contacts = [f"contact[{number}]" for number in range(1, 10)]
+    assert [register.path for register in of("read-coils", meter).registers] == contacts
 
 
 def test_a_float_is_judged_by_its_range_and_a_nan_is_named() -> None:

@@ -134,7 +134,11 @@ def test_a_check_of_an_installed_package_finds_and_is_explained_and_allowed(site
     assert checked.code == 1
     assert "error[writable_ranges_present]: speed can be written, and has no range" in checked.out
     assert "specs/pump/device.yaml:17:" in checked.out
-    assert site.run("build").code == 1
+    refused = site.run("build")
+    assert (refused.code, refused.err) == (1, "fieldspec: nothing is written\n")
+    for _ in range(2):
+        shown = site.run("show", "pump")
+        assert (shown.code, "the spec of pump has 1 error; see them with" in shown.err) == (2, True)
     rule = site.run("rule", "writable_ranges_present")
     assert (rule.code, "Cure: Look the limits up in the manual" in rule.out) == (0, True)
     assert "writable_ranges_present" in site.run("rule").out

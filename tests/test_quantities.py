@@ -11,7 +11,7 @@ from fieldspec.classes import replace
 from fieldspec.explain.parameters import nearest
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.model.quantity import count_of, quantity_of
-from fieldspec.model.value import PRIMITIVES, Value
+from fieldspec.model.value import PRIMITIVES, Sentinel, Value
 from layouts import TEST_SPECS, newest
 
 DEVICE = newest(TEST_SPECS, "widget").device
@@ -32,6 +32,9 @@ DISTANCE = Value(
     parameter=None,
     sentinels=(),
 )
+
+
+BROKEN = Sentinel(value=15, name="broken", doc="", sources=())
 
 
 def in_layout(text: str) -> object:
@@ -103,6 +106,53 @@ def test_a_floating_point_number_is_written_in_plain_digits(text: str, number: f
             raw_value(DEVICE, "ratio", value, text)
     else:
         assert raw_value(DEVICE, "ratio", value, text) == number
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("2", 2),
+        ("2.0", 20),
+        ("-0.500", -5),
+        ("+0.1", 1),
+        ("0.0", 0),
+        ("0x2", 2),
+        ("2.", None),
+        (".5", None),
+        ("2e0", None),
+    ],
+)
+def test_a_decimal_point_makes_the_scaled_number_of_a_value_without_a_unit(text: str, count: int | None) -> None:
+    value = replace(DISTANCE, scale=Decimal("0.1"), unit="")
+    assert in_counts(DEVICE, value, text) == count
+    if count is None:
+        with pytest.raises(MeaningError, match=r"or the scaled number with a decimal point, such as 2\.0"):
+            raw_value(DEVICE, "ratio", value, text)
+    else:
+        assert raw_value(DEVICE, "ratio", value, text) == count
+
+
+def test_a_number_with_a_point_in_a_spec_is_the_same_scaled_number() -> None:
+    value = replace(DISTANCE, scale=Decimal("0.1"), unit="")
+    assert (in_counts(DEVICE, value, -0.5), raw_value(DEVICE, "ratio", value, -0.5)) == (-5, -5)
+    with pytest.raises(MeaningError, match="with its unit it may be a fraction"):
+        raw_value(DEVICE, "distance", DISTANCE, -0.5)
+
+
+def test_a_scaled_number_between_two_counts_gets_the_help_of_its_neighbours() -> None:
+    value = replace(DISTANCE, scale=Decimal("0.1"), unit="")
+    with pytest.raises(MeaningError, match=r"no whole number of counts of 0\.1; the nearest ones are 1\.9 and 2\.0$"):
+        raw_value(DEVICE, "ratio", value, "1.95")
+    with pytest.raises(MeaningError, match=r"`1\.5` would be the count 15, which stands for broken"):
+        raw_value(DEVICE, "ratio", replace(value, sentinels=(BROKEN,)), "1.5")
+
+
+@pytest.mark.parametrize("scale", [Decimal(1), Decimal("0.01")])
+def test_a_point_alone_makes_no_quantity_of_a_count_or_of_a_value_with_a_unit(scale: Decimal) -> None:
+    value = replace(DISTANCE, scale=scale, unit="" if scale == 1 else "mm")
+    assert in_counts(DEVICE, value, "2.0") is None
+    with pytest.raises(MeaningError, match="is no number"):
+        raw_value(DEVICE, "ratio", value, "2.0")
 
 
 def test_a_quantity_between_two_counts_gets_the_help_of_its_neighbours() -> None:

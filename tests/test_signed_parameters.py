@@ -39,6 +39,7 @@ flags:
 enums:
   - name: mode
     source: 3 L46
+    sparse: true
     members: [{{value: -2, name: reverse}}, {{value: 0, name: stop}}, {{value: 1, name: forward}}]
 messages:
   - name: read_parameter

@@ -128,9 +128,12 @@ class _Verb(_Parser):
             module, function = self.late_help
             self.epilog = getattr(import_module(module), function)(args) or self.epilog
         try:
-            return self.parse_known_intermixed_args(args, namespace)
+            known, others = self.parse_known_intermixed_args(args, namespace)
         finally:
             self._mixing = False
+        if others:
+            self.error(f"unrecognized arguments: {' '.join(others)}")
+        return known, others
 
 
 def parser() -> argparse.ArgumentParser:
@@ -162,7 +165,7 @@ def _parser() -> argparse.ArgumentParser:
         return inner
 
     build = verb("build", "generate code and documentation")
-    build.add_argument("devices", nargs="*", metavar="DEVICE[@VERSION]", help="default: all devices")
+    build.add_argument("devices", nargs="*", default=[], metavar="DEVICE[@VERSION]", help="default: all devices")
     build.late_help = ("fieldspec.commands.plugin_loading", "outputs_help")
     build.add_argument("--to", metavar="NAME,...", help="the outputs to write, separated by commas (default: all)")
     build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (default: generated)")
@@ -178,7 +181,7 @@ def _parser() -> argparse.ArgumentParser:
     docs.add_argument("--no-open", action="store_true", help="do not open a browser")
 
     check = verb("check", "check the specs")
-    check.add_argument("devices", nargs="*", metavar="DEVICE", help="default: all devices")
+    check.add_argument("devices", nargs="*", default=[], metavar="DEVICE", help="default: all devices")
     check.add_argument("--format", choices=("text", "json", "sarif", "github", "junit"), default="text")
 
     show = verb("show", "show a device or one of its items", compiled=True)
@@ -236,8 +239,10 @@ def _parser() -> argparse.ArgumentParser:
     encode.add_argument(
         "assignments",
         nargs="*",
+        default=[],
         metavar="MESSAGE NAME=VALUE",
-        help="raw values, quantities such as 20.00mm, or names of enum members and bits; lists as 1,2,3, "
+        help="raw values, quantities such as 20.00mm (2.0 with a point where a scale has no unit), or names of enum "
+        "members and bits; lists as 1,2,3, "
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
     sent(encode, f"{way} (default: request)", "the message, instead of MESSAGE")

@@ -78,7 +78,7 @@ def simulation(
     or `can://virtual/NAME`; the usual place of the first link where it is left out. `folder` is the folder with the
     specs. Raises UsageError.
     """
-    spec, version = specs.spec_at(folder, device)
+    spec, version = specs.sound_at(folder, device)
     layout = specs.layout_of(spec, version)
     running = Simulation(
         layout,

@@ -12,7 +12,7 @@ from fieldspec.commands import specs
 from fieldspec.testing import SimulatedDevice, simulation
 from simulators import SPECS
 
-_spec_at, _layout_of = cache(specs.spec_at), specs.layout_of
+_sound_at, _layout_of = cache(specs.sound_at), specs.layout_of
 _layouts: dict[tuple[str, str], Any] = {}
 
 
@@ -25,7 +25,7 @@ def _cached_layout(spec: Any, version: str) -> Any:
 
 @pytest.fixture(autouse=True)
 def read_specs_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(specs, "spec_at", _spec_at)
+    monkeypatch.setattr(specs, "sound_at", _sound_at)
     monkeypatch.setattr(specs, "layout_of", _cached_layout)
 
 

@@ -289,6 +289,7 @@ def test_a_stuck_bit_and_a_value_out_of_range_stay() -> None:
         (["tc100", "--port", "tcp://nowhere"], "is no address"),
         (["tc100", "--port", "udp://127.0.0.1:0"], "is a serial line"),
         (["tc100", "--unit", "17"], "17 is not in 1..16"),
+        (["hiwin-e", "--unit", "3"], "frames of hiwin-e have no unit address; leave out --unit"),
         (["tc100", "--fault", "rust=0.1"], "there is no fault 'rust'"),
         (["tc100", "--fault", "no_answer"], "KIND=PROBABILITY"),
         (["tc100", "--faults", "nothing.jsonl"], "cannot read nothing.jsonl"),
@@ -302,6 +303,22 @@ def test_wrong_use_is_one_line(arguments: list[str], expected: str, capsys: pyte
     output = capsys.readouterr()
     assert output.out == ""
     assert expected in output.err.splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["tc100"], "unit address 1; --unit NUMBER chooses another\n"),
+        (["esc11"], "unit address 0; --unit NUMBER chooses another\n"),
+        (["tc100", "--unit", "2"], ""),
+        (["hiwin-e"], ""),
+    ],
+)
+def test_the_unit_address_that_nobody_has_chosen_is_printed(arguments: list[str], expected: str) -> None:
+    command = [sys.executable, "-m", "fieldspec", "simulate", *arguments, "--control", "--specs", SPECS]
+    ran = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", timeout=30)
+    assert ran.returncode == 0
+    assert "".join(line for line in ran.stderr.splitlines(keepends=True) if ": " not in line) == expected
 
 
 def test_assumptions_are_listed(capsys: pytest.CaptureFixture[str]) -> None:

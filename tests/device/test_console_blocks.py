@@ -95,7 +95,7 @@ class Session:
         self.device = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         assert self.device.stderr is not None
         lines = [self.device.stderr.readline() for _ in range(max(count, 1))]
-        places = [line.split(": ")[1].strip() for line in lines]
+        places = [line.split(": ")[1].strip() for line in lines if ": " in line]
         self.places = {"/dev/pts/4": places[0], "127.0.0.1:5020": places[0].removeprefix("tcp://")}
         return "".join(lines)
 

@@ -41,6 +41,19 @@ def test_values_are_read_by_name_role_and_address(tc100: SimulatedDevice, capsys
     assert rows["points[2].mode"]["meaning"] == "relative_move"
 
 
+def test_the_unit_address_that_nobody_has_chosen_is_printed(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    capsys.readouterr()
+    for more, expected in (
+        ((), "unit address 1; --unit NUMBER chooses another\n"),
+        (("--unit", "1"), ""),
+        (("--format", "json"), ""),
+    ):
+        assert live(tc100, "read", "alarm", *more) == 0
+        assert capsys.readouterr().err == expected
+
+
 def test_everything_is_read_in_blocks(tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     requests: list[bytes] = []
     tc100.simulation.listeners.append(
@@ -91,6 +104,7 @@ def test_a_write_that_the_device_does_not_take_over_is_told(
         (["watch"], "name what to watch"),
         (["dump"], "name one file"),
         (["scan", "0x1000..0x0FFF"], "is no range of addresses"),
+        (["scan", "x:1..5"], "names a space, and the device declares none"),
         (["read", "alarm", "--unit", "17"], "17 is not in 1..16"),
         (["read", "alarm", "--link", "usb"], "there is no link usb"),
     ],

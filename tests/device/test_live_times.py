@@ -18,7 +18,7 @@ from wires import Wire
 def test_the_printed_silence_is_kept_unless_another_one_is_asked_for(device: str, seconds: float) -> None:
     options = {"link": None, "unit": None, "baud": None, "parity": None, "timeout": 1.0, "retries": 0, "trace": False}
     for pause, expected in ((None, seconds), (0.7, 0.7)):
-        arguments = argparse.Namespace(**options, pause=pause, fixed=[])
+        arguments = argparse.Namespace(**options, pause=pause, fixed=[], format="text")
         with connected(parts_of(device)[0], arguments, dry=True) as client:
             assert client.timing.pause == pytest.approx(expected)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.fact import Fact
-from fieldspec.model.quantity import count_of, quantity_of
+from fieldspec.model.quantity import count_of
 from fieldspec.model.record import Case, Choice, Field
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
@@ -110,10 +110,8 @@ def in_counts(device: Device, value: Value, text: object) -> int | None:
     """The count that an example writes, or None where that is a name, a text or a list, or cannot be understood."""
     if isinstance(text, int):
         return None if isinstance(text, bool) else text
-    if not isinstance(text, str):
-        return None
-    count, quantity = count_of(text), quantity_of(text)
+    count = count_of(text) if isinstance(text, str) else None
     if count is not None:
         return count
-    number = device.quantity_in(*quantity, value.unit) if quantity is not None else None
+    number = device.entered_quantity(value, text)
     return value.from_unit(number) if number is not None else None

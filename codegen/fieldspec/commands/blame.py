@@ -8,7 +8,9 @@ from collections.abc import Iterator
 from fieldspec.commands import specs
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
+from fieldspec.diagnostics import has_errors
 from fieldspec.reading.nodes import Mapping, Node, Scalar, find, keys, node_at
+from fieldspec.reading.project import DeviceSpec
 from fieldspec.render.blocks import Table
 
 _HEADINGS = ("key", "value", "set in")
@@ -23,10 +25,26 @@ def run(arguments: argparse.Namespace) -> int:
     if not isinstance(fact, Mapping):
         hint = "" if fact is None else ", only a list"
         known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{hint}"
-        raise UsageError(f"{known}; `fieldspec facts` lists all paths")
+        raise UsageError(f"{known}; {_near(spec, version, arguments.path)}`fieldspec facts` lists all paths")
     rows = [*_rows(fact, ""), *_inherited(tree, arguments.path, fact)]
     print_blocks([Table(_HEADINGS, tuple(rows))])
     return 0
+
+
+def _near(spec: DeviceSpec, version: str, path: str) -> str:
+    """The fact that somebody may mean who gives a wrong path, or the last part of a path; empty for none."""
+    from difflib import get_close_matches
+
+    from fieldspec.checks.layout_conditions import has_layout
+    from fieldspec.facts import rows
+    from fieldspec.layout.device import device_layout
+
+    device, broken = spec.at(version)
+    if has_errors(broken) or not has_layout(device):
+        return ""
+    paths = [str(row["path"]) for row in rows(device_layout(device))]
+    near = [own for own in paths if own.rpartition("/")[2] == path] or get_close_matches(path, paths, 1, 0.8)
+    return f"did you mean {near[0]}? " if near else ""
 
 
 def _rows(node: Mapping, before: str, beside: str = "") -> Iterator[tuple[str, str, str]]:

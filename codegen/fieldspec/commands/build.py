@@ -32,6 +32,8 @@ def run(arguments: argparse.Namespace) -> int:
 
     Raises UsageError.
     """
+    if arguments.watch and arguments.check:
+        raise UsageError("--check writes nothing and --watch builds: use one of them")
     if arguments.watch:
         return watch(arguments)
     return build(arguments)
@@ -53,6 +55,7 @@ def build(arguments: argparse.Namespace) -> int:
 
             print_findings(result.findings, "text", "")
             if has_errors(result.findings):
+                _print_refusal(result.sound)
                 return 1
         before = read_manifest(out)
         hashes = _hashes(wanted, result)
@@ -71,6 +74,12 @@ def build(arguments: argparse.Namespace) -> int:
             earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
     print(f"{len(hashes)} files, {len(result.stale)} written, {len(gone)} removed")
     return 0
+
+
+def _print_refusal(sound: Sequence[str]) -> None:
+    """Says that a build is refused as a whole, and how the devices without errors are built all the same."""
+    advice = f"; build what has no errors alone: fieldspec build {' '.join(sound)}" if sound else ""
+    print(f"fieldspec: nothing is written{advice}", file=sys.stderr)
 
 
 def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from fieldspec.commands import spec_files
 from fieldspec.commands.freshness import BuildRequest, BuildResult, Built, EarlierBuild, Hashes, devices_in
 from fieldspec.commands.spec_files import INDEX
 from fieldspec.commands.usage import UsageError
+from fieldspec.reading.findings import PROTOCOLS
 from fieldspec.source import Refused
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def _build_stale(
     from fieldspec.commands import cache_folder, specs
     from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.commands.workers import DOCUMENTATION, Task, Work, stage_changes, task_results
-    from fieldspec.diagnostics import has_errors, in_order
+    from fieldspec.diagnostics import Severity, has_errors, in_order
     from fieldspec.reading.project import read
 
     load_checks()
@@ -97,7 +98,12 @@ def _build_stale(
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
     located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
     if has_errors(findings):
-        return BuildResult(located, {}, {}, [], False)
+        refused = {finding.span.file.path.split("/")[0] for finding in findings if finding.severity is Severity.ERROR}
+        broken = refused | {device for device, result in done.items() if has_errors(result.findings)}
+        # Any device may use a protocol with an error.
+        known = () if PROTOCOLS in refused else project.devices
+        sound = [device for device in plans if device in known and device not in broken]
+        return BuildResult(located, {}, {}, [], False, tuple(sound))
     stale = [path for result in done.values() for path in result.stale]
     hashes = {name: stage_changes(work, contents, stale) for name, contents in common.items()}
     marked = {finding.span.file.path for finding in findings}

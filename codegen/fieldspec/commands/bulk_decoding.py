@@ -36,7 +36,7 @@ OF_FRAMES = ("request", "format")
 def run(arguments: argparse.Namespace) -> int:
     """Decodes files into a folder. Exit code 1 where bytes could not be decoded or read. Raises UsageError."""
     require_captures()
-    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)  # the framers come from generated code, which needs the whole model
     choices = _choices(layout, arguments)
     if not arguments.out:

@@ -131,10 +131,11 @@ LIBRARIES = {
 
 
 LAYING_OUT = (
-    *("checks", "commands", "layout", "model", "reading", "schema"),
+    *("behaviour", "changes", "checks", "commands", "layout", "model", "proofs", "reading", "reference"),
+    "schema",
     *("classes.py", "diagnostics.py", "names.py", "reserved.py", "source.py"),
 )
-"""The parts of the compiler that turn specs into a layout."""
+"""The parts of the compiler that judge specs and turn them into a layout."""
 WHOLE = ("",)
 """All of the compiler."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import gc
+import os
 import sys
 from collections.abc import Iterator, Sequence
 
@@ -97,6 +98,8 @@ def run(arguments: argparse.Namespace) -> int:
     asked = _parse_request(layout, options, arguments.request)
     printer = FramePrinter(layout, arguments.format)
     text = " ".join(arguments.frame)
+    if arguments.frame and not text.strip():
+        raise UsageError("this is not a frame: it has no bytes; leave it out to read lines of standard input")
     if text in ("", "-"):
         if sys.stdin is None:
             raise UsageError("there is no standard input to read frames from")
@@ -126,7 +129,8 @@ def _frame(layout: DeviceLayout, text: str) -> LogLine:
     try:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
-        raise UsageError(f"this is not a frame: {error}") from None
+        hint = f"; it is a path: read it with - < {text}, or with --to" if os.path.exists(text) else ""
+        raise UsageError(f"this is not a frame: {error}{hint}") from None
     if line is None or not line.frame:
         raise UsageError("this is not a frame: it has no bytes")
     return line

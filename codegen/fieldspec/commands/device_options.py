@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from fieldspec.commands.option_types import natural, positive, seconds, whole
+
 
 def add_simulate(simulate: argparse.ArgumentParser) -> None:
     """Adds the arguments of `simulate`."""
@@ -15,13 +17,13 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     simulate.add_argument(
-        "--baud", type=int, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
+        "--baud", type=natural, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
     )
     simulate.add_argument("--parity", choices=("none", "even", "odd"), help="the parity of a serial port")
     simulate.add_argument(
         "--message", metavar="NAME", help="the cyclic message in use, by name or number (default: the first)"
     )
-    simulate.add_argument("--rate", type=float, default=1.0, metavar="FACTOR", help="how much faster time passes")
+    simulate.add_argument("--rate", type=positive, default=1.0, metavar="FACTOR", help="how much faster time passes")
     simulate.add_argument("--dump", metavar="FILE", help="begin with the values of a dump: CSV, XLSX or JSON")
     simulate.add_argument("--record", metavar="FILE", help="write the traffic, as lines that `fieldspec decode` reads")
     chance = "a fault by chance, such as no_answer=0.01; may be repeated"
@@ -50,10 +52,10 @@ def add_live(live: argparse.ArgumentParser) -> None:
         "names or roles to read or watch, NAME=VALUE to write, ranges to scan, "
         "`download FILE` or `upload FILE` for points, the FILE of the other verbs"
     )
-    live.add_argument("arguments", nargs="*", metavar="ARGUMENT", help=names)
+    live.add_argument("arguments", nargs="*", default=[], metavar="ARGUMENT", help=names)
     _add_connection(live)
-    live.add_argument("--every", type=float, default=0.5, metavar="SECONDS", help="watch: the time between reads")
-    live.add_argument("--count", type=int, default=0, metavar="NUMBER", help="watch: end after so many reads")
+    live.add_argument("--every", type=seconds, default=0.5, metavar="SECONDS", help="watch: the time between reads")
+    live.add_argument("--count", type=natural, default=0, metavar="NUMBER", help="watch: end after so many reads")
     live.add_argument("--dry-run", action="store_true", help="show what would be written, and write nothing")
     live.add_argument("--yes", action="store_true", help="write without a question")
     live.add_argument("--table", metavar="NAME", help="points: the table (default: the only one, or as the file says)")
@@ -70,7 +72,7 @@ def add_scan(scan: argparse.ArgumentParser) -> None:
     """Adds the arguments of `scan`."""
     scan.add_argument("device", metavar="DEVICE[@VERSION]")
     ranges = "addresses such as 0x1000..0x10FF, or SPACE:0..255 (default: the pages of 256 that have registers)"
-    scan.add_argument("arguments", nargs="*", metavar="RANGE", help=ranges)
+    scan.add_argument("arguments", nargs="*", default=[], metavar="RANGE", help=ranges)
     _add_connection(scan)
     scan.add_argument("--trace", action="store_true", help="print all frames to standard error")
     scan.add_argument("--format", choices=("text", "json"), default="text", help="json is evidence for audit")
@@ -96,16 +98,16 @@ def _add_connection(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     fixed = "what requests need that no spec states, such as axis=0; may be repeated"
     verb.add_argument("--with", metavar="NAME=VALUE", dest="fixed", action="append", default=[], help=fixed)
-    verb.add_argument("--baud", type=int, metavar="NUMBER", help="the baud rate (default: as delivered)")
+    verb.add_argument("--baud", type=natural, metavar="NUMBER", help="the baud rate (default: as delivered)")
     verb.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")
     verb.add_argument(
-        "--timeout", type=float, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
+        "--timeout", type=positive, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
     )
     verb.add_argument(
-        "--retries", type=int, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
+        "--retries", type=whole, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
     )
     pause = "how long the line is silent before a request (default: as printed for the link)"
-    verb.add_argument("--pause", type=float, metavar="SECONDS", help=pause)
+    verb.add_argument("--pause", type=seconds, metavar="SECONDS", help=pause)
 
 
 def add_mcp(mcp: argparse.ArgumentParser) -> None:

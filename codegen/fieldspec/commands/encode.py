@@ -308,6 +308,8 @@ def register_words(layout: DeviceLayout, access: RegisterAccess, start: int, tex
         return None
     words: list[int] = []
     for item in (item.strip() for item in text.split(",")):
+        if not item and "," in text:
+            raise UsageError(f"{access.values}: `{text}` has a comma without a value")
         words += _words(layout, access, start + len(words), item)
     return words
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.usage import UsageError
 from fieldspec.explain.parameters import parameter_number
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.values import MeaningError, raw_value
+from fieldspec.layout.values import MeaningError, pieces, raw_value
 from fieldspec.model.quantity import count_of
 from fieldspec.model.registers import Parameter
 from fieldspec.model.value import Kind, Value
@@ -43,7 +41,7 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
         return
     if not carried.carries_bytes:
         own = _chosen(layout, record, carried, texts).value
-        items = [item for item in re.split(r"[, ]+", text) if item] if carried.is_list else [text]
+        items = pieces(carried.name, text) if carried.is_list else [text]
         numbers = [_number(layout, parameter, index + at, own, item, direction) for at, item in enumerate(items)]
         texts[carried.name] = numbers if carried.is_list else numbers[0]
         return

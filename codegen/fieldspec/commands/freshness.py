@@ -63,6 +63,7 @@ class BuildResult:
     """What a build has found, the devices as they are now, and the files that were not as they should be.
 
     `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
+    Where errors stop the build, `sound` has the devices without one.
     """
 
     findings: list[Diagnostic]
@@ -70,6 +71,7 @@ class BuildResult:
     shared: dict[str, Hashes]
     stale: list[str]
     quiet: bool
+    sound: tuple[str, ...] = ()
 
 
 def digest(data: bytes) -> str:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carries out one verb. Exit code 1 where the device refuses something or does not answer. Raises UsageError."""
-    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:

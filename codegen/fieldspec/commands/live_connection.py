@@ -155,12 +155,7 @@ def _client(
     fixed: Mapping[str, Raw],
 ) -> Client:
     link = chosen.link
-    addresses = link.unit_addresses
-    unit = usual_unit_address(layout) if arguments.unit is None else arguments.unit
-    if addresses is not None and addresses.ranges is not None and unit not in addresses.ranges:
-        if arguments.unit is not None:
-            raise UsageError(f"the unit address {unit} is not in {addresses.ranges.text()}")
-        unit = addresses.ranges.low
+    unit = _unit_address(layout, chosen, arguments)
     settings = settings_of(link, arguments.baud, arguments.parity)
     pause = arguments.pause
     if pause is None:
@@ -172,6 +167,31 @@ def _client(
         print(f"{direction} {frame.hex(' ').upper()}", file=sys.stderr)
 
     return Client(layout, link.name, carrier, unit, timing, trace=trace if arguments.trace else None, fixed=fixed)
+
+
+def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Namespace) -> int:
+    """The unit address: the one that is asked for, or the lowest of the link, which it says. Raises UsageError."""
+    addresses, asked = chosen.link.unit_addresses, arguments.unit
+    ranges = addresses.ranges if addresses is not None else None
+    if chosen.request.role("unit_address") is None:
+        if asked is not None:
+            raise UsageError(f"requests on {chosen.name} have no unit address; leave out --unit")
+        return usual_unit_address(layout)
+    if asked is not None:
+        if ranges is not None and asked not in ranges:
+            raise UsageError(f"the unit address {asked} is not in {ranges.text()}")
+        return int(asked)
+    unit = usual_unit_address(layout)
+    if ranges is not None and unit not in ranges:
+        unit = ranges.low
+    if arguments.format == "text":
+        print(unit_address_text(unit), file=sys.stderr, flush=True)
+    return unit
+
+
+def unit_address_text(unit: int) -> str:
+    """What a verb says of the unit address that it uses because nobody has chosen one."""
+    return f"unit address {unit}; --unit NUMBER chooses another"
 
 
 def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str, Raw]:

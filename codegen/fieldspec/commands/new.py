@@ -38,6 +38,10 @@ _CITED: dict[str, tuple[str, ...]] = {
 
 def run(arguments: argparse.Namespace) -> int:
     """Writes the file; never overwrites one. Raises UsageError."""
+    other = ("protocol",) if arguments.kind == "version" else ("based_on", "line")
+    for name in other:
+        if getattr(arguments, name) is not None:
+            raise UsageError(f"--{name.replace('_', '-')} has no effect on a new {arguments.kind}; leave it out")
     if arguments.kind == "version":
         path, text = _version(arguments)
     else:

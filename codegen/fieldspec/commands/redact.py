@@ -57,7 +57,7 @@ class _Output:
 def run(arguments: argparse.Namespace) -> int:
     """Writes the files anew into `--out`. Exit code 1 where a file is left out. Raises UsageError."""
     require_captures()
-    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     units = _units([Path(path) for path in arguments.paths])
     target = Path(arguments.out)

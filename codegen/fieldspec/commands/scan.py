@@ -28,7 +28,7 @@ _RANGE = re.compile(r"(?:([a-z][a-z0-9_]*):)?(0x[0-9A-Fa-f]{1,8}|[0-9]{1,9})(?:\
 
 def run(arguments: argparse.Namespace) -> int:
     """Scans a device. Exit code 1 where it does not answer at all. Raises UsageError."""
-    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     try:
         with connected(layout, arguments) as client:
@@ -71,6 +71,8 @@ def _plan(client: Client, spaces: Sequence[ScanSpace], texts: Sequence[str]) -> 
     for text in texts:
         match = _RANGE.fullmatch(text)
         name = match[1] if match and match[1] else spaces[0].name
+        if name not in known and "" in known:
+            raise UsageError(f"`{text}` names a space, and the device declares none: write the addresses alone")
         if name not in known:
             raise unknown("space", name, known)
         first, last = (int(match[2], 0), int(match[3] or match[2], 0)) if match else (1, 0)

@@ -13,6 +13,7 @@ from fieldspec.behaviour.reading import behaviour_of
 from fieldspec.carriers.carrier import CarrierError, LineSettings
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import list_files, specs
+from fieldspec.commands.live_connection import unit_address_text
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.dump import dump, object_sheet
@@ -39,7 +40,9 @@ if TYPE_CHECKING:
 
 def run(arguments: argparse.Namespace) -> int:
     """Serves a device until it is interrupted. Raises UsageError."""
-    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    if arguments.view and arguments.control:
+        raise UsageError("--view and --control both use the terminal: use one of them")
+    spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     behaviour = behaviour_of(spec.tree_at(version))
     if arguments.assumptions:
@@ -72,6 +75,8 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.websocket is not None:
             for link, name in _serve_browsers(simulation, arguments.websocket).items():
                 print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
+        if arguments.unit is None and _has_unit_address(layout):
+            print(unit_address_text(simulation.server.unit_address), file=sys.stderr, flush=True)
         if arguments.view:
             from fieldspec.commands.simulation_view import show
 
@@ -141,11 +146,18 @@ def _unit_address(layout: DeviceLayout, unit: int | None) -> int:
     """The unit address: the one that is asked for, or the first that the device can have. Raises UsageError."""
     if unit is None:
         return usual_unit_address(layout)
+    if not _has_unit_address(layout):
+        raise UsageError(f"frames of {layout.device.id} have no unit address; leave out --unit")
     known = [link.unit_addresses.ranges for link in layout.device.links.values() if link.unit_addresses is not None]
     stated = [ranges for ranges in known if ranges is not None]
     if stated and not any(unit in ranges for ranges in stated):
         raise UsageError(f"the unit address {unit} is not in {stated[0].text()}")
     return unit
+
+
+def _has_unit_address(layout: DeviceLayout) -> bool:
+    """Whether the requests of a link name the unit that they are for."""
+    return any(link.request.role("unit_address") is not None for link in layout.links.values())
 
 
 def _message(layout: DeviceLayout, name: str | None) -> str:

@@ -19,7 +19,7 @@ from fieldspec.commands.spec_files import (
     with_protocols,
 )
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.diagnostics import has_errors
+from fieldspec.diagnostics import Severity, has_errors, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import JOINT, DeviceSpec, Project, read
 
@@ -34,6 +34,8 @@ __all__ = [
     "picked",
     "project",
     "relative_path",
+    "sound",
+    "sound_at",
     "spec_at",
     "split",
     "unsound",
@@ -82,7 +84,10 @@ def picked(spec: DeviceSpec, version: str) -> str:
 
 
 def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
-    """The spec of `DEVICE` or `DEVICE@VERSION`, and the version. Raises UsageError."""
+    """The spec of `DEVICE` or `DEVICE@VERSION`, and the version, for a verb that looks at the spec itself.
+
+    The spec may have errors as long as it can be read. Raises UsageError.
+    """
     name, version = split(text)
     read_specs = project(specs_option, frozenset([name]))
     if name not in read_specs.devices:
@@ -91,9 +96,33 @@ def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
     return spec, picked(spec, version)
 
 
-def unsound(name: str) -> UsageError:
-    """The error of a verb that cannot use a spec with findings."""
-    return UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+def sound_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
+    """As `spec_at`, for a verb that reads, makes or answers frames: bytes of a spec with an error may be wrong.
+
+    Raises UsageError, also where `check` has an error for the device at any of its versions.
+    """
+    name, version = split(text)
+    spec = sound(project(specs_option, frozenset([name])), name)
+    return spec, picked(spec, version)
+
+
+def sound(project: Project, name: str) -> DeviceSpec:
+    """The spec of a device for which `check` has no error. Raises UsageError."""
+    from fieldspec.commands.plugin_loading import load_checks
+    from fieldspec.proofs.running import proven
+
+    load_checks()
+    findings = [*project.findings, *(finding for spec in project.devices.values() for finding in proven(spec))]
+    errors = sum(finding.severity is Severity.ERROR for finding in in_order(findings))
+    if errors or name not in project.devices:
+        raise unsound(name, errors)
+    return project.devices[name]
+
+
+def unsound(name: str, errors: int = 0) -> UsageError:
+    """The error of a verb that cannot use a spec with errors; `errors` is their number where it is known."""
+    number = f"{errors} errors" if errors > 1 else "1 error" if errors else "errors"
+    return UsageError(f"the spec of {name} has {number}; see them with: fieldspec check {name}")
 
 
 def layout_of(spec: DeviceSpec, version: str) -> DeviceLayout:

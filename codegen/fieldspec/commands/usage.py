@@ -22,7 +22,7 @@ def unknown(what: str, name: str, known: Iterable[str], most: int = 20) -> Usage
         hint = f"there are {', '.join(names)}"
     else:
         hint = f"there are {len(names)} of them" if names else "there are none"
-    return UsageError(f"there is no {what} {name}; {hint}")
+    return UsageError(f"there is no {what} {name or 'without a name'}; {hint}")
 
 
 def _in_order(name: str) -> list[object]:

@@ -13,7 +13,6 @@ from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.quantity import quantity_of
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Kind, ParameterPart, Value
@@ -206,8 +205,7 @@ class Count:
 
 def nearest(device: Device, value: Value, text: str) -> Count | None:
     """The raw value nearest to `50 %`, the even one of two; None if the text is not a quantity in the unit."""
-    quantity = quantity_of(text.strip())
-    number = device.quantity_in(*quantity, value.unit) if quantity is not None else None
+    number = device.entered_quantity(value, text.strip())
     if number is None:
         return None
     counts = (number - Fraction(value.offset)) / Fraction(value.scale)

@@ -13,7 +13,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.quantity import count_of, number_of, quantity_of
+from fieldspec.model.quantity import count_of, number_of
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Sentinel, Value
 
@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
+
+
+_DIGITS = re.compile("[-+]?(?:0x[0-9A-Fa-f]+|[1-9][0-9]*)")
 
 
 class MeaningError(ValueError):
@@ -95,10 +98,19 @@ def _field(device: Device, path: str, field: FieldLayout, entered: object) -> Ra
     if not field.is_list:
         return _element_value(device, path, field, entered)
     if isinstance(entered, str) and field.record is None:
-        entered = [piece for piece in re.split(r"[, ]+", entered) if piece]
+        entered = pieces(path, entered)
     if not isinstance(entered, list):
         raise MeaningError(path, "a list is expected")
     return [_element_value(device, f"{path}.{number}", field, item) for number, item in enumerate(entered)]
+
+
+def pieces(path: str, text: str) -> list[str]:
+    """The items of `1, 2,3` or `1 2 3`. Raises MeaningError where one is missing, as in `1,,3`: others would move."""
+    text = text.strip(" ")
+    items = re.split(r" *, *| +", text) if text else []
+    if "" in items:
+        raise MeaningError(path, f"`{text}` has a comma without a value")
+    return items
 
 
 def _element_value(device: Device, path: str, field: FieldLayout, entered: object) -> Raw:
@@ -123,6 +135,8 @@ def raw_value(device: Device, path: str, value: Value, entered: object) -> Raw:
 def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
     """The raw value of an entered value."""
     assert value is not None
+    if isinstance(entered, dict) or (isinstance(entered, list) and not value.flags):
+        raise MeaningError(path, "one value is expected, and neither members nor a list")
     if value.flags and isinstance(entered, list | str) and not _is_count(entered):
         return _word(device, path, value, entered)
     if value.type.kind is Kind.BOOLEAN and str(entered).lower() in ("true", "false", "1", "0"):
@@ -138,7 +152,7 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         named = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
         if named is not None:
             return number_of_sentinel(value, named)
-        quantity = _in_unit_of(device, value, entered)
+        quantity = device.entered_quantity(value, entered)
         if quantity is not None:
             return _present(path, value, str(entered), float(quantity))
         number = entered if isinstance(entered, float) else number_of(str(entered))
@@ -147,9 +161,10 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         return number
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
-    if isinstance(entered, str):
-        return _text(device, path, value, entered)
-    raise MeaningError(path, f"`{entered}` is no whole number of counts; with its unit it may be a fraction")
+    if isinstance(entered, str) or (isinstance(entered, float) and value.scaled and not value.unit):
+        return _text(device, path, value, str(entered))
+    unit = "; with its unit it may be a fraction" if value.unit else ""
+    raise MeaningError(path, f"`{entered}` is no whole number of counts{unit}")
 
 
 def number_of_sentinel(value: Value, sentinel: Sentinel) -> int | float:
@@ -178,12 +193,6 @@ def _meant(absent: Sentinel) -> str:
     return f"which stands for {absent.name}; write `{absent.name}` if you mean that"
 
 
-def _in_unit_of(device: Device, value: Value, entered: object) -> Fraction | None:
-    """The exact number of an entered quantity, `10.5mm`, in the unit of the value; None where it is none."""
-    quantity = quantity_of(entered) if isinstance(entered, str) else None
-    return device.quantity_in(*quantity, value.unit) if quantity is not None and value.unit else None
-
-
 def _near(value: Value, quantity: Fraction) -> str:
     """The quantities of the counts beside one that has none; these counts, where they are no decimal numbers."""
     from fractions import Fraction
@@ -191,9 +200,21 @@ def _near(value: Value, quantity: Fraction) -> str:
     count = (quantity - Fraction(value.offset)) / Fraction(value.scale)
     if not isinstance(value.scale, Decimal):
         return f"; the nearest counts are {floor(count)} and {ceil(count)}"
-    below, above = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
-    offset = f"; it has the offset {value.offset:f} {value.unit}" if value.offset else ""
-    return f"; the nearest ones are {below:f}{value.unit} and {above:f}{value.unit}{offset}"
+    quantities = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
+    below, above = (f"{near:f}{value.unit}" if value.unit else _with_point(near) for near in quantities)
+    offset = f"; it has the offset {value.offset:f} {value.unit}".rstrip() if value.offset else ""
+    return f"; the nearest ones are {below} and {above}{offset}"
+
+
+def _with_point(number: Decimal) -> str:
+    """A number with a decimal point, without which it would be a count."""
+    text = f"{number:f}"
+    return text if "." in text else f"{text}.0"
+
+
+def _example(value: Value) -> str:
+    """What a number of a value without a unit has to look like if it is no count, where the value has a scale."""
+    return ", or the scaled number with a decimal point, such as 2.0" if value.scaled else ""
 
 
 def _is_count(entered: object) -> bool:
@@ -212,11 +233,11 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
     for sentinel in value.sentinels:
         if sentinel.name == entered:
             return sentinel.value
-    quantity = _in_unit_of(device, value, entered)
+    quantity = device.entered_quantity(value, entered)
     if quantity is not None:
         raw = value.from_unit(quantity)
         if raw is None:
-            text = f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}"
+            text = f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}".rstrip()
             raise MeaningError(path, f"{text}{_near(value, quantity)}")
         absent = value.sentinel(raw)
         if absent is not None:
@@ -227,7 +248,9 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
         raise MeaningError(path, f"`{entered}` is no member of {value.enum}: {names}")
     if value.scale_by:
         raise MeaningError(path, f"`{entered}` is no count; its scale is in {value.scale_by}, so give a count")
-    unit = f", or with its unit {value.unit}" if value.unit else ""
+    if _DIGITS.fullmatch(entered):
+        raise MeaningError(path, f"`{entered}` has more than 64 bits, and no value has")
+    unit = f", or with its unit {value.unit}" if value.unit else _example(value)
     raise MeaningError(path, f"`{entered}` is no number; give a count{unit}")
 
 

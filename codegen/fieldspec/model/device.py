@@ -10,12 +10,13 @@ from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
 from fieldspec.model.machines import StateMachine
+from fieldspec.model.quantity import decimal_of, quantity_of
 from fieldspec.model.record import Message, Record, RegisterAccess
 from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
 from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
 from fieldspec.model.units import DeclaredUnit, Unit, standard_unit
-from fieldspec.model.value import Conversion, Signal
+from fieldspec.model.value import Conversion, Signal, Value
 
 if TYPE_CHECKING:
     from decimal import Decimal
@@ -145,6 +146,21 @@ class Device:
         old, new = self.unit(unit), self.unit(target)
         return old.in_unit(number, new) if old is not None and new is not None else None
 
+    def entered_quantity(self, value: Value, entered: object) -> Fraction | None:
+        """The exact quantity that is entered for a value, in its unit: `10.5mm`, and `1.05 cm` if the unit is mm.
+
+        That of a value with a scale and without a unit has a decimal point, `2.0`, as a whole number is a count; in a
+        spec, it is a float. None for what is no such quantity.
+        """
+        text = repr(entered) if isinstance(entered, float) else entered
+        if not isinstance(text, str):
+            return None
+        if not value.unit:
+            number = decimal_of(text) if value.scaled else None
+            return _fraction(number) if number is not None else None
+        quantity = quantity_of(text)
+        return self.quantity_in(*quantity, value.unit) if quantity is not None else None
+
     def space(self, name: str) -> AddressSpace:
         """The address space with a name; the first one for an empty name, or a name that no space has."""
         return self.spaces.get(name) or next(iter(self.spaces.values()), WORDS)
@@ -198,3 +214,9 @@ class Device:
     def word_order(self) -> str:
         """The order of the words in values of several registers; empty where no link states it."""
         return next((link.word_order for link in self.links.values() if link.word_order), "")
+
+
+def _fraction(number: Decimal) -> Fraction:
+    from fractions import Fraction
+
+    return Fraction(number)

@@ -1,4 +1,4 @@
-"""Numbers and quantities as people write them: `8`, `-0x1F`, `20.00 mm`.
+"""Numbers and quantities as people write them: `8`, `-0x1F`, `20.00 mm`, and `-0.500` of a value without a unit.
 
 A decimal number has no leading zeros: `007` may be a name, a number of octal digits or a slip, so nothing guesses.
 """
@@ -13,6 +13,7 @@ _HEXADECIMAL = "0x[0-9A-Fa-f]{1,16}"
 _WHOLE = "0|[1-9][0-9]{0,19}"
 _COUNT = re.compile(rf"[-+]?(?:{_HEXADECIMAL}|{_WHOLE})")
 _NUMBER = re.compile(rf"[-+]?(?:{_WHOLE})(?:\.[0-9]{{1,30}})?(?:[eE][-+]?[0-9]{{1,3}})?")
+_POINT = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,29})\.[0-9]{1,30}")
 _QUANTITY = re.compile(r"([-+]?(?:0|[1-9][0-9]{0,29})(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
 
@@ -25,6 +26,11 @@ def number_of(text: str) -> float | None:
     """The finite number that a text such as `-0.5` or `2.5e-3` is; None where it is none."""
     number = float(text) if _NUMBER.fullmatch(text) else math.inf
     return number if math.isfinite(number) else None
+
+
+def decimal_of(text: str) -> Decimal | None:
+    """The number that a text with a decimal point is, such as `-0.500` and `2.0`; None for any other text."""
+    return Decimal(text) if _POINT.fullmatch(text) else None
 
 
 def quantity_of(text: str) -> tuple[Decimal, str] | None:

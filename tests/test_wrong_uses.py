@@ -1,0 +1,71 @@
+"""Wrong uses of verbs: one line that says what is wrong, exit code 2, and nothing that is silently left aside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fieldspec.cli import main
+
+SPECS = str(Path(__file__).resolve().parent.parent / "specs")
+WRITE = ["encode", "tc100", "write_registers", "station=1", "address=0x2014"]
+LIVE = ["live", "tc100", "read", "alarm", "--port", "tcp://127.0.0.1:9"]
+WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        ([*WRITE, "values=1,,3"], "values: `1,,3` has a comma without a value"),
+        ([*WRITE, "values=,1"], "values: `,1` has a comma without a value"),
+        ([*WRITE, "values=1,2,"], "values: `1,2,` has a comma without a value"),
+        ([*WRITE, "values.0.x=1"], "values.0: one value is expected, and neither members nor a list"),
+        (["encode", "tc100", "read_registers", "station.x=1"], "station: one value is expected"),
+        (["encode", "tc100", "read_registers", "address=99999999999999999999999"], "has more than 64 bits"),
+        (["encode", "tc100", "read_registers", "address="], "address: `` is no number"),
+        (["encode"], "the following arguments are required: DEVICE[@VERSION]; see: fieldspec encode --help"),
+        (["show", "tc100", "alarm", "other"], "unrecognized arguments: other; see: fieldspec show --help"),
+        (["show", ""], "there is no device without a name; there are ck10, esc11, hiwin-e, tc100"),
+        (["blame", "tc100", "motion_command"], "did you mean registers/motion_command? `fieldspec facts` lists"),
+        (["blame", "tc100", "registers/motion_comand"], "did you mean registers/motion_command? `fieldspec facts`"),
+        (["blame", "tc100", "nothing"], "tc100 has no fact nothing at 2.0; `fieldspec facts` lists all paths"),
+        (["build", "--check", "--watch"], "use one of them"),
+        (["decode", "tc100", ""], "this is not a frame: it has no bytes"),
+        (["decode", "tc100", "  "], "this is not a frame: it has no bytes"),
+        (["decode", "tc100", SPECS], f"it is a path: read it with - < {SPECS}, or with --to"),
+        (["simulate", "tc100", "--control", "--view"], "use one of them"),
+        (["simulate", "tc100", "--rate", "0"], "argument --rate: 0 is not more than 0"),
+        (["simulate", "tc100", "--rate", "nan"], "argument --rate: nan is no number"),
+        (["simulate", "tc100", "--baud", "0"], "argument --baud: 0 is no whole number from 1 on"),
+        ([*LIVE, "--timeout", "0"], "argument --timeout: 0 is not more than 0"),
+        ([*LIVE, "--timeout", "inf"], "argument --timeout: inf is no number"),
+        ([*LIVE, "--retries", "-1"], "argument --retries: -1 is no whole number from 0 on"),
+        ([*LIVE, "--pause", "-0.5"], "argument --pause: -0.5 is less than 0"),
+        ([*WATCH, "--count", "0"], "argument --count: 0 is no whole number from 1 on"),
+        ([*WATCH, "--every", "x"], "argument --every: x is no number"),
+        (["new", "version", "tc100", "9.9", "--protocol", "modbus"], "--protocol has no effect on a new version"),
+        (["new", "device", "pump", "--protocol", "modbus", "--line", "x"], "--line has no effect on a new device"),
+    ],
+)
+def test_a_wrong_use_is_one_line(
+    arguments: list[str],
+    expected: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main([*arguments, "--specs", SPECS]) == 2
+    output = capsys.readouterr()
+    assert output.out == ""
+    assert expected in output.err
+    assert output.err.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("values", ["1,2,3", "1, 2,3", "1 2 3", " 1 ,2 , 3 "])
+def test_the_items_of_a_list_are_separated_by_commas_or_blanks(values: str, capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["encode", "tc100", "read_registers", "--direction", "response", "station=1", f"values={values}"]
+    assert main([*command, "--format", "hex", "--specs", SPECS]) == 0
+    assert capsys.readouterr().out.startswith("01 03 06 00 01 00 02 00 03 ")
