@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import os
 import signal
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
+from xdist.workermanage import WorkerController
+
+from shared_results import FOLDERS
 
 TESTS = Path(__file__).parent
 
@@ -68,6 +72,9 @@ SLOW = (
 )
 """Files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
 
+SHARED = "shared_results"
+SHARED_FOLDER = pytest.StashKey[str]()
+
 # The same inputs on every machine; the other profile looks for new ones.
 settings.register_profile("fixed", derandomize=True, deadline=None)
 settings.register_profile("random", derandomize=False, deadline=None, print_blob=True)
@@ -89,6 +96,21 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--accept", action="store_true", help="rewrite what the tests expect")
     parser.addoption("--fast", action="store_true", help="leave out the tests that take long")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Tells a worker the folder of what workers share."""
+    if hasattr(config, "workerinput"):
+        FOLDERS.append(Path(config.workerinput[SHARED]))
+
+
+def pytest_configure_node(node: WorkerController) -> None:
+    """Names the folder of what workers share to each of them, and makes it for the first."""
+    if SHARED_FOLDER not in node.config.stash:
+        folder = tempfile.TemporaryDirectory(prefix="fieldspec-tests-")
+        node.config.stash[SHARED_FOLDER] = folder.name
+        node.config.add_cleanup(folder.cleanup)
+    node.workerinput[SHARED] = node.config.stash[SHARED_FOLDER]
 
 
 def pytest_xdist_auto_num_workers() -> int:
