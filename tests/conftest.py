@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
+from xdist.workermanage import WorkerController
+
+from shared_results import FOLDERS
 
 TESTS = Path(__file__).parent
 
@@ -68,6 +73,9 @@ SLOW = (
 )
 """Files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
 
+SHARED = "shared_results"
+SHARED_FOLDER = pytest.StashKey[str]()
+
 # The same inputs on every machine; the other profile looks for new ones.
 settings.register_profile("fixed", derandomize=True, deadline=None)
 settings.register_profile("random", derandomize=False, deadline=None, print_blob=True)
@@ -91,6 +99,21 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--fast", action="store_true", help="leave out the tests that take long")
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Tells a worker the folder of what workers share."""
+    if hasattr(config, "workerinput"):
+        FOLDERS.append(Path(config.workerinput[SHARED]))
+
+
+def pytest_configure_node(node: WorkerController) -> None:
+    """Names the folder of what workers share to each of them, and makes it for the first."""
+    if SHARED_FOLDER not in node.config.stash:
+        folder = tempfile.TemporaryDirectory(prefix="fieldspec-tests-")
+        node.config.stash[SHARED_FOLDER] = folder.name
+        node.config.add_cleanup(folder.cleanup)
+    node.workerinput[SHARED] = node.config.stash[SHARED_FOLDER]
+
+
 def pytest_xdist_auto_num_workers() -> int:
     """Half as many workers again as processors: tests that talk to devices and browsers wait for most of their time."""
     processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -102,6 +125,13 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     if not config.getoption("--fast"):
         return None
     return True if any(collection_path == TESTS / name for name in SLOW) else None
+
+
+def pytest_collection_finish() -> None:
+    """Keeps what is alive until the end out of the sight of the garbage collector, which also looks less often."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 10, 10)
 
 
 @pytest.fixture(scope="session")

@@ -22,6 +22,7 @@ from fieldspec.model.value import Kind
 from fieldspec.names import Name
 from fieldspec.reference import CodecError
 from layouts import SPECS, TEST_SPECS, layouts
+from shared_results import shared as shared_by_all
 
 NAME = "made_devices"
 _FOLDER = tempfile.TemporaryDirectory(prefix="fieldspec-python-")
@@ -29,11 +30,16 @@ _FOLDER = tempfile.TemporaryDirectory(prefix="fieldspec-python-")
 
 def texts(name: str = PACKAGE) -> dict[str, str]:
     """The files of the output for all specs, the real and the made-up ones, in a package with a name."""
+    outputs = shared_by_all("python_package", _texts)
+    return {path.replace(PACKAGE, name, 1): text for path, text in outputs.items()}
+
+
+def _texts() -> dict[str, str]:
     outputs = shared()
     for root in (SPECS, TEST_SPECS):
         for versions in layouts(root).values():
             outputs |= files(versions)
-    return {path.replace(PACKAGE, name, 1): text for path, text in outputs.items()}
+    return outputs
 
 
 def write(folder: Path, texts: Mapping[str, str]) -> None:

@@ -95,18 +95,12 @@ def test_there_are_examples() -> None:
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
-def test_every_example_is_explained_as_the_reference_decodes_it(layout: DeviceLayout, example: Example) -> None:
+def test_an_example_and_its_beginnings_and_what_trails_it_are_explained_as_the_reference_decodes_them(
+    layout: DeviceLayout, example: Example
+) -> None:
     assert_agrees(layout, example, example.frame)
-
-
-@pytest.mark.parametrize(("layout", "example"), EXAMPLES)
-def test_every_beginning_of_an_example_is_explained(layout: DeviceLayout, example: Example) -> None:
     for length in range(len(example.frame)):
         assert_agrees(layout, example, example.frame[:length])
-
-
-@pytest.mark.parametrize(("layout", "example"), EXAMPLES)
-def test_examples_with_trailing_bytes_are_explained(layout: DeviceLayout, example: Example) -> None:
     for behind in (b"\0", b"0", example.frame):
         assert_agrees(layout, example, example.frame + behind)
 

@@ -87,21 +87,23 @@ def python_files() -> list[Path]:
     )
 
 
-def wrong_by_folder() -> dict[str, list[str]]:
-    """By folder, the places of names with a forbidden word, those of files and folders included."""
-    wrong: dict[str, list[str]] = {}
+def files_by_folder() -> dict[str, list[Path]]:
+    """All Python files by the folder under which they are counted."""
+    files: dict[str, list[Path]] = {}
     for path in python_files():
-        place = path.relative_to(ROOT).as_posix()
-        places = [f"{place}: the name of the file"] if is_wrong(path.stem.removeprefix("test_")) else []
-        if path.stem.startswith("test_"):
-            places = []
-        places += [f"{place}:{line}: {name}" for line, name in names(path) if is_wrong(name)]
-        if places:
-            wrong.setdefault(folder(path), []).extend(places)
-    return wrong
+        files.setdefault(folder(path), []).append(path)
+    return files
 
 
-WRONG = wrong_by_folder()
+FILES = files_by_folder()
+
+
+def wrong_names(path: Path) -> list[str]:
+    """The places of names with a forbidden word in a file, its own name included."""
+    place = path.relative_to(ROOT).as_posix()
+    own = not path.stem.startswith("test_") and is_wrong(path.stem)
+    places = [f"{place}: the name of the file"] if own else []
+    return places + [f"{place}:{line}: {name}" for line, name in names(path) if is_wrong(name)]
 
 
 def test_the_glossary_forbids_words() -> None:
@@ -127,9 +129,9 @@ def test_names_of_code_are_in_the_compiler() -> None:
     assert expected - compiler == set()
 
 
-@pytest.mark.parametrize("name", sorted({folder(path) for path in python_files()}))
+@pytest.mark.parametrize("name", sorted(FILES))
 def test_names_follow_the_glossary(name: str) -> None:
-    wrong = WRONG.get(name, [])
+    wrong = [place for path in FILES[name] for place in wrong_names(path)]
     assert wrong == [], "\n".join(wrong)
 
 

@@ -7,6 +7,7 @@ import json
 import random
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -157,7 +158,12 @@ def other(value: Any, random: random.Random) -> Any:
 
 def rust(data: object) -> set[tuple[str | int, ...]]:
     """The paths at which the library of the reader finds something."""
-    return {tuple(error.instance_path) for error in jsonschema_rs.Draft202012Validator(schema()).iter_errors(data)}
+    return {tuple(error.instance_path) for error in rust_validator().iter_errors(data)}
+
+
+@cache
+def rust_validator() -> jsonschema_rs.Draft202012Validator:
+    return jsonschema_rs.Draft202012Validator(schema())
 
 
 def python(validator: Validator, data: object) -> set[tuple[str | int, ...]]:

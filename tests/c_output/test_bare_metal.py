@@ -15,15 +15,13 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import STRICT, require_tool
+from headers import DEVICES, write_newest
 
 from example_counts import FACTOR
-from fieldspec.backends.c.backend import files
 from fieldspec.names import Name, stem
 from layouts import SPECS, TEST_SPECS, layouts
 
 BARE = Path(__file__).parent / "bare"
-DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
-TEXTS = {name: files([layout]) for name, layout in DEVICES.items()}
 STEMS = {name: stem(name, layout.device.version) for name, layout in DEVICES.items()}
 
 
@@ -62,8 +60,7 @@ MACHINES = {
 
 def run(machine: Machine, folder: Path, device: str, *more: str) -> subprocess.CompletedProcess[str]:
     """Compiles the self-test of a device without a library, and runs it."""
-    for path, text in TEXTS[device].items():
-        (folder / path).write_text(text, encoding="utf-8", newline="\n")
+    write_newest(device, folder)
     test = f"-DSELFTEST={Name.of(device).snake()}_selftest"
     return run_again(machine, folder, folder / f"{STEMS[device]}_selftest.c", test, *more)
 
@@ -123,8 +120,7 @@ def test_stores_of_whole_numbers_would_call_functions_of_the_library(tmp_path: P
 
 def called(device: str, folder: Path, *flags: str) -> list[str]:
     """The external functions that the functions of a header call on a Cortex-M0+."""
-    for path, text in TEXTS[device].items():
-        (folder / path).write_text(text, encoding="utf-8", newline="\n")
+    write_newest(device, folder)
     (folder / "all.c").write_text(f'#include "{STEMS[device]}.h"\n', encoding="utf-8")
     machine = ["-std=c99", "-ffreestanding", "-mcpu=cortex-m0plus", "-mthumb", "-fkeep-inline-functions"]
     arguments = [str(folder / "all.c"), "-c", "-o", str(folder / "all.o")]

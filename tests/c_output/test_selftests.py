@@ -13,8 +13,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import COMPILERS, compiled, require_tool
+from headers import texts_of_versions
 
-from fieldspec.backends.c.backend import files
 from fieldspec.names import stem
 from fieldspec.reading.project import read
 from layouts import SPECS, TEST_SPECS, layout_at, layouts
@@ -22,7 +22,7 @@ from layouts import SPECS, TEST_SPECS, layout_at, layouts
 KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_bytes()}).devices["knot-1"]
 VERSIONS = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
 VERSIONS.append([layout_at(KNOT, version) for version in KNOT.versions()])
-TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
+TEXTS = texts_of_versions("headers", VERSIONS)
 HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(".h", "_selftest.c") in TEXTS)
 TEST_DEVICES = tuple(stem(device, "") for device in layouts(TEST_SPECS) if device != "widget")
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}

@@ -11,13 +11,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import STRICT, require_tool
+from headers import DEVICES, write_newest
 
 from example_counts import FACTOR
-from fieldspec.backends.c.backend import files
 from fieldspec.names import stem
-from layouts import SPECS, TEST_SPECS, layouts
-
-DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 
 # Padding depends on the machine; the other warning says that the linker of a machine may lack a library.
 EVERYTHING = ["-Weverything", "-Wno-padded", "-Wno-unknown-warning-option", "-Wno-avr-rtlib-linking-quirks"]
@@ -40,8 +37,7 @@ UNMINDED = ["unusedStructMember", "variableScope"]
 def source(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     """The self-test of a device, beside its header."""
     layout = DEVICES[request.param]
-    for path, text in files([layout]).items():
-        (tmp_path / path).write_text(text, encoding="utf-8", newline="\n")
+    write_newest(request.param, tmp_path)
     return tmp_path / f"{stem(layout.device.id, layout.device.version)}_selftest.c"
 
 

@@ -7,10 +7,9 @@ from collections.abc import Iterator
 from functools import cache
 from xml.etree.ElementTree import Element
 
-import html5lib
 import pytest
 
-from docs_output.documented import documentation, visible_text
+from docs_output.documented import tree, visible_text
 from fieldspec.backends.docs.backend import files
 from fieldspec.backends.docs.changes import page_name, steps
 from fieldspec.backends.docs.document import innermost
@@ -46,8 +45,7 @@ accepts:
 @cache
 def elements(path: str) -> dict[str, Element]:
     """The elements of a page by their anchors."""
-    tree = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(documentation()[path])
-    return {value: node for node in tree.iter() if (value := node.get("id"))}
+    return {value: node for node in tree(path).iter() if (value := node.get("id"))}
 
 
 def text_of(node: Element) -> str:

@@ -17,6 +17,7 @@ from fieldspec.html_text import clean
 from layouts import TEST_SPECS, newest
 
 PAGES = with_ending(".md")
+# The scope of a module has all tests of a page run behind each other, and in one process, which parses it once.
 OWN = re.compile(r'<br>|<a id="[\w/.-]+">|</a>|<!-- Written by fieldspec .* -->')
 
 
@@ -41,14 +42,14 @@ def flowing(tokens: list[Token]) -> str:
     )
 
 
-@pytest.mark.parametrize("path", PAGES)
+@pytest.mark.parametrize("path", PAGES, scope="module")
 def test_a_page_has_no_html_but_its_own(path: str) -> None:
     every = [*tokens(path), *inline(tokens(path))]
     html = [token.content.strip() for token in every if token.type in ("html_inline", "html_block")]
     assert [piece for piece in html if not OWN.fullmatch(piece)] == []
 
 
-@pytest.mark.parametrize("path", PAGES)
+@pytest.mark.parametrize("path", PAGES, scope="module")
 def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
     for token in inline(tokens(path)):
         page, _, anchor = str(token.attrGet("href") or "").partition("#") if token.type == "link_open" else ("", "", "")
@@ -57,7 +58,7 @@ def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
         assert not anchor or f'<a id="{anchor}">' in documentation()[target], anchor
 
 
-@pytest.mark.parametrize("path", PAGES)
+@pytest.mark.parametrize("path", PAGES, scope="module")
 def test_rows_of_a_table_are_as_wide_as_its_head(path: str) -> None:
     widths: list[int] = []
     for token in tokens(path):
@@ -70,7 +71,7 @@ def test_rows_of_a_table_are_as_wide_as_its_head(path: str) -> None:
             widths = []
 
 
-@pytest.mark.parametrize("path", PAGES)
+@pytest.mark.parametrize("path", PAGES, scope="module")
 def test_every_table_of_the_text_is_a_table_of_the_page(path: str) -> None:
     rules = sum(bool(re.fullmatch(r"\|(---\|)+", line)) for line in documentation()[path].splitlines())
     assert rules == sum(token.type == "table_open" for token in tokens(path))

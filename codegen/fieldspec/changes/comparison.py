@@ -171,13 +171,15 @@ class Comparison:
         self, model_class: type, old: Sequence[Any], new: Sequence[Any], containers: tuple[Any, Any], direction: str
     ) -> None:
         """Pairs two lists: by key, then by evidence."""
+        has_offsets = model_class in (Field, Part)
+        if not old and not new and not has_offsets:
+            return
         old_by_key, new_by_key = _by_key(model_class, old), _by_key(model_class, new)
         pairs = [Pair(item, new_by_key[key], containers) for key, item in old_by_key.items() if key in new_by_key]
         removed = [item for key, item in old_by_key.items() if key not in new_by_key]
         added = [item for key, item in new_by_key.items() if key not in old_by_key]
-        has_offsets = model_class in (Field, Part)
         offsets = [
-            _Offsets(side.sizes, items if has_offsets else ())
+            _Offsets(side.sizes, items) if has_offsets else side.no_offsets
             for side, items in zip(self._sides, (old, new), strict=True)
         ]
         stated = list(self._stated(removed, added, containers)) if self._renames else []
@@ -230,6 +232,7 @@ class _Side:
 
     def __init__(self, device: Device) -> None:
         self.device, self.sizes = device, RecordSizes(device)
+        self.no_offsets = _Offsets(self.sizes, ())
         self._places: dict[str, tuple[str, ...]] | None = None
 
     def places_of_signals(self) -> Mapping[str, tuple[str, ...]]:

@@ -19,14 +19,16 @@ class Polars:
     """The dialect. `variables` has the expressions that a function computes once, by the names of local variables."""
 
     variables: dict[str, str] = field(default_factory=dict)
+    _names: dict[str, str] = field(default_factory=dict)
+    """The names of local variables by their expressions."""
 
     def bind(self, expression: str, prefix: str = "number") -> str:
         """The local variable of an expression."""
-        names = {text: own for own, text in self.variables.items()}
-        if expression not in names:
-            names[expression] = f"{prefix}_{len(self.variables)}"
-            self.variables[names[expression]] = expression
-        return names[expression]
+        if expression not in self._names:
+            name = f"{prefix}_{len(self.variables)}"
+            self._names[expression] = name
+            self.variables[name] = expression
+        return self._names[expression]
 
     def whole(self, data: str, slot: Slot) -> str:
         """A whole number."""

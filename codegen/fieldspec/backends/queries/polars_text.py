@@ -100,14 +100,18 @@ def _ordered(steps: list[str], numbers: list[str]) -> list[str]:
     names = {line.split()[0] for line in left}
     done: set[str] = set()
     while left:
-        ready = [line for line in left if not _uses(line, names - done)]
-        assert ready
-        ordered += ready
-        done |= {line.split()[0] for line in ready}
-        left = [line for line in left if line not in ready]
+        waiting, missing = [], names - done
+        for line in left:
+            if _uses(line, missing):
+                waiting.append(line)
+            else:
+                ordered.append(line)
+                done.add(line.split()[0])
+        assert len(waiting) < len(left)
+        left = waiting
     return ordered
 
 
 def _uses(line: str, names: set[str]) -> bool:
-    words = set(re.findall(r"\w+", line.partition(" = ")[2]))
-    return bool(words & names)
+    words = re.findall(r"\w+", line.partition(" = ")[2])
+    return not names.isdisjoint(words)

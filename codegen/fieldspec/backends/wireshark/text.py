@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 Data: TypeAlias = "bool | int | str | bytes | Sequence[Data] | Mapping[str, Data] | Mapping[int, Data] | None"
 
 WIDTH = 118
-_KEYWORDS = """
-and break do else elseif end false for function goto if in local nil not or repeat return then true until while
-"""
+_KEYWORDS = frozenset(
+    """
+    and break do else elseif end false for function goto if in local nil not or repeat return then true until while
+    """.split()  # noqa: SIM905
+)
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_ESCAPES = {byte: f"\\{byte:03d}" for byte in range(256) if byte in b'"\\' or not 0x20 <= byte < 0x7F}
 
 
 def line_text(text: str) -> str:
@@ -24,13 +27,7 @@ def line_text(text: str) -> str:
 def literal(text: str | bytes) -> str:
     """A text or bytes in double quotes. All but printable ASCII are escapes of their bytes in UTF-8."""
     data = text.encode("utf-8", "replace") if isinstance(text, str) else text
-    chars = []
-    for byte in data:
-        if byte in b'"\\' or not 0x20 <= byte < 0x7F:
-            chars.append(f"\\{byte:03d}")
-        else:
-            chars.append(chr(byte))
-    return f'"{"".join(chars)}"'
+    return f'"{data.decode("latin-1").translate(_ESCAPES)}"'
 
 
 def comment(text: str) -> str:
@@ -40,34 +37,59 @@ def comment(text: str) -> str:
 
 def table(value: Data, indent: int = 0) -> str:
     """Data as an expression of Lua. Entries that are None or False are left out of mappings."""
+    if not _is_composed(value):
+        return _scalar(value)
+    flat = _flat(value, WIDTH - indent)
+    if flat is not None:
+        return flat
+    inside = " " * (indent + 2)
+    lines = [f"{inside}{key}{table(inner, indent + 2)}," for key, inner in _entries(value)]
+    return "\n".join(["{", *lines, f"{' ' * indent}}}"]) if lines else "{}"
+
+
+def _is_composed(value: Data) -> bool:
+    return not (value is None or isinstance(value, bool | int | float | str | bytes))
+
+
+def _scalar(value: Data) -> str:
     if value is None:
         return "nil"
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, int | float):
-        return str(value)
-    if isinstance(value, str | bytes):
-        return literal(value)
-    entries: list[tuple[str, Data]]
+    return literal(value) if isinstance(value, str | bytes) else str(value)
+
+
+def _entries(value: Data) -> Iterator[tuple[str, Data]]:
+    """What stands in a table: the beginning of each entry, with its key, and its value."""
     if isinstance(value, Mapping):
-        entries = [(_key(key), inner) for key, inner in value.items() if inner is not None and inner is not False]
-    else:
-        entries = [("", entry) for entry in value]
-    if not entries:
-        return "{}"
-    flat = f"{{ {', '.join(key + table(inner) for key, inner in entries)} }}"
-    if len(flat) + indent <= WIDTH and "\n" not in flat:
-        return flat
-    inside = " " * (indent + 2)
-    lines = [f"{inside}{key}{table(inner, indent + 2)}," for key, inner in entries]
-    return "\n".join(["{", *lines, f"{' ' * indent}}}"])
+        yield from ((_key(key), inner) for key, inner in value.items() if inner is not None and inner is not False)
+    elif isinstance(value, Sequence):
+        yield from (("", entry) for entry in value)
+
+
+def _flat(value: Data, room: int) -> str | None:
+    """Data in one line of at most so many characters; None where it is longer, which is known from its beginning."""
+    if not _is_composed(value):
+        text = _scalar(value)
+        return text if len(text) <= room else None
+    parts: list[str] = []
+    left = room - len("{  }")
+    for key, inner in _entries(value):
+        left -= len(key) + (len(", ") if parts else 0)
+        inner_text = _flat(inner, left)
+        if inner_text is None:
+            return None
+        left -= len(inner_text)
+        parts.append(key + inner_text)
+    text = f"{{ {', '.join(parts)} }}" if parts else "{}"
+    return text if len(text) <= room else None
 
 
 def _key(key: object) -> str:
     if isinstance(key, int):
         return f"[{key}] = "
     text = str(key)
-    return f"{text} = " if _NAME.fullmatch(text) and text not in _KEYWORDS.split() else f"[{literal(text)}] = "
+    return f"{text} = " if _NAME.fullmatch(text) and text not in _KEYWORDS else f"[{literal(text)}] = "
 
 
 def joined(texts: Iterable[str]) -> str:
