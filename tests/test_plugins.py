@@ -137,8 +137,8 @@ def test_a_check_of_an_installed_package_finds_and_is_explained_and_allowed(site
     refused = site.run("build")
     assert (refused.code, refused.err) == (1, "fieldspec: nothing is written\n")
     for _ in range(2):
-        shown = site.run("show", "pump")
-        assert (shown.code, "the spec of pump has 1 error; see them with" in shown.err) == (2, True)
+        answer = site.run("show", "pump")
+        assert (answer.code, "the spec of pump has 1 error; see them with" in answer.err) == (2, True)
     rule = site.run("rule", "writable_ranges_present")
     assert (rule.code, "Cure: Look the limits up in the manual" in rule.out) == (0, True)
     assert "writable_ranges_present" in site.run("rule").out

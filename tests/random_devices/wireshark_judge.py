@@ -10,6 +10,7 @@ import random
 import shutil
 
 from fieldspec.backends.wireshark.backend import refusals
+from fieldspec.explain.explanation import explained
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference import CodecError, codec
 from random_devices.inputs import header_values, record_values
@@ -54,15 +55,19 @@ class Wireshark:
 
     def _case(self, query: Query, dice: random.Random) -> Case:
         link, direction, message = query.path
-        request = self._request(link, message, dice) if direction == "response" and message else b""
+        request = self._request(link, message, query.data, dice) if direction == "response" and message else b""
         return Case(self.layout, link, direction, message, request, query.data)
 
-    def _request(self, link: str, message: str, dice: random.Random) -> bytes:
-        """A request that the response answers; empty where there is none."""
+    def _request(self, link: str, message: str, response: bytes, dice: random.Random) -> bytes:
+        """A request to the unit that sends the response; empty where there is none."""
         if message not in self.layout.links[link].carried("request"):
             return b""
         values = record_values(self.layout, self.layout.messages[message].request, dice)
         head = header_values(self.layout, link, self.layout.links[link].request, dice)
+        asked, answering = (self.layout.links[link].frame(way).role("unit_address") for way in ("request", "response"))
+        if asked is not None and answering is not None:
+            explanation = explained(self.layout, link, "response", response, message)
+            head[asked.name] = explanation.values.get(answering.name, head[asked.name])
         try:
             return codec(self.layout).links[link].encode("request", message, {**head, **values})
         except CodecError:

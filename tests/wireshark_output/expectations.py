@@ -100,7 +100,8 @@ def is_equal(item: Item, number: object) -> bool:
     if isinstance(number, bytes):
         return True  # texts and bytes are shown in a form of their own, and compared by their place
     if isinstance(number, str):
-        return _ESCAPED.sub(_unescaped, item.value) == number
+        # A backslash is shown as it is, or doubled.
+        return number in (item.value, _ESCAPED.sub(_unescaped, item.value))
     if isinstance(number, float) and number != number:
         return item.value.lower() in ("nan", "-nan")
     if isinstance(number, float):
