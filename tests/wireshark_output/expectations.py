@@ -12,6 +12,7 @@ from wireshark_output.dissection import FIRST_PORT, HEADERS, Item, Packet, disse
 
 NUMBER = re.compile(r"-?\d+|0x[0-9a-f]+")
 _ESCAPED = re.compile(r"\\x([0-9a-f]{2})|\\(.)")
+_HEXADECIMAL = re.compile(r"\\x([0-9a-f]{2})()")
 _ESCAPES = {"t": "\t", "n": "\n", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
 FINDINGS = {"wrong_check", "wrong_length", "wrong_const", "wrong_measure", "out_of_range", "unknown_value"}
 FINDINGS |= {"unknown_code", "incomplete"}
@@ -100,8 +101,8 @@ def is_equal(item: Item, number: object) -> bool:
     if isinstance(number, bytes):
         return True  # texts and bytes are shown in a form of their own, and compared by their place
     if isinstance(number, str):
-        # A backslash is shown as it is, or doubled.
-        return number in (item.value, _ESCAPED.sub(_unescaped, item.value))
+        # A backslash of the text is shown as it is, or doubled.
+        return number in (_HEXADECIMAL.sub(_unescaped, item.value), _ESCAPED.sub(_unescaped, item.value))
     if isinstance(number, float) and number != number:
         return item.value.lower() in ("nan", "-nan")
     if isinstance(number, float):
