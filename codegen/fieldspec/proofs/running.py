@@ -12,6 +12,7 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
+from fieldspec.proofs.detections_alike import detections_alike
 from fieldspec.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.proofs.errata import Findings, Proof, errata_by_version, proofs
 from fieldspec.proofs.examples import FindingsCache
@@ -173,4 +174,5 @@ def outcome(spec: DeviceSpec) -> Outcome:
     if len(layouts) == len(spec.versions()):
         shared = equal_versions(spec, {version: layout.identity for version, layout in layouts.items()})
         findings += lines_alike(spec, shared)
+        findings += detections_alike({version: layouts[version] for version in spec.versions()})
     return Outcome([*findings, *accepted(spec)], _in_order(proofs_of_errata), by_version, remembered, layouts, shared)
