@@ -75,7 +75,7 @@ def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]
 
 
 def _keys(part: Part) -> dict[str, object]:
-    """How a part is computed, by the keys that say it."""
+    """How a part is computed, by the keys that say it; bytes before or behind often name the direction."""
     span = part.span, part.unit_size, part.plus
     if part.role == "length":
         return {"counts": span, "byte_order": part.value.byte_order if part.value is not None else ""}
@@ -84,6 +84,4 @@ def _keys(part: Part) -> dict[str, object]:
         "algorithm": part.stated_algorithm,
         "byte_order": part.byte_order if "byte_order" in part.place else "",
         "digits": part.digits,
-        "prefix": part.prefix,
-        "suffix": part.suffix,
     }
