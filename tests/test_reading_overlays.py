@@ -7,7 +7,7 @@ import pytest
 from fieldspec.model.device import Device
 from fieldspec.reading.nodes import Mapping, Scalar
 from fieldspec.reading.project import Project, read
-from fieldspec.reading.removals import removal_findings
+from fieldspec.reading.removals import RemovedFact, removal_findings
 from fieldspec.reading.yaml_reader import decoded, parsed
 from spec_files import DEVICE, codes, pointed_at, unmarked
 
@@ -275,6 +275,7 @@ def test_a_finding_about_a_row_is_reported_at_every_version() -> None:
 EXAMPLES = """
 messages:
   - {name: read, code: 3, accesses: {start: address}}
+  - {name: other, code: 4, accesses: {start: address}}
 examples:
   - {id: reading, message: read}
   - {id: address, message: other, values: {address: 0x10}}
@@ -292,5 +293,5 @@ def test_what_is_removed_takes_the_examples_along_that_are_about_it(path: str, s
     assert isinstance(tree, Mapping)
     named = tree.values["path"]
     assert isinstance(named, Scalar)
-    (finding,) = removal_findings(tree, [(named, tree.values[section])])
+    (finding,) = removal_findings(tree, [RemovedFact(named, tree.values[section], tree)])
     assert finding.message == f"`{path}` goes, and examples/{about} is about it"

@@ -186,6 +186,29 @@ def test_another_firmware_stops_before_a_write(
     assert expected in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        ([], "in registers/firmware, and the verb is for 2; nothing is written: see what the manual says of it, or"),
+        (
+            ["--any-version"],
+            "wattmeter: the device does not say its firmware in registers/firmware, and the verb is for 2",
+        ),
+    ],
+)
+def test_a_device_that_does_not_say_its_firmware_stops_before_a_write(
+    capsys: pytest.CaptureFixture[str], options: list[str], expected: str
+) -> None:
+    folder = str(TEST_SPECS)
+    with simulation("wattmeter@2", ports={"tcp": "tcp://127.0.0.1:0"}, folder=folder) as meter:
+        meter.fault("exception", reason="unknown_address", probability=1)
+        own = ["--link", "tcp", "--unit", "1", *options]
+        assert live("wattmeter@2", meter.place, "write", "ratio=5", *own, folder=folder) == 1
+    text = capsys.readouterr().err
+    assert expected in text
+    assert ("ratio is not written" in text) == bool(options)
+
+
 def test_what_the_device_is_doing_is_said_before_something_is_started(capsys: pytest.CaptureFixture[str]) -> None:
     with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
         place = device.place.replace("tcp://", "socket://")

@@ -58,7 +58,18 @@ def mark_exceptions(draft: Draft) -> None:
         link["exception_response"] = {"field": mark["name"], "record": record["name"]}
         for message in draft.spec["messages"]:
             if link["name"] in message.get("links", [link["name"]]) and "response" in message:
-                message["response"] = [draft.fact(type=kind, const=another), *message["response"]]
+                first = _unmarked(draft) if draft.chance(40) else draft.fact(type=kind, const=another)
+                message["response"] = [first, *message["response"]]
+
+
+def _unmarked(draft: Draft) -> Spec:
+    """A field of any size where others have the mark of exception responses; its bytes there seldom are the mark."""
+    kind = draft.pick(("u8", "i16", "u24", "u32", "i32"))
+    low, high = bounds(kind)
+    number = draft.number(low, high)
+    if draft.chance(60):
+        return draft.fact(type=kind, const=number)
+    return draft.fact(type=kind, range=f"{number}..{min(number + draft.number(0, 300), high)}")
 
 
 def draw_response_codes(draft: Draft) -> None:

@@ -33,8 +33,9 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
     of_bits = spaces_of_bits(device)
     for name, accessing in of_bits.items():
         space = device.spaces[name]
-        text = f"{enumeration(accessing)} access bits in {name}, whose unit is the {space.unit}"
-        help = f"state `unit: bit` for {name}, or name another space in the messages"
+        unit = _meant_unit(device, name)
+        text = f"{enumeration(accessing)} access {unit}s in {name}, whose unit is the {space.unit}"
+        help = f"state `unit: {unit}` for {name}, or name another space in the messages"
         yield finding(_CODE, space.place, "unit", text, help)
     for message in device.messages.values():
         access = message.accesses
@@ -66,6 +67,14 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
 def _numbers(access: RegisterAccess) -> tuple[str, ...]:
     """The fields of a request that an access names, one for each purpose."""
     return (access.start, access.count, access.values if access.operation == "write" else "")
+
+
+def _meant_unit(device: Device, name: str) -> str:
+    """The unit of a space whose messages carry a `u8` repeated: bytes, where the space has other values than bits."""
+    own = (message.accesses for message in device.messages.values())
+    is_set = any(access.set is not None for access in own if access is not None and access.space == name)
+    types = {register.value.type.name for register in device.registers() if device.space_name(register.space) == name}
+    return BYTE if types and BIT not in types and not is_set else BIT
 
 
 def spaces_of_bits(device: Device) -> dict[str, list[str]]:

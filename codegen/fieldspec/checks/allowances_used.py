@@ -1,4 +1,4 @@
-"""Every `allow` names a rule that the fact would break without it.
+"""Every `allow` names a rule that the fact would break without it, in one of the versions at least.
 
 Why: an allowance that is no longer needed hides the next mistake at the same place.
 

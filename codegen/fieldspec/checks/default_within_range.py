@@ -32,7 +32,7 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
         if value.default is None:
             continue
         key = default_key(fact.place)
-        wrong = _wrong_form(value, value.default)
+        wrong = _wrong_form(device, value, value.default)
         if wrong:
             text, help = wrong
             yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
@@ -47,7 +47,7 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, fact.place, key, text, help, *labels)
 
 
-def _wrong_form(value: Value, default: int | str) -> tuple[str, str] | None:
+def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:
     """What a default is that the type cannot have, and what to do; None where it has the form of the value."""
     kind = value.type.kind
     if kind is Kind.BYTES:
@@ -58,6 +58,10 @@ def _wrong_form(value: Value, default: int | str) -> tuple[str, str] | None:
         help = "state the raw value: the value in the unit, less the offset, divided by the scale"
         if default.isdecimal():
             help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"
+        enum = device.enums.get(value.enum)
+        member = enum.named(default) if enum is not None else None
+        if member is not None:
+            help = f"write the number of {default}: `{member.value}`"
         return f"`{default}`, but its raw values are whole numbers", help
     if isinstance(default, str) and not _DECIMAL.fullmatch(default):
         return f"`{default}`, but its values are numbers", "state it as a raw value"

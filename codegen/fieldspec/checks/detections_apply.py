@@ -1,13 +1,15 @@
 """The value that tells the version of a device can be read, and is read in one way.
 
-Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses.
+Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses. The value
+has the same place, type, order and scale in all versions, because a program reads it before it knows the version.
 
-Example: `form: decimal` for a text, or `detected_as: [104]` in two versions of a line. Or `form: decimal` without
-`places` for the versions 1.00 and 1.20, of which no number tells the second.
+Example: `form: decimal` for a text, a setting that users write, or `detected_as: [104]` in two versions of a line. Or
+`form: decimal` without `places` for the versions 1.00 and 1.20, of which no number tells the second.
 
 Cure: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
 different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does. Write
-the versions with as many digits after the point as there are `places`.
+the versions with as many digits after the point as there are `places`. Name a value that all versions have at one
+place; where there is none, state no `detected_by`.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding, label, plural
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Detection, Device, VersionLine
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Kind, Value
@@ -65,6 +67,13 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
     if is_request:
         text = f"{detection.fact} cannot be read"
         yield finding(_CODE, detection.place, "fact", text, "name a value that the device sends")
+    elif getattr(fact, "access", "") == "rw":
+        text = f"{detection.fact} can be written, so it seldom tells the version"
+        help = (
+            "name the value of the firmware, or correct the access; if it does, allow this with a reason at the value"
+        )
+        there = label(fact.place, "access", "its access")
+        yield finding(_CODE, detection.place, "fact", text, help, there, severity=Severity.WARNING)
     number = value.type.kind is Kind.INTEGER
     if detection.form and not number:
         text = f"{detection.fact} is a text, which is the version itself"

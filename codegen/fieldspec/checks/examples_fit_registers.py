@@ -14,12 +14,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addresses import Addressed, Addresses
 from fieldspec.checks.finding import finding, hexadecimal, label, range_key
 from fieldspec.checks.numbers import Legal, in_counts
+from fieldspec.checks.occupants import Addressed, Addresses
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
+from fieldspec.model.raw_numbers import orders_of
 from fieldspec.model.record import Field, Message, RegisterAccess
+from fieldspec.model.registers import Register
 from fieldspec.model.texts import Example
 
 _CODE = "examples_fit_registers"
@@ -46,8 +49,8 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
         if example.direction == "request":
             yield from _accessed(device, addresses, access, start, message, example)
         writes = access.operation == "write"
-        words = _words(device, message, example) if bits is None else _bits(device, message, bits, example, asked)
-        for address, occupant, number in addresses.counts(access.space, start, words):
+        data = _data(device, message, example) if bits is None else _bits(device, message, bits, example, asked)
+        for address, occupant, number in addresses.numbers(access.space, start, data):
             yield from _valued(occupant, address, number, legal, writes, example)
 
 
@@ -55,10 +58,11 @@ def _accessed(
     device: Device, addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
 ) -> Iterator[Diagnostic]:
     """What is wrong with the words that a request addresses: nothing begins there, or its access forbids it."""
-    if addresses.at(access.space, start) is None:
+    if not addresses.at(access.space, start):
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
-    count = len(_words(device, message, example)) or _number(device, message, access.count, example) or 1
+    carried = len(_data(device, message, example)) // device.space(access.space).unit_size
+    count = carried or _number(device, message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
         if occupant.access == _REFUSED[access.operation]:
             deed = "reads" if access.operation == "read" else "writes"
@@ -68,11 +72,27 @@ def _accessed(
 
 
 def _valued(
-    occupant: Addressed, address: int, number: int, legal: Legal, writes: bool, example: Example
+    occupant: Addressed, address: int, number: int | float | None, legal: Legal, writes: bool, example: Example
 ) -> Iterator[Diagnostic]:
-    why = legal.objection(occupant.value, number, writes) if occupant.value is not None else ""
+    """What is wrong with a number at an address, as it is read; what starts something may be read as anything."""
+    value = occupant.value
+    if value is None or (isinstance(occupant.fact, Register) and occupant.fact.trigger and not writes):
+        return
+    name = f"{occupant.fact.name} at {hexadecimal(address)}"
+    if number is None:
+        text = f"{name} is not {digits_text(value)} in {example.id}"
+        there = label(occupant.fact.place, "digits", "its digits")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the digits", there)
+        return
+    if writes and value.const is not None and number != value.const:
+        text = f"{name} is {number} in {example.id}, but can only be written with {value.const}"
+        there = label(occupant.fact.place, "const", "its constant")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the constant", there)
+        return
+    why = legal.objection(value, number, writes)
     if why:
-        text = f"{occupant.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
+        own = f"{number:.7g}" if isinstance(number, float) and value.size == 4 else number
+        text = f"{name} is {own} in {example.id}, which {why}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
         there = label(occupant.fact.place, key, "its permitted values")
         yield finding(_CODE, example.place, "values", text, "correct the frame or the range", there)
@@ -84,32 +104,38 @@ def _number(device: Device, message: Message, name: str, example: Example) -> in
     return in_counts(device, field.value, example.values.get(name)) if field is not None and field.value else None
 
 
-def _bits(
-    device: Device, message: Message, access: RegisterAccess, example: Example, asked: Example | None
-) -> list[int]:
-    """The bits that an example carries; none if it carries none, or if they cannot be read."""
+def _bits(device: Device, message: Message, access: RegisterAccess, example: Example, asked: Example | None) -> bytes:
+    """The bits that an example carries, a byte for each; none if it carries none, or if they cannot be read."""
     if (access.operation == "read") != (example.direction == "response"):
-        return []
+        return b""
     value = example.values.get(access.values)
     if access.set is not None:
-        return [{access.set: 1, access.clear: 0}[value]] if value in (access.set, access.clear) else []
+        return bytes([{access.set: 1, access.clear: 0}[value]]) if value in (access.set, access.clear) else b""
     count = _number(device, message, access.count, asked) if asked is not None else None
     if not isinstance(value, list) or not all(isinstance(byte, int) and 0 <= byte <= 0xFF for byte in value):
-        return []
-    return [byte >> place & 1 for byte in value for place in range(8)][:count]
+        return b""
+    return bytes(byte >> place & 1 for byte in value for place in range(8))[:count]
 
 
-def _words(device: Device, message: Message, example: Example) -> list[int]:
-    """The words that an example carries; none if it carries none, or if they cannot be read."""
+def _data(device: Device, message: Message, example: Example) -> bytes:
+    """The bytes of the words that an example carries; none if it carries none, or if they cannot be read."""
     if message.accesses is None:
-        return []
+        return b""
     reads = message.accesses.operation == "read"
     if reads != (example.direction == "response"):
-        return []
+        return b""
     layer = message.response if reads else message.request
     field: Field | None = next((f for f in layer.fields if f.name == message.accesses.values), None)
     value = example.values.get(message.accesses.values)
-    if field is None or field.value is None or field.value.size != device.space(message.accesses.space).unit_size:
-        return []
-    counts = [in_counts(device, field.value, item) for item in (value if isinstance(value, list) else [value])]
-    return [count for count in counts if count is not None] if None not in counts else []
+    if field is None or field.value is None or field.value.digits:
+        return b""
+    size = field.value.size
+    if size != device.space(message.accesses.space).unit_size:
+        return b""
+    items = value if isinstance(value, list) else [value]
+    counts = [count for item in items if (count := in_counts(device, field.value, item)) is not None]
+    if len(counts) != len(items):
+        return b""
+    order, _ = orders_of(field.value, device.byte_order, "")
+    limit = 1 << 8 * size
+    return b"".join((count % limit).to_bytes(size, "big" if order == "big" else "little") for count in counts)

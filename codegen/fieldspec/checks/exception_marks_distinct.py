@@ -1,5 +1,5 @@
 """Where frames carry no code, a constant in the data marks exception responses: a `field` of their record, at a
-fixed place. No other response on the link has this number there.
+fixed place. No other response on the link has the bytes of this number there.
 
 Why: a decoder that cannot tell the two apart reads the reason of a refusal as the answer, or the reverse.
 
@@ -17,10 +17,13 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_bytes
 from fieldspec.model.link import Link
+from fieldspec.model.raw_numbers import orders_of
 from fieldspec.model.record import Field, Message
 from fieldspec.model.sizes import RecordSizes, messages_on
 from fieldspec.model.subcodes import Place, constant_at
+from fieldspec.model.value import Kind, Value
 
 _CODE = "exception_marks_distinct"
 
@@ -57,32 +60,71 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
 def _apart(
     device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int
 ) -> Iterator[Diagnostic]:
-    """Whether the response of a message never has the number at a place."""
-    offset, size, _ = place
+    """Whether the bytes at a place of the response of a message never are those of a number."""
+    offset, size, order = place
+    mark = number.to_bytes(size, "little" if order == "little" else "big")
+    first: Field | None = None
     for field, at in sizes.offsets(message.response):
         bounds = sizes.field(field)
         if bounds is not None and at + bounds[1] <= offset:
             continue
-        if at >= offset + size or _is_another(device, field, at, place, number):
-            return
-        text = f"{message.name} may have {number:#x} in {field.name}, which marks exception responses on {link.name}"
-        help = "give the field another `const`, an enum that is not open, or a range without this number"
-        there = label(link.place, "exception_response", "exception responses")
-        yield finding(_CODE, field.place, "name", text, help, there)
-        return
+        if at >= offset + size or _is_another(device, field, at, offset, mark):
+            break
+        first = first or field
+        if bounds is None or at + bounds[1] >= offset + size:
+            text = (
+                f"{message.name} may have {number:#x} in {first.name}, which marks exception responses on {link.name}"
+            )
+            help = "give the field another `const`, an enum that is not open, or a range without this number"
+            there = label(link.place, "exception_response", "exception responses")
+            yield finding(_CODE, first.place, "name", text, help, there)
+            break
 
 
-def _is_another(device: Device, field: Field, at: int, place: Place, number: int) -> bool:
-    """Whether a field is one number at the very place, and never this one."""
-    constant = constant_at(field, at, device.byte_order)
-    if constant is not None:
-        return constant[0] == place and constant[1] != number
+def _is_another(device: Device, field: Field, at: int, offset: int, mark: bytes) -> bool:
+    """Whether the bytes that a field, which begins at `at`, shares with those of the mark never are the mark's."""
     value = field.value
-    if value is None or (at, value.size) != place[:2] or field.count is not None or field.repeat is not None:
+    if value is None or value.type.kind is not Kind.INTEGER or value.width or value.has_characters:
         return False
-    if field.reserved or value.type.signed or (value.size > 1 and (value.byte_order or device.byte_order) != place[2]):
+    if field.reserved or field.count is not None or field.repeat is not None:
         return False
+    order, swapped = orders_of(value, device.byte_order, device.word_order)
+    if swapped:
+        return False
+    low, high = max(at, offset), min(at + value.size, offset + len(mark))
+    own = mark[low - offset : high - offset]
+    behind = at + value.size - high if order == "big" else low - at
+    bits = int.from_bytes(own, "big" if order == "big" else "little")
+    return not any(_may_have(interval, value, 8 * behind, 8 * len(own), bits) for interval in _numbers(device, value))
+
+
+def _numbers(device: Device, value: Value) -> list[tuple[int, int]]:
+    """The intervals of the numbers that a value may have in a response."""
+    if value.const is not None:
+        return [(value.const, value.const)]
     enum = device.enums.get(value.enum)
     if enum is not None and not enum.open:
-        return enum.member(number) is None
-    return value.ranges is not None and number not in value.ranges and value.sentinel(number) is None
+        return [(member.value, member.value) for member in enum.members]
+    sentinels = [(int(sentinel.value), int(sentinel.value)) for sentinel in value.sentinels]
+    return [*(value.ranges.intervals if value.ranges is not None else ((value.low, value.high),)), *sentinels]
+
+
+def _may_have(interval: tuple[int, int], value: Value, shift: int, width: int, bits: int) -> bool:
+    """Whether a number of an interval has some bits, `width` of them above `shift`, on the wire."""
+    low, high = interval
+    if value.digits:
+        return low != high or _bits(int.from_bytes(digits_bytes(value, low), "big"), shift, width) == bits
+    if low < 0 <= high:
+        return any(_may_have(part, value, shift, width, bits) for part in ((low, -1), (0, high)))
+    least = low % (1 << 8 * value.size)
+    most = least + high - low
+    above = least >> shift + width
+    for upper in (above, above + 1):
+        first = (upper << width | bits) << shift
+        if max(first, least) <= min(first + (1 << shift) - 1, most):
+            return True
+    return False
+
+
+def _bits(number: int, shift: int, width: int) -> int:
+    return number >> shift & (1 << width) - 1

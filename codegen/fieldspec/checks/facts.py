@@ -62,6 +62,22 @@ def fields(device: Device) -> Iterator[Field]:
         yield from layer.fields
 
 
+def nested_fields(device: Device, outer: Sequence[Field]) -> Iterator[Field]:
+    """Some fields, each before those of the records in it, to any depth.
+
+    The fields of a record come once, so this ends where a record contains itself, and where many hold the same one.
+    """
+    seen: set[str] = set()
+    waiting = [*reversed(outer)]
+    while waiting:
+        field = waiting.pop()
+        yield field
+        record = device.records.get(field.record)
+        if record is not None and record.name not in seen:
+            seen.add(record.name)
+            waiting += reversed(record.fields)
+
+
 def cases(field: Field) -> tuple[Case, ...]:
     """The types that a field can have by another field; nothing where it has a type of its own."""
     return field.choice.cases if field.choice is not None else ()

@@ -58,7 +58,11 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
     places = [_places(device, sizes, message.request) for message in messages]
     if len(messages) < 2 or distinct_place(places) is not None:
         return
-    message, other = messages[-1], messages[0]
+    # Where each two of them differ, but not all of them at one place, the first one stands for all others.
+    pairs = ((later, earlier) for later in range(len(messages)) for earlier in range(later))
+    alike = (pair for pair in pairs if distinct_place([places[number] for number in pair]) is None)
+    later, earlier = next(alike, (len(messages) - 1, 0))
+    message, other = messages[later], messages[earlier]
     text = f"{message.name} and {other.name} have the code {message.code:#04x}"
     help = "correct one of the codes, or give each message its subcode: a field of up to four bytes with its own"
     help += " `const` at the same place"

@@ -24,7 +24,7 @@ class Legal:
             if not enum.open
         }
 
-    def objection(self, value: Value, number: int, writes: bool = False) -> str:
+    def objection(self, value: Value, number: float, writes: bool = False) -> str:
         """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything.
 
         `writes` says that the number is written, for which a value may have a range of its own.
@@ -33,7 +33,7 @@ class Legal:
             value = value.for_writing()
         if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
             return "" if number in value.ranges else f"is outside {value.ranges.text()}"
-        if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):
+        if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN) or isinstance(number, float):
             return ""
         if not value.low <= number <= value.high:
             return f"does not fit {digits_text(value) if value.digits else value.type.name}"

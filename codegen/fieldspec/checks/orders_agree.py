@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.facts import layers, values
+from fieldspec.checks.facts import cases, layers, nested_fields, values
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -76,12 +76,10 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 def _values(device: Device, record: Record) -> Iterator[tuple[Field | Case, Value]]:
     """The values of a record, of its cases, and of the records in it."""
-    for field in record.fields:
+    for field in nested_fields(device, record.fields):
         if field.value is not None:
             yield field, field.value
-        if field.record in device.records:
-            yield from _values(device, device.records[field.record])
-        for case in field.choice.cases if field.choice is not None else ():
+        for case in cases(field):
             yield case, case.value
 
 

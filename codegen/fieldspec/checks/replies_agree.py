@@ -1,22 +1,25 @@
 """A response in an example belongs to the request that it names: it has the same link, message and unit
-address, and the same echoed fields.
+address, the same echoed fields, and as many registers or bits as the request asks for.
 
-Why: the two frames of a sample are one exchange. If the response repeats different values, one frame is
-misprinted or belongs to another sample.
+Why: the two frames of a sample are one exchange. If the response repeats different values, or has more or fewer
+registers, one frame is misprinted or belongs to another sample, or `accesses` names the wrong fields.
 
-Example: a request to station 1 and a response from station 2.
+Example: a request to station 1 and a response from station 2, or a request for 20 words and a response with 25.
 
-Cure: Correct one of the frames and write an erratum, or name the right example under `reply_to`.
+Cure: Correct one of the frames and write an erratum, or name the right example under `reply_to`. Correct the `start`,
+`count` and `values` under `accesses` of the message. If the device sends another number, set
+`allow: {replies_agree: <reason>}` on the response.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
-from fieldspec.checks.numbers import body
+from fieldspec.checks.finding import finding, label, plural
+from fieldspec.checks.numbers import body, in_counts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.record import Message
 from fieldspec.model.texts import Example
 
 _CODE = "replies_agree"
@@ -41,6 +44,38 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
             if repeated is not None and echoed is not None and repeated != echoed:
                 text = f"{name} is {repeated} in {reply.id} and {echoed} in its request"
                 yield finding(_CODE, reply.place, "values", text, _HELP, there)
+        message = device.messages.get(reply.message)
+        if message is not None and request.message == reply.message and not reply.exception_response:
+            why = _other_number(device, message, request, reply)
+            if why:
+                help = f"{_HELP}, or the fields under `accesses` of {message.name}"
+                yield finding(_CODE, reply.place, "values", why, help, there)
+
+
+def _other_number(device: Device, message: Message, request: Example, reply: Example) -> str:
+    """Why a response does not have what its request asks for, or an empty text."""
+    access = message.accesses
+    if access is None or access.operation != "read" or reply.direction != "response":
+        return ""
+    count, values = message.request.named(access.count), message.response.named(access.values)
+    have = reply.values.get(access.values)
+    if count is None or count.value is None or values is None or values.value is None or not isinstance(have, list):
+        return ""
+    stated = in_counts(device, count.value, request.values.get(count.name))
+    want = count.value.const if stated is None else stated
+    if want is None:
+        return ""
+    if device.bit_access(message) is not None:
+        size = -(-want // 8)
+        if len(have) == size or values.value.size != 1:
+            return ""
+        text = f"{request.id} asks for {plural(want, 'bit')}, which take {plural(size, 'byte')}"
+        return f"{text}, but {reply.id} has {len(have)}"
+    space = device.space(access.space)
+    carried, rest = divmod(len(have) * values.value.type.size, space.unit_size)
+    if rest or carried == want:
+        return ""
+    return f"{request.id} asks for {plural(want, space.unit)}, but {reply.id} has {carried}"
 
 
 def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:

@@ -39,6 +39,7 @@ from fieldspec.checks.defaults_writable import defaults_writable
 from fieldspec.checks.descriptions_differ import descriptions_differ
 from fieldspec.checks.detections_apply import detections_apply
 from fieldspec.checks.digits_fit import digits_fit
+from fieldspec.checks.directions_agree import directions_agree
 from fieldspec.checks.elements_match_table import elements_match_table
 from fieldspec.checks.enum_contiguous import enum_contiguous
 from fieldspec.checks.enum_names_unique import enum_names_unique
@@ -160,6 +161,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("descriptions_differ", descriptions_differ),
     ("detections_apply", detections_apply),
     ("digits_fit", digits_fit),
+    ("directions_agree", directions_agree),
     ("elements_match_table", elements_match_table),
     ("enum_contiguous", enum_contiguous),
     ("enum_names_unique", enum_names_unique),

@@ -12,33 +12,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import nested_fields
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.record import Record
-from fieldspec.model.registers import Table
-
-_MOST_LEVELS = 8
 
 
 def table_fields_readable(device: Device) -> Iterator[Diagnostic]:
-    done: set[str] = set()
+    done: set[int] = set()
     for table in device.tables.values():
         record = device.records.get(table.record)
-        if record is not None:
-            yield from _of_record(device, table, record, done, _MOST_LEVELS)
-
-
-def _of_record(device: Device, table: Table, record: Record, done: set[str], levels: int) -> Iterator[Diagnostic]:
-    if record.name in done or not levels:
-        return
-    done.add(record.name)
-    for field in record.fields:
-        if field.value is not None and field.value.const is not None and not field.reserved:
+        for field in nested_fields(device, record.fields if record is not None else ()):
+            if field.value is None or field.value.const is None or field.reserved or id(field) in done:
+                continue
+            done.add(id(field))
             text = f"{field.name} is a constant, but {table.name} can return any value"
             help = f"write `range: {field.value.const}` instead, which restricts only writing"
             there = label(table.place, "record", "the table")
             yield finding("table_fields_readable", field.place, "const", text, help, there)
-        inner = device.records.get(field.record)
-        if inner is not None:
-            yield from _of_record(device, table, inner, done, levels - 1)

@@ -58,6 +58,9 @@ _OTHER_WORDS = {
     "percent": "%",
     "r/min": "rpm",
     "rev/min": "rpm",
+    "revolution": "rev",
+    "revolutions": "rev",
+    "revs": "rev",
     "sec": "s",
     "second": "s",
     "seconds": "s",
@@ -65,10 +68,16 @@ _OTHER_WORDS = {
     "us": "µs",
     "volt": "V",
     "volts": "V",
+    "turn": "rev",
+    "turns": "rev",
     "watt": "W",
     "watts": "W",
 }
 """What others write for some units, in small letters."""
+_LOOKALIKES = str.maketrans(
+    {"\u00ba": "°", "\u02da": "°", "\u2109": "°F", "\u2103": "°C", "\u03bc": "µ", "\u2126": "Ω"}
+)
+"""Characters that look like those of units: the ordinal indicator and the ring above like the sign of degrees."""
 
 
 def units_known(device: Device) -> Iterator[Diagnostic]:
@@ -119,6 +128,8 @@ def _symbol(unit: str, known: Collection[str]) -> str:
         return unit
     if (standard := standard_unit(unit)) is not None:
         return standard.symbol
+    if unit != (clean := unit.translate(_LOOKALIKES)):
+        return _symbol(clean, known)
     other = _OTHER_WORDS.get(unit.lower(), "")
     if other in known:
         return other

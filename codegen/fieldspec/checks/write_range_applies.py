@@ -15,12 +15,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.facts import values
+from fieldspec.checks.facts import cases, nested_fields, values
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.record import Field, Record
+from fieldspec.model.record import Field
 from fieldspec.model.value import Kind, Value
 
 _CODE = "write_range_applies"
@@ -33,11 +33,11 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         for layer in (message.request, message.response):
             for field in layer.fields:
-                yield from _in_frame(device, field, field)
+                yield from _in_frame(device, field)
     for link in device.links.values():
         record = device.records.get(link.exception_response.record) if link.exception_response is not None else None
         for field in record.fields if record is not None else ():
-            yield from _in_frame(device, field, field)
+            yield from _in_frame(device, field)
 
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
@@ -54,15 +54,13 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(_CODE, fact.place, "write_range", text, "correct one of them", there)
 
 
-def _in_frame(device: Device, outer: Field, field: Field, depth: int = 8) -> Iterator[Diagnostic]:
-    """What is wrong with a field of a message, or with one of the records that lie in it."""
-    values_here = [field.value] if field.value is not None else []
-    values_here += [case.value for case in field.choice.cases] if field.choice is not None else []
-    if any(value.write_ranges is not None for value in values_here):
-        text = f"{field.name} is in a message, which is either written or read"
-        there = label(outer.place, "name", "the field of the message")
-        help = "define a separate field for the message, with its own `range`"
-        yield finding(_CODE, field.place, "write_range", text, help, *([there] if outer is not field else []))
-    record: Record | None = device.records.get(field.record)
-    for inner in record.fields if record is not None and depth else ():
-        yield from _in_frame(device, outer, inner, depth - 1)
+def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
+    """What is wrong with a field of a message, or with those of the records that lie in it."""
+    for field in nested_fields(device, [outer]):
+        values_here = [field.value] if field.value is not None else []
+        values_here += [case.value for case in cases(field)]
+        if any(value.write_ranges is not None for value in values_here):
+            text = f"{field.name} is in a message, which is either written or read"
+            there = label(outer.place, "name", "the field of the message")
+            help = "define a separate field for the message, with its own `range`"
+            yield finding(_CODE, field.place, "write_range", text, help, *([there] if outer is not field else []))

@@ -62,16 +62,16 @@ def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
     """Whether the device has the firmware that the spec is for, as far as the device tells it. Says why not."""
     layout = client.layout
     firmware = firmware_of(client, spec.versions())
-    if not firmware.text:
-        if firmware.doubt:
-            print(f"{layout.device.id}: {firmware.doubt}", file=sys.stderr)
-        return True
     own = layout.device.version
+    if not firmware.doubt and not firmware.version:
+        return True
     if firmware.version and specs.layout_of(spec, firmware.version).identity == layout.identity:
         return True
     known = f"is {firmware.version}" if firmware.version else f"is none of the spec: {firmware.doubt}"
     text = f"the firmware {firmware.text} of the device {known}, and the verb is for {own}"
-    if any_version:
+    if not firmware.text:
+        text = f"{firmware.doubt}, and the verb is for {own}"
+    if any_version or not firmware.is_asked:
         print(f"{layout.device.id}: {text}", file=sys.stderr)
         return True
     advice = f"say {layout.device.id}@{firmware.version}" if firmware.version else "see what the manual says of it"

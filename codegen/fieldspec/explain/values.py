@@ -10,9 +10,10 @@ from math import isfinite
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
-from fieldspec.model.digits import digits_number, digits_text
+from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Bit, Enum, Flags, State
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.raw_numbers import number_in
 from fieldspec.model.text_form import decoded_text, encoding_title, text_form_title
 from fieldspec.model.value import Kind, Value
 
@@ -94,17 +95,10 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
         return data
-    in_order = data
-    if swapped:
-        in_order = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
-    big = (order == "big") != swapped
-    if kind is Kind.FLOAT:
-        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
-        return SinglePrecision(number) if value.type.size == 4 else number
-    if value.digits:
-        number_of_digits = digits_number(value, in_order if big else in_order[::-1])
-        return data if number_of_digits is None else number_of_digits
-    return int.from_bytes(in_order, "big" if big else "little", signed=value.type.signed)
+    number = number_in(value, data, order, swapped)
+    if isinstance(number, float) and value.type.size == 4:
+        return SinglePrecision(number)
+    return data if number is None else number
 
 
 def decimal_text(number: Decimal) -> str:

@@ -58,8 +58,11 @@ def version_lines(device: Device, versions: Container[str]) -> list[list[str]]:
 
 def detecting_value(device: Device, detection: Detection) -> Value | None:
     """The value of the fact that tells the version."""
-    for fact in descendants(device):
-        if isinstance(fact, Fact) and fact.place.path == detection.fact:
-            value = getattr(fact, "value", None)
-            return value if isinstance(value, Value) else None
-    return None
+    value = getattr(detecting_fact(device, detection), "value", None)
+    return value if isinstance(value, Value) else None
+
+
+def detecting_fact(device: Device, detection: Detection) -> Fact | None:
+    """The fact that tells the version; None where the device has no such fact."""
+    paths = (fact for fact in descendants(device) if isinstance(fact, Fact))
+    return next((fact for fact in paths if fact.place.path == detection.fact), None)

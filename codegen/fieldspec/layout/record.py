@@ -10,6 +10,7 @@ from fieldspec.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.widths import Span
 from fieldspec.model.enums import Enum
+from fieldspec.model.raw_numbers import orders_of
 from fieldspec.model.record import Case, Choice, Field, Record, list_count, text_count
 from fieldspec.model.registers import Register
 from fieldspec.model.value import Kind, Primitive, Value
@@ -196,11 +197,7 @@ class Orders:
 
     def of(self, value: Value | None) -> tuple[str, bool]:
         """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian."""
-        if value is not None and value.has_characters:
-            return "big", False
-        byte = value.byte_order if value and value.byte_order else self.byte
-        word = value.word_order if value and value.word_order else self.word
-        return byte, bool(value and value.has_words and word and word != byte)
+        return orders_of(value, self.byte, self.word)
 
 
 def record_layout(

@@ -8,7 +8,8 @@ from fieldspec.layout.detection import detecting_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.client import Client
 from fieldspec.live.messages import read_signals, signals
-from fieldspec.live.reading import all_occupants, blocks, read
+from fieldspec.live.reading import all_occupants, blocks, message_for, read
+from fieldspec.model.sizes import sent_on
 from fieldspec.model.value import Kind
 
 if TYPE_CHECKING:
@@ -23,12 +24,13 @@ class Firmware:
     """What a device says of its firmware: the value as text, and the version of the spec that it is.
 
     `version` is empty where it is none of them, and `doubt` then says why; both are empty where the spec does not say
-    what tells the version, or how.
+    what tells the version, or how. `is_asked` says whether a message of the link reads the value.
     """
 
     text: str = ""
     version: str = ""
     doubt: str = ""
+    is_asked: bool = True
 
 
 def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
@@ -41,15 +43,17 @@ def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
     named = _named(layout)
     if value.type.kind is not Kind.TEXT and not detection.form and not named:
         return Firmware()  # how a number is read is not known
-    decoded = _read(client, detection.fact)
-    number = decoded.number if decoded is not None else None
+    answers = _answers(client, detection.fact)
+    if not answers:
+        return Firmware("", "", f"no message on {client.frames.link.name} reads {detection.fact}", is_asked=False)
+    number = answers[0].number if answers[0] is not None else None
     if isinstance(number, bytes):
         number = number.decode("ascii", "replace")
     if number is None or isinstance(number, (list, dict, float)):
-        return Firmware("", "", "the device does not say its firmware")
+        return Firmware("", "", f"the device does not say its firmware in {detection.fact}")
     text = str(number).strip(" \t\r\n\0")
     if not text:
-        return Firmware("", "", "the device does not say its firmware")
+        return Firmware("", "", f"the device does not say its firmware in {detection.fact}")
     places = value.size if detection.form == "bytes" else detection.places
     lines = tuple(
         tuple((version.id, version.id) for version in line.versions if version.id in versions)
@@ -69,14 +73,18 @@ def _named(layout: DeviceLayout) -> dict[str | int, str]:
     }
 
 
-def _read(client: Client, path: str) -> DecodedValue | None:
-    """The value of a fact by its path; None where the device refuses it, or no message of the link reads it."""
+def _answers(client: Client, path: str) -> list[DecodedValue | None]:
+    """The value of a fact by its path, None where the device refuses it; none where no message of the link reads it."""
 
     def is_meant(fact: Fact) -> bool:
         return fact.place.path == path
 
-    occupants = [pair for pair in all_occupants(client.layout) if is_meant(pair[1].fact)]
-    for reading in read(client, blocks(client.layout, occupants[:1])):
-        return reading.decoded
+    def is_readable(space: str, words: int) -> bool:
+        message = message_for(client.layout, "read", space, words)
+        return message is not None and sent_on(client.frames.link.link, message)
+
+    meant = [pair for pair in all_occupants(client.layout) if is_meant(pair[1].fact)]
+    occupants = [(space, occupant) for space, occupant in meant if is_readable(space, occupant.words)]
+    answers = [reading.decoded for reading in read(client, blocks(client.layout, occupants[:1]))]
     own = [signal for signal in signals(client.layout, client.frames.link) if is_meant(signal.fact)]
-    return next((reading.decoded for reading in read_signals(client, own[:1])), None)
+    return answers or [reading.decoded for reading in read_signals(client, own[:1])]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from fieldspec.caches import ByIdentity, ObjectsKey
 from fieldspec.checks.layout_conditions import has_layout
+from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.layout.values import MeaningError, Raw, raw_values
@@ -42,11 +43,38 @@ class FindingsCache:
             return []
         layout, reference = codec
         findings = self._findings[meaning]
-        return [
-            finding
+        proven = [
+            (example, findings.get_or_compute(example, lambda same: [*example_proven(layout, reference, same)]))
             for example in device.examples.values()
-            for finding in findings.get_or_compute(example, lambda same: [*example_proven(layout, reference, same)])
         ]
+        common = _commonly_wrong(proven)
+        return [
+            replace(finding, help=_COMMON)
+            if finding.code == "check_code_correct" and _frames_of(example) in common
+            else finding
+            for example, own in proven
+            for finding in own
+        ]
+
+
+_COMMON = (
+    "the checksums of all examples in this direction of the link are wrong: compare `covers`, `algorithm` or "
+    "`checksum`, `digits` and `byte_order` of the part with the manual first"
+)
+
+
+def _frames_of(example: Example) -> tuple[str, str]:
+    return example.link, example.direction
+
+
+def _commonly_wrong(proven: Sequence[tuple[Example, Sequence[Diagnostic]]]) -> set[tuple[str, str]]:
+    """The links and directions with several examples, each of which has a wrong checksum."""
+    verdicts: dict[tuple[str, str], list[bool]] = {}
+    for example, own in proven:
+        if not example.refused:
+            wrong = any(finding.code == "check_code_correct" for finding in own)
+            verdicts.setdefault(_frames_of(example), []).append(wrong)
+    return {frames for frames, own in verdicts.items() if len(own) > 1 and all(own)}
 
 
 def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:

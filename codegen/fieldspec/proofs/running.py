@@ -12,9 +12,11 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
+from fieldspec.proofs.detections_alike import detections_alike
 from fieldspec.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.proofs.errata import Findings, Proof, errata_by_version, proofs
 from fieldspec.proofs.examples import FindingsCache
+from fieldspec.proofs.over_versions import of_versions, without_needed
 from fieldspec.reading.project import DeviceSpec
 
 if TYPE_CHECKING:
@@ -127,7 +129,7 @@ class Outcome:
     """The result of all checks and proofs of a device.
 
     `findings` has all findings, `proofs` one proof for each erratum in the order of the spec, and `by_version` the
-    findings of each version without those of errata. `remembered` caches those of examples.
+    findings of each version by itself, without those of errata. `remembered` caches those of examples.
 
     `layouts` has the versions that have a layout; where all have one, `shared` is the result of `equal_versions`.
     """
@@ -147,22 +149,23 @@ def proven(spec: DeviceSpec) -> list[Diagnostic]:
 
 def outcome(spec: DeviceSpec) -> Outcome:
     """Runs everything on a device at all its versions. Errata are proven where all else is right."""
-    findings: list[Diagnostic] = []
     proofs_of_errata: list[Proof] = []
     by_version: dict[str, Sequence[Diagnostic]] = {}
+    devices: dict[str, Device] = {}
     settled: set[str] = set()
     layouts: dict[str, DeviceLayout] = {}
     shared: dict[str, str] = {}
     remembered = FindingsCache()
     for version in reversed(spec.versions()):
-        device, broken = spec.at(version)
-        broken = [
-            *everything(device, broken, remembered=remembered),
-            *behaviour_findings(device, spec.tree_at(version)),
+        devices[version], broken = spec.at(version)
+        by_version[version] = [
+            *everything(devices[version], broken, remembered=remembered),
+            *behaviour_findings(devices[version], spec.tree_at(version)),
         ]
-        by_version[version] = broken
-        findings += broken
-        if has_errors(broken):
+    needed = without_needed(devices, by_version)
+    findings = [*of_versions(needed, spec.versions())]
+    for version, device in devices.items():
+        if has_errors(needed[version]):
             continue
         layouts[version] = device_layout(device)
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
@@ -173,4 +176,5 @@ def outcome(spec: DeviceSpec) -> Outcome:
     if len(layouts) == len(spec.versions()):
         shared = equal_versions(spec, {version: layout.identity for version, layout in layouts.items()})
         findings += lines_alike(spec, shared)
+        findings += detections_alike({version: layouts[version] for version in spec.versions()})
     return Outcome([*findings, *accepted(spec)], _in_order(proofs_of_errata), by_version, remembered, layouts, shared)

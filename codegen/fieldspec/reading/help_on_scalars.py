@@ -8,6 +8,10 @@ _WITH_H = re.compile(r"([0-9A-Fa-f]{1,16})[hH]")
 _HEXADECIMAL = re.compile(r"(?:0X|[$#])?([0-9A-Fa-f]{1,16})")
 _ZEROS = re.compile(r"[-+]?0+([1-9][0-9]*|0)")
 _NUMBER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|[0-9]{1,20}(\.[0-9]{1,20})?)")
+_WHOLE = re.compile(r"([-+]?[0-9]{1,20})\.0{1,20}")
+_COMMA = re.compile(r"([-+]?[0-9]{1,20}),([0-9]{1,20})")
+_NO_NUMBERS = ("nan", ".nan", "inf", ".inf", "null", "none", "true", "false", "yes", "no", "n/a")
+"""Texts of other languages that are no characters of a frame."""
 _MOST_CHARACTERS = 4
 
 
@@ -21,8 +25,12 @@ def number_help(text: str, quoted: bool, whole: bool) -> str:
         return (
             f"numbers have no leading zeros: write it as `{padded[1]}`, or as `0x{padded[1]}` where it is hexadecimal"
         )
+    if (decimal := _COMMA.fullmatch(text)) is not None and not whole:
+        return f"write it as `{decimal[1]}.{decimal[2]}`, with a point"
     if not whole:
         return ""
+    if (integer := _WHOLE.fullmatch(text)) is not None:
+        return f"write it as `{integer[1]}`"
     if (digits := _WITH_H.fullmatch(text)) is not None:
         return f"write it as `0x{digits[1].upper()}`"
     characters = _characters_help(text)
@@ -36,6 +44,8 @@ def number_help(text: str, quoted: bool, whole: bool) -> str:
 
 
 def _characters_help(text: str) -> str:
+    if text.lower() in _NO_NUMBERS or re.fullmatch(r"[-+.,0-9]+", text):
+        return ""
     if not 0 < len(text) <= _MOST_CHARACTERS or not text.isascii() or not text.isprintable() or text.isdecimal():
         return ""
     number = int.from_bytes(text.encode("ascii"), "big")

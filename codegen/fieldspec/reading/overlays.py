@@ -19,7 +19,7 @@ from fieldspec.reading.nodes import (
     put,
     schema_path,
 )
-from fieldspec.reading.removals import removal_findings
+from fieldspec.reading.removals import RemovedFact, removal_findings, removed_changes
 from fieldspec.reading.scalars import part_at, typed_at
 from fieldspec.schema import schema
 
@@ -77,7 +77,7 @@ def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, l
     for part, apply in zip(OVERLAY_PARTS, (work.change, work.remove, work.add, work.rename), strict=True):
         for entry in mappings(overlay.values.get(part)):
             apply(entry)
-    work.findings += removal_findings(work.tree, work.removed)
+    work.findings += [*removed_changes(tree, overlay), *removal_findings(work.tree, work.removed)]
     return _stating(_accepting(work.tree, overlay), overlay), work.findings
 
 
@@ -111,7 +111,7 @@ class _Application:
         self.tree = tree
         self.silent = silent
         self.findings: list[Diagnostic] = []
-        self.removed: list[tuple[Scalar, Node]] = []
+        self.removed: list[RemovedFact] = []
 
     def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
         self.findings.append(Diagnostic(code, text, node.span, labels, help))
@@ -207,10 +207,12 @@ class _Application:
         if not isinstance(place[0][-1], int):
             self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name an item of a list")
             return
-        self._put(place[0], None)
+        at, fact = place
+        holder = node_at(self.tree, at[:2])
+        self._put(at, None)
         path = entry.values["fact"]
         assert isinstance(path, Scalar)
-        self.removed.append((path, place[1]))
+        self.removed.append(RemovedFact(path, fact, holder))
 
     def rename(self, entry: Mapping) -> None:
         """Gives a fact another name, wherever the spec refers to it."""

@@ -1,24 +1,54 @@
-"""What must go with a fact that a version removes: errata, examples, notes and tasks that are about it."""
+"""What must go with a fact that a version removes: errata, examples, notes, tasks and changes that are about it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Mapping as Table
 
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import quoted
-from fieldspec.reading.nodes import Mapping, Node, Scalar, children, identity, mappings
+from fieldspec.reading.nodes import Mapping, Node, Scalar, children, identity, keys, mappings
 
 _SECTIONS = ("errata", "examples", "notes", "tasks")
 _PATHS = ("fact", "about", "subject", "write", "set", "clear", "pulse", "read", "wait")
 """The keys under which these sections have paths of facts."""
 
 
-def removal_findings(tree: Mapping, removed: list[tuple[Scalar, Node]]) -> Iterator[Diagnostic]:
-    """A finding for each removed fact that others are still about: its path in the overlay, and its node."""
-    for path, fact in removed:
+@dataclass(frozen=True, slots=True)
+class RemovedFact:
+    """A fact that an overlay removes: its path there, its node, and what contains it, which may have its space."""
+
+    path: Scalar
+    fact: Node
+    holder: Node
+
+
+def removed_changes(base: Mapping, overlay: Mapping) -> Iterator[Diagnostic]:
+    """A finding for each change of a fact that the same overlay removes; all paths are of the base."""
+    removed = [(path, keys(base, path.text)) for path in _facts(overlay, "removes")]
+    for path in _facts(overlay, "changes"):
+        at = keys(base, path.text)
+        other = next((own for own, gone in removed if at and gone and at[: len(gone)] == gone), None)
+        if other is not None:
+            text = f"{quoted(other.text)} is removed by this overlay, so the change has no effect"
+            help = "remove the change; what is added again under `adds` states its new values there"
+            yield Diagnostic("overlay_changes_nothing", text, path.span, (Label(other.span, "removed here"),), help)
+
+
+def _facts(overlay: Mapping, part: str) -> list[Scalar]:
+    """The paths of the entries of one list of an overlay."""
+    paths = (entry.values.get("fact") for entry in mappings(overlay.values.get(part)))
+    return [path for path in paths if isinstance(path, Scalar)]
+
+
+def removal_findings(tree: Mapping, removed: list[RemovedFact]) -> Iterator[Diagnostic]:
+    """A finding for each removed fact that others are still about."""
+    for gone in removed:
+        path = gone.path
         about = [(section, item) for section in _SECTIONS for item in mappings(tree.values.get(section))]
-        starts = _starts(tree)
-        items = [(section, item) for section, item in about if _is_about(item, path.text, fact, starts)]
+        starts = _starts(tree, gone)
+        items = [(section, item) for section, item in about if _is_about(item, path.text, gone.fact, starts)]
         if items:
             names = [f"{section}/{identity(item)}" for section, item in items]
             labels = tuple(Label(item.span, "this one") for _, item in items[:1])
@@ -32,22 +62,30 @@ def _joined(names: list[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def _starts(tree: Mapping) -> frozenset[str]:
-    """The fields of messages that have the address of a register."""
-    messages = list(mappings(tree.values.get("messages")))
-    accesses = [access for message in messages if isinstance(access := message.values.get("accesses"), Mapping)]
-    accesses += [step for message in messages for step in mappings(message.values.get("access_steps"))]
-    return frozenset(_text(access.values.get("start")) for access in accesses)
+def _starts(tree: Mapping, gone: RemovedFact) -> dict[str, frozenset[str]]:
+    """By message, the fields with an address in the space of a removed register."""
+    first = next((identity(space) for space in mappings(tree.values.get("spaces"))), None) or ""
+    holder = gone.holder
+    space = (_text(holder.values.get("space")) if isinstance(holder, Mapping) else "") or first
+    starts = {}
+    for message in mappings(tree.values.get("messages")):
+        accesses = [*mappings(message.values.get("access_steps"))]
+        single = message.values.get("accesses")
+        accesses += [single] if isinstance(single, Mapping) else []
+        own = (access for access in accesses if (_text(access.values.get("space")) or first) == space)
+        starts[identity(message) or ""] = frozenset(_text(access.values.get("start")) for access in own)
+    return starts
 
 
-def _is_about(item: Mapping, path: str, fact: Node, starts: frozenset[str]) -> bool:
+def _is_about(item: Mapping, path: str, fact: Node, starts: Table[str, frozenset[str]]) -> bool:
     section, _, name = path.partition("/")
     if section == "messages" and _text(item.values.get("message")) == name:
         return True
     if section == "registers" and isinstance(fact, Mapping):
         values, at = item.values.get("values"), fact.values.get("at")
         if isinstance(values, Mapping) and isinstance(at, Scalar):
-            addresses = [values.values[key] for key in starts if key in values.values]
+            names = starts.get(_text(item.values.get("message")), frozenset())
+            addresses = [values.values[key] for key in names if key in values.values]
             if any(isinstance(address, Scalar) and _number(address) == _number(at) for address in addresses):
                 return True
     return any(text == path or text.startswith(f"{path}/") for text in _paths(item))

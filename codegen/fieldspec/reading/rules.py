@@ -138,7 +138,8 @@ Cure: Look at both places, decide which value is right now, and correct `was`.
 
 Why: an entry without effect is a mistake, or a change that is now in the base.
 
-Example: `unit: {was: mm, is: mm}`, or an added register with a `since` behind the version.
+Example: `unit: {was: mm, is: mm}`, an added register with a `since` behind the version, or a change of a register
+that the same file removes.
 
 Cure: State the new value, or remove the entry.
 """,

@@ -18,6 +18,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted, synonym
 from fieldspec.reading.help_on_algorithms import algorithm_help
+from fieldspec.reading.help_on_forms import form_help
 from fieldspec.reading.help_on_scalars import number_help
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
@@ -204,8 +205,10 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
             form = number_help(node.text, node.quoted, "integer" in names) or form
         return Diagnostic("wrong_type", message, _head(node), help=f"{form}; {description}" if form else description)
     if keyword in ("pattern", "maxLength"):
-        if isinstance(node, Scalar) and "number" in part.get("type", ()):
-            help = number_help(node.text, node.quoted, whole=False)
+        if isinstance(node, Scalar):
+            is_number = "number" in part.get("type", ())
+            help = number_help(node.text, node.quoted, whole=False) if is_number else ""
+            help = help or form_help(node.text, part.get("pattern", ""))
             description = f"{help}; {description}" if help else description
         return Diagnostic("wrong_form", f"{what} cannot be {quoted(text or '')}", node.span, help=description)
     if keyword in ("minimum", "maximum"):
@@ -252,7 +255,7 @@ def _have(node: Node) -> str:
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     known = part.get("properties", {})
-    hint = _comma(node, key) or _known_key(key, known) or _misplaced(key, known) or near(key, list(known))
+    hint = _comma(node, key, known) or _known_key(key, known) or _misplaced(key, known) or near(key, list(known))
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
 
 
@@ -301,7 +304,7 @@ def _all_keys() -> frozenset[str]:
     return frozenset(keys)
 
 
-def _comma(node: Mapping, key: str) -> str:
+def _comma(node: Mapping, key: str, known: Schema) -> str:
     """What to do where a key within braces is the rest of a text with a comma; empty where it is none."""
     value = node.values[key]
     keys = list(node.values)
@@ -312,6 +315,8 @@ def _comma(node: Mapping, key: str) -> str:
         return ""
     if not isinstance(text, Scalar) or text.quoted or not text.text:
         return ""
+    if key.isdecimal() and text.text.isdecimal() and "number" in resolved(known.get(before, {})).get("type", ()):
+        return f"numbers have a point: write `{before}: {text.text}.{key}`"
     return f'a comma within braces ends the text of `{before}`: quote it, as in `{before}: "{text.text}, {key}"`'
 
 

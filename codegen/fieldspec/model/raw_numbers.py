@@ -1,0 +1,37 @@
+"""The numbers in the bytes of values: in which order they are, and what they are."""
+
+from __future__ import annotations
+
+import struct
+
+from fieldspec.model.digits import digits_number
+from fieldspec.model.value import Kind, Value
+
+
+def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
+    """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian.
+
+    `byte` and `word` are the orders of values without their own; `word` is empty where nothing has words.
+    """
+    if value is not None and value.has_characters:
+        return "big", False
+    own_byte = value.byte_order if value and value.byte_order else byte
+    own_word = value.word_order if value and value.word_order else word
+    return own_byte, bool(value and value.has_words and own_word and own_word != own_byte)
+
+
+def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | float | None:
+    """The number in all bytes of a value that is no text and no bytes; None where they are not its digits.
+
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
+    """
+    in_order = data
+    if swapped:
+        in_order = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+    big = (order == "big") != swapped
+    if value.type.kind is Kind.FLOAT:
+        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
+        return number
+    if value.digits:
+        return digits_number(value, in_order if big else in_order[::-1])
+    return int.from_bytes(in_order, "big" if big else "little", signed=value.type.signed)
