@@ -157,6 +157,10 @@ export function delimiterFramer(shape) {
 class DelimiterFramer extends Framer {
   constructor(shape) {
     super(shape, null);
+    const { start, end } = shape.parts;
+    /** How many of the last bytes of an end delimiter may begin a frame. */
+    this.common = end.length;
+    while (!end.slice(end.length - this.common).every((byte, at) => byte === start[at])) this.common--;
   }
 
   feed(piece) {
@@ -165,16 +169,14 @@ class DelimiterFramer extends Framer {
     const bytes = joined(this.bytes, piece);
     const frames = [];
     let done = 0;
-    for (let first = find(bytes, 0, start); first >= 0; first = find(bytes, done, start)) {
-      const close = find(bytes, first + start.length, end);
-      if (close < 0) break;
-      const open = findLast(bytes, start, first, close);
-      const frame = bytes.slice(open, close + end.length);
-      const isFrame = this.holds(frame);
+    for (let close = find(bytes, start.length, end); close >= 0; close = find(bytes, done + start.length, end)) {
+      const open = findLast(bytes, start, done, close);
+      const frame = open < 0 ? null : bytes.slice(open, close + end.length);
+      const isFrame = frame !== null && this.holds(frame);
       if (isFrame) frames.push(frame);
-      // What ends bytes that are no frame may begin one, where both delimiters are the same.
-      this.dropped += (isFrame ? open : open + 1) - done;
-      done = isFrame ? close + end.length : open + 1;
+      const behind = close + end.length - (isFrame ? 0 : this.common);
+      this.dropped += (isFrame ? open : behind) - done;
+      done = behind;
     }
     const open = findLast(bytes, start, done, bytes.length);
     const rest = open >= 0 && bytes.length - open < longest ? open : Math.max(done, bytes.length - start.length + 1);

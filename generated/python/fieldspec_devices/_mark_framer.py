@@ -14,7 +14,9 @@ class MarkFramer(Framer):
     """For frames of characters between a start and an end delimiter, neither of which occurs within."""
 
     def _prepare(self) -> None:
-        """Delimiters are searched literally, so there is nothing to prepare."""
+        """Delimiters are searched literally. The last bytes of one that ends no frame may begin one."""
+        start, end = self.frames.start, self.frames.end
+        self._common = next(size for size in range(len(end), -1, -1) if start.startswith(end[len(end) - size :]))
 
     def _extent(self, buffer: bytearray, at: int) -> int:
         return -1
@@ -25,20 +27,18 @@ class MarkFramer(Framer):
         buffer += data
         frames: list[bytes] = []
         done = 0
-        while (first := buffer.find(start, done)) >= 0:
-            close = buffer.find(end, first + len(start))
-            if close < 0:
-                break
-            open_ = buffer.rfind(start, first, close)
-            frame = bytes(buffer[open_ : close + len(end)])
-            if self._holds(frame):
-                frames.append(frame)
-                self.dropped += open_ - done
-                done = close + len(end)
-            else:
-                # What ends bytes that are no frame may begin one, where both delimiters are the same.
-                self.dropped += open_ + 1 - done
-                done = open_ + 1
+        while (close := buffer.find(end, done + len(start))) >= 0:
+            open_ = buffer.rfind(start, done, close)
+            if open_ >= 0:
+                frame = bytes(buffer[open_ : close + len(end)])
+                if self._holds(frame):
+                    frames.append(frame)
+                    self.dropped += open_ - done
+                    done = close + len(end)
+                    continue
+            behind = close + len(end) - self._common
+            self.dropped += behind - done
+            done = behind
         # Only the bytes after the last start delimiter, or a part of a delimiter, can still become a frame.
         open_ = buffer.rfind(start, done)
         keep = open_ if open_ >= 0 and len(buffer) - open_ < self.longest else max(done, len(buffer) - len(start) + 1)
@@ -58,6 +58,8 @@ class MarkFramer(Framer):
         data = bytearray.fromhex(inner.decode("ascii"))
         if self._foreign(data, 0):
             return False
+        if frames.length < 0:
+            return frames.agrees(data)
         try:
             frames.split(data)
         except CodecError:

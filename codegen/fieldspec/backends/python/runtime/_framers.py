@@ -322,23 +322,26 @@ class CodeFramer(Framer):
             extent = extents.get(self._number(buffer, place, size, order == "little"))
         if extent is None or self._foreign(buffer, at):
             return 0
-        length, offset, size, unit = extent if len(extent) == 4 else extent[:4]
+        length, size = extent[0], extent[2]
+        if size == 0:
+            return length
         if size == -2:
             end = buffer.find(self.frames.end, begins + length - len(self.frames.end))
             return end - begins + len(self.frames.end) if end >= 0 else -1
-        if size <= 0:
-            return length if size == 0 else -1
-        place = at + offset
+        if size < 0:
+            return -1
+        place = at + extent[1]
         if place + size > len(buffer):
             return place + size - begins
-        if size == 1:
-            length += buffer[place] * unit
-        elif len(extent) == 4:
-            length += self._number(buffer, place, size, self.little) * unit
-        else:
-            own = bytes(buffer[place : place + size])
-            length += int.from_bytes(turned(own) if extent[5] else own, extent[4]) * unit
+        length += (buffer[place] if size == 1 else self._measure(buffer, place, extent)) * extent[3]
         return length if self.shortest <= length <= self.longest else 0
+
+    def _measure(self, buffer: bytearray, place: int, extent: Extent) -> int:
+        """The number that measures the repeated part, of several bytes."""
+        if len(extent) == 4:
+            return self._number(buffer, place, extent[2], self.little)
+        own = bytes(buffer[place : place + extent[2]])
+        return int.from_bytes(turned(own) if extent[5] else own, extent[4])
 
 
 def _class(values: frozenset[int]) -> bytes:
