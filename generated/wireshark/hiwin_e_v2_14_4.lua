@@ -11186,7 +11186,7 @@ function records.show(context, tree, record, start, stop)
     end
 end
 
--- Frames: where they end, whether bytes are one, and the items of their parts.
+-- Frames: where they end, and whether bytes are one.
 
 local frames = {}
 
@@ -11334,6 +11334,33 @@ local function extent_of(record, body)
     return extent.fixed + numbers.of(own, extent.value) * extent.unit
 end
 
+-- Whether a record may have so many bytes, where it does not tell them itself.
+local function may_have(record, size)
+    if size < record.least or record.most and size > record.most then
+        return false
+    end
+    return not record.step or (size - record.step.fixed) % record.step.unit == 0
+end
+
+-- The bytes of the first frame, which ends with the first end delimiter with which it is one; nil where it is not there.
+-- The second result is true where more bytes may bring it: a damaged frame is not taken for the beginning of a longer one.
+local function delimited(link, direction, bytes, record, asked, message)
+    local shape = link[direction]
+    local at = #shape.start + 1
+    while true do
+        local first, stop = bytes:find(shape.stop, at, true)
+        if not stop then
+            local size = #bytes - #shape.start - shape.header - shape.trailer - #shape.stop
+            local is_whole = bytes:sub(-#shape.stop) == shape.stop and may_have(record, size)
+            return nil, not is_whole and #bytes < shape.longest
+        end
+        if frames.fits(link, direction, bytes:sub(1, stop), asked, message) then
+            return stop
+        end
+        at = first + 1
+    end
+end
+
 -- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
 function frames.length(link, direction, bytes, asked, message)
     local shape = link[direction]
@@ -11368,6 +11395,9 @@ function frames.length(link, direction, bytes, asked, message)
         return nil
     end
     local body, is_short = extent_of(record, rest)
+    if not body and not is_short and #shape.stop > 0 then
+        return delimited(link, direction, bytes, record, asked, message)
+    end
     return body and marks + width * (shape.header + body + shape.trailer), is_short
 end
 
@@ -11402,11 +11432,13 @@ function frames.fits(link, direction, bytes, asked, message)
     end
     local size = #parts - shape.header - shape.trailer
     local exact = extent_of(record, parts:sub(shape.header + 1))
-    if exact and exact ~= size or size < record.least or record.most and size > record.most then
+    if exact and exact ~= size or not may_have(record, size) then
         return false
     end
     return not (asked and direction == "response" and named and asked.message and named ~= asked.message)
 end
+
+-- The items of a frame: one for each of its parts, and for what is wrong with it.
 
 local Context = {}
 Context.__index = Context

@@ -21,6 +21,7 @@ from random_devices.command_judge import Command
 from random_devices.devices import text_of
 from random_devices.draft import Spec
 from random_devices.explainer_judge import Explainer
+from random_devices.framer_judge import Framers
 from random_devices.javascript_judge import JavaScript
 from random_devices.python_judge import Python
 from random_devices.queries import Answer, Query, queries
@@ -60,6 +61,7 @@ JUDGES = (
     Judge("python", 1, Python),
     Judge("access", 1, Access),
     Judge("javascript", 3, JavaScript),
+    Judge("framers", 4, Framers),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
     Judge("script", 3, ScriptExplainer),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),

@@ -1,5 +1,6 @@
 """Compares all codecs on random devices for some time: `make fuzz-specs SECONDS=600`, or this file, seconds and a seed.
 
+`--judges framers,python` asks only these, about every device.
 `--statistics 2000` counts instead how many of so many devices have each key of the language, its forms, and its pairs.
 Every processor draws devices of its own. A device on which judges disagree is shrunk and written to `cases/`, which the
 tests run from then on.
@@ -14,7 +15,7 @@ import sys
 import time
 from collections import Counter
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
@@ -132,6 +133,12 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
     return tally
 
 
+def batch_of(seed: int, names: tuple[str, ...]) -> Tally:
+    """Compares all judges on the devices of a seed, or only some, which are then asked about every device."""
+    judges = tuple(replace(judge, every=1) for judge in JUDGES if judge.name in names)
+    return batch(seed, judges=judges) if names else batch(seed)
+
+
 def store(tally: Tally) -> None:
     """Writes the shrunk devices to the cases of the tests."""
     for disagreement, text in tally.cases.items():
@@ -140,7 +147,7 @@ def store(tally: Tally) -> None:
         (CASES / f"{name}.yaml").write_text(f"# {first}\n{text}", encoding="utf-8", newline="\n")
 
 
-def main(seconds: int, seed: int, processes: int) -> int:
+def main(seconds: int, seed: int, processes: int, names: tuple[str, ...] = ()) -> int:
     """Draws devices in some processes for some seconds and returns the exit code: 1 if judges disagree on one."""
     end = time.monotonic() + seconds
     total, next_line = Tally(), time.monotonic() + _SECONDS_A_LINE
@@ -148,7 +155,7 @@ def main(seconds: int, seed: int, processes: int) -> int:
         running: set[Future[Tally]] = set()
         while time.monotonic() < end or running:
             while time.monotonic() < end and len(running) < processes + 1:
-                running.add(pool.submit(batch, seed))
+                running.add(pool.submit(batch_of, seed, names))
                 seed += 1
             done, running = wait(running, return_when=FIRST_COMPLETED)
             for future in done:
@@ -168,6 +175,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("seconds", type=int, nargs="?", default=60)
     parser.add_argument("seed", type=int, nargs="?", default=int(time.time()))
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--judges", default="", metavar="NAME,...", help="ask only these, about every device")
     parser.add_argument("--statistics", type=int, metavar="DEVICES", help="count what so many devices have, and end")
     return parser.parse_args()
 
@@ -177,4 +185,7 @@ if __name__ == "__main__":
     if arguments.statistics:
         print(statistics(arguments.statistics, arguments.seed, arguments.processes))
         sys.exit(0)
-    sys.exit(main(arguments.seconds, arguments.seed, arguments.processes))
+    chosen = tuple(filter(None, arguments.judges.split(",")))
+    if unknown := set(chosen) - {judge.name for judge in JUDGES}:
+        sys.exit(f"there is no judge {', '.join(sorted(unknown))}")
+    sys.exit(main(arguments.seconds, arguments.seed, arguments.processes, chosen))

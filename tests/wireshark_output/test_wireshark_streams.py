@@ -12,6 +12,7 @@ from external_tools import require_tool
 from fieldspec.backends.wireshark.backend import dissector
 from fieldspec.explain.explanation import explained
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.pipeline import layouts, load
 from layouts import SPECS, TEST_SPECS, newest
 from wireshark_output.dissection import Packet, pcap, prefix_of, tshark
 
@@ -189,3 +190,43 @@ def test_texts_of_a_spec_stay_texts() -> None:
     assert titles["hostile.class"] == ("Class ({{ x }})", '*/ """ </script> \\. \\.')
     assert titles["hostile.errno"] == ("Errno", "EOF new line.")
     assert titles["hostile.eof"] == ("Eof", "\N{ROBOT FACE}.")
+
+
+ENDS = """
+device:
+  id: endings
+  name: Endings
+  vendor: Nobody
+  manual: {title: The ends of nothing, file: endings.txt, sha256: "%s", lines: 99}
+links:
+  - name: shared
+    source: 1 L1
+    byte_order: big
+    end: "0D"
+    request: &marked [{name: mark, role: code, type: u8}, {name: data, role: body}]
+    response: *marked
+messages:
+  - name: single
+    code: 65
+    source: 2 L1
+    request: [{name: sub, type: u8, const: 1}]
+    response: [{name: sub, type: u8, const: 1}, {name: value, type: u8}]
+  - name: pairs
+    code: 65
+    source: 2 L2
+    request: [{name: sub, type: u8, const: 2}, {name: numbers, type: u16, repeat: 1..24}]
+    response: [{name: sub, type: u8, const: 2}, {name: numbers, type: u16, repeat: 1..24}]
+"""
+
+
+def test_a_frame_with_an_open_list_ends_at_the_first_end_delimiter_with_which_it_is_a_frame() -> None:
+    project = load({"endings/device.yaml": ENDS.replace("%s", "1" * 64).encode()})
+    layout = layouts(project.devices["endings"])[0]
+    pairs, single = b"A\x02\x0d\x01\x02\x03\r", b"A\x01\r"
+    requests = pairs + single + pairs + pairs
+    for cuts in ((0,), (0, 3), (0, 5, 9), (0, 7, 12)):
+        ends = (*cuts[1:], len(requests))
+        pieces = [("request", requests[first:last]) for first, last in zip(cuts, ends, strict=True)]
+        rows = columns(layout, stream(pieces), ["frame.message", "pairs.numbers"], "-o", f"endings.shared_tcp:{PORT}")
+        assert [name for row in rows for name in row[0].split(",") if name] == ["pairs", "single", "pairs", "pairs"]
+        assert [name for row in rows for name in row[1].split(",") if name] == ["3329", "515"] * 3

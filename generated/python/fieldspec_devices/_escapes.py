@@ -194,14 +194,6 @@ class EscapedFrames(PartFrames):
         """The header and the body of the parts of a frame. Raises CodecError."""
         return super().split(self.original(data))
 
-    def agrees(self, data: Data) -> bool:
-        """Whether lengths, checksums and constants are right."""
-        try:
-            self.split(data)
-        except CodecError:
-            return False
-        return True
-
     def _sent(self, data: bytes) -> bytes:
         stop = len(data) + (self.last or 0)
         return data[: self.first] + self.escape.escaped(data[self.first : stop]) + data[stop:]

@@ -13,12 +13,17 @@ sender may be slow.
 
 from __future__ import annotations
 
+from ._conversions import turned
 from ._frames import Frames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from typing import Literal
+
     from ._digits import Digits
     from ._typing import Data
+
+    Extent = tuple[int, int, int, int] | tuple[int, int, int, int, Literal["big", "little"], bool]
 
 _NO_DIGITS = 1 << 64
 """What is read where a part has no digits: no code, no unit address, no flag of a code and no length of a frame."""
@@ -249,6 +254,8 @@ class CodeFramer(Framer):
     size of the part or field that measures the repeated part, and the bytes for each unit of the measure; a size
     of 0 where the length is fixed, and of -1 where nothing measures the repeated part. Such a frame ends with the
     silence behind it. With a size of -2, the frame ends with the next end delimiter, and has at least that length.
+    Behind these four are the order of a measure, where it is not that of the unit address, and whether the bytes of its
+    words have the opposite one.
 
     `subcodes` has the codes that messages of several lengths share: the offset, the size and the order of the number
     that tells these messages apart, and the extents by this number. `code_order` is the byte order of the code where it
@@ -262,11 +269,11 @@ class CodeFramer(Framer):
         shortest: int,
         longest: int,
         code_size: int,
-        extents: dict[int, tuple[int, int, int, int]],
+        extents: dict[int, Extent],
         code_order: str = "",
-        subcodes: dict[int, tuple[int, int, str, dict[int, tuple[int, int, int, int]]]] | None = None,
+        subcodes: dict[int, tuple[int, int, str, dict[int, Extent]]] | None = None,
         flag: int = 0,
-        refusal: tuple[int, int, int, int] = (0, 0, 0, 0),
+        refusal: Extent = (0, 0, 0, 0),
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
         unit_addresses: frozenset[int] | Intervals = frozenset(),
@@ -306,7 +313,7 @@ class CodeFramer(Framer):
             code = buffer[place]
         else:
             code = self._read(buffer, place, self.code_size, self._code_form, self._code_is_little)
-        extent = self.refusal if code & self.flag else self.extents.get(code)
+        extent: Extent | None = self.refusal if code & self.flag else self.extents.get(code)
         if extent is None and code in self.subcodes:
             offset, size, order, extents = self.subcodes[code]
             place = at + offset
@@ -315,71 +322,26 @@ class CodeFramer(Framer):
             extent = extents.get(self._number(buffer, place, size, order == "little"))
         if extent is None or self._foreign(buffer, at):
             return 0
-        length, offset, size, unit = extent
+        length, size = extent[0], extent[2]
+        if size == 0:
+            return length
         if size == -2:
             end = buffer.find(self.frames.end, begins + length - len(self.frames.end))
             return end - begins + len(self.frames.end) if end >= 0 else -1
-        if size <= 0:
-            return length if size == 0 else -1
-        place = at + offset
+        if size < 0:
+            return -1
+        place = at + extent[1]
         if place + size > len(buffer):
             return place + size - begins
-        length += (buffer[place] if size == 1 else self._number(buffer, place, size, self.little)) * unit
-        return length if length <= self.longest else 0
+        length += (buffer[place] if size == 1 else self._measure(buffer, place, extent)) * extent[3]
+        return length if self.shortest <= length <= self.longest else 0
 
-
-class MarkFramer(Framer):
-    """For frames of characters between a start and an end delimiter, neither of which occurs within."""
-
-    def _prepare(self) -> None:
-        """Delimiters are searched literally, so there is nothing to prepare."""
-
-    def _extent(self, buffer: bytearray, at: int) -> int:
-        return -1
-
-    def feed(self, data: Data) -> list[bytes]:
-        """The frames that these bytes complete, each with its delimiters and checksum."""
-        buffer, start, end = self._buffer, self.frames.start, self.frames.end
-        buffer += data
-        frames: list[bytes] = []
-        at = done = 0
-        while (close := buffer.find(end, at)) >= 0:
-            at = close + len(end)
-            open_ = buffer.rfind(start, done, close)
-            if open_ >= 0:
-                frame = bytes(buffer[open_:at])
-                if self._holds(frame):
-                    frames.append(frame)
-                    self.dropped += open_ - done
-                    done = at
-                    continue
-            self.dropped += at - done
-            done = at
-        # Only the bytes after the last start delimiter, or a part of a delimiter, can still become a frame.
-        open_ = buffer.rfind(start, done)
-        keep = open_ if open_ >= 0 and len(buffer) - open_ < self.longest else max(done, len(buffer) - len(start) + 1)
-        self.dropped += keep - done
-        del buffer[:keep]
-        return frames
-
-    def idle(self) -> list[bytes]:
-        """Nothing: frames with delimiters may pause, so silence decides nothing."""
-        return []
-
-    def _holds(self, frame: bytes) -> bool:
-        frames = self.frames
-        inner = frame[len(frames.start) : len(frame) - len(frames.end)]
-        if not self.shortest <= len(frame) <= self.longest or len(inner) % 2 or not _hexadecimal(inner):
-            return False
-        data = bytearray.fromhex(inner.decode("ascii"))
-        return not self._foreign(data, 0) and frames.agrees(data)
-
-
-_HEX = b"0123456789ABCDEFabcdef"
-
-
-def _hexadecimal(text: bytes) -> bool:
-    return not text.translate(None, _HEX)
+    def _measure(self, buffer: bytearray, place: int, extent: Extent) -> int:
+        """The number that measures the repeated part, of several bytes."""
+        if len(extent) == 4:
+            return self._number(buffer, place, extent[2], self.little)
+        own = bytes(buffer[place : place + extent[2]])
+        return int.from_bytes(turned(own) if extent[5] else own, extent[4])
 
 
 def _class(values: frozenset[int]) -> bytes:

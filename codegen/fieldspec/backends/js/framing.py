@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.text import flag, literal, object_of
 from fieldspec.layout.first_bytes import first_bytes
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame_extents import BY_COUNT, DELIMITED, OPEN, FrameExtent, FrameExtents, frame_extents
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.link import LARGEST_SET, ExceptionResponse
+from fieldspec.model.link import LARGEST_SET
 
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
 
-OPEN = "{ length: 0, size: -1 }"
-"""The extent of frames whose code does not determine their length."""
+_SIZES = {DELIMITED: -2, OPEN: -1}
+"""What an extent has in place of the size of a count."""
 
 
 def framer(
@@ -50,8 +53,9 @@ def framer(
         return None
     if length is not None:
         return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"
-    extents, subcodes = _extents(link, frame, carried, refusal, refused) if code is not None else ({}, {})
-    if frame.end and (code is None or OPEN in extents.values()):
+    data = ((message.name, message.message.code_of(direction), message.data(direction)) for message in carried)
+    extents = frame_extents(link, direction, data if code is not None else (), refused)
+    if frame.end and (code is None or extents.has(OPEN)):
         rows.append(f"decode: {spoken}.decode{direction.capitalize()}")
         needed = code is None or link.ambiguous_codes(direction)
         messages = ", ".join(names.messages[message.name] for message in carried) if needed else "undefined"
@@ -61,53 +65,36 @@ def framer(
         return f"endFramer({{ {', '.join(rows)} }})"
     if code is None:
         return None
-    rows += [f"code: {_number(code)}", f"extents: {_table(extents)}"]
-    members = ", ".join(f"{number}: {{ {place}, extents: {_table(own)} }}" for number, (place, own) in subcodes.items())
-    rows += [f"subcodes: {{ __proto__: null, {members} }}"] if subcodes else []
-    if refused is not None and refusal is not None and refusal.flag:
-        rows += [f"flag: {refusal.flag}", f"refusal: {_extent(link, frame, refused)}"]
+    rows += [f"code: {_number(code)}", f"extents: {_table(extents.by_code)}"]
+    rows += [f"subcodes: {_subcodes(extents, frame)}"] if extents.by_subcode else []
+    if extents.refusal is not None and refusal is not None:
+        rows += [f"flag: {refusal.flag}", f"refusal: {_row(extents.refusal)}"]
     else:
         rows += ["flag: 0", "refusal: undefined"]
     return f"codeFramer({{ {', '.join(rows)} }})"
 
 
-def _extents(
-    link: LinkLayout,
-    frame: FrameLayout,
-    carried: list[MessageLayout],
-    refusal: ExceptionResponse | None,
-    refused: RecordLayout | None,
-) -> tuple[dict[int, str], dict[int, tuple[str, dict[int, str]]]]:
-    """The extents by code.
-
-    Of the codes that messages of several extents share, also the place of the subcode, and the extents by its number.
-    """
-    named = {message.name: _extent(link, frame, message.data(frame.direction)) for message in carried}
-    each: dict[int, set[str]] = {}
-    for message in carried:
-        number = message.message.code_of(frame.direction)
-        if number is not None:
-            each.setdefault(number, set()).add(named[message.name])
-    extents = {code: next(iter(own)) if len(own) == 1 else OPEN for code, own in each.items()}
-    if refused is not None and refusal is not None and not refusal.flag:
-        own = _extent(link, frame, refused)
-        extents |= {refusal.code: own} if refusal.code is not None else {}
-        if refusal.part:
-            # The code determines the length only where exception responses are as long as others.
-            return {number: extent if extent == own else OPEN for number, extent in extents.items()}, {}
-    subcodes = {}
-    for code, shared in link.subcodes(frame.direction).items():
-        if len(each.get(code, ())) > 1:
-            offset = frame.header_size + shared.offset
-            place = f"offset: {offset}, size: {shared.size}, order: {literal(shared.order)}, signed: false"
-            subcodes[code] = place, {number: named[message.name] for number, message in shared.messages.items()}
-            del extents[code]
-    return extents, subcodes
-
-
-def _table(extents: dict[int, str]) -> str:
+def _table(extents: Mapping[int, FrameExtent]) -> str:
     """An object of extents."""
-    return f"{{ __proto__: null, {', '.join(f'{number}: {extent}' for number, extent in extents.items())} }}"
+    return f"{{ __proto__: null, {', '.join(f'{number}: {_row(extent)}' for number, extent in extents.items())} }}"
+
+
+def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
+    """An object of what tells messages apart, and of their extents."""
+    members = ", ".join(
+        f"{code}: {{ offset: {frame.header_size + shared.offset}, size: {shared.size}, order: {literal(shared.order)},"
+        f" signed: false, extents: {_table(own)} }}"
+        for code, (shared, own) in extents.by_subcode.items()
+    )
+    return f"{{ __proto__: null, {members} }}"
+
+
+def _row(extent: FrameExtent) -> str:
+    """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
+    if extent.kind != BY_COUNT:
+        return f"{{ length: {extent.length}, size: { ({DELIMITED: -2, OPEN: -1}.get(extent.kind, 0)) } }}"
+    place = f'offset: {extent.offset}, size: {extent.size}, order: "{extent.order}", signed: false'
+    return f"{{ length: {extent.length}, {place}, unit: {extent.unit}{', isTurned: true' * extent.is_turned} }}"
 
 
 def _number(part: PartLayout) -> str:
@@ -143,35 +130,3 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
         return f"address: {_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
     numbers = [n for low, high in intervals for n in range(low, high + 1)]
     return f"address: {_number(part)}, addresses: new Set({numbers})"
-
-
-def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
-    """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
-    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
-    if record.size is not None:
-        return f"{{ length: {around + record.size}, size: 0 }}"
-    tail = record.fields[-1]
-    if record.count_of_text is not None:
-        count, others = record.count_of_text
-        place = f"offset: {frame.header_size + count.offset}, size: {count.size}"
-        return f'{{ length: {around + others}, {place}, order: "{count.order}", signed: false, unit: 1 }}'
-    if record.spans:
-        return f"{{ length: {around + record.first_bytes}, size: -2 }}" if frame.end else OPEN
-    measures = [
-        field
-        for field in record.fields
-        if field.field.measures is not None
-        and field.field.measures.field == tail.name
-        and field.size <= 4
-        and record.has_place(field)
-    ]
-    if not measures or tail.cases or measures[0].field.measures is None or not record.has_single_list:
-        return OPEN
-    measure = measures[0]
-    assert measure.field.measures is not None
-    unit = measure.field.measures.unit(tail.size)
-    length = around + tail.offset - measure.field.measures.plus * unit
-    return (
-        f"{{ length: {length}, offset: {frame.header_size + measure.offset}, size: {measure.size},"
-        f' order: "{measure.order}", signed: false, unit: {unit} }}'
-    )

@@ -46,6 +46,7 @@ RUNTIME = (
     "_framers",
     "_frames",
     "_inner_lists",
+    "_mark_framer",
     "_parameters",
     "_part_frames",
     "_quantities",

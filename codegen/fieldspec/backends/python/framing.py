@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec.backends.python.frames import is_simple
 from fieldspec.backends.python.text import docstring
 from fieldspec.layout.first_bytes import first_bytes
 from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.frame_extents import BY_COUNT, DELIMITED, OPEN, FrameExtent, FrameExtents, frame_extents
 from fieldspec.layout.part import PartLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.record import RecordLayout
 from fieldspec.model.link import LARGEST_SET
 
 Carried = Sequence[tuple[str, int | None, RecordLayout]]
-Extent = tuple[int, int, int, int]
-
-OPEN: Extent = (0, 0, -1, 0)
-"""The extent of frames whose code does not determine their length."""
 
 
 def framer(
@@ -59,8 +56,8 @@ def framer(
         return kind, [*arguments, *size], docstring(about, 8)
     if link.link.encoding != "binary":
         return "", [], []
-    extents, subcodes = _extents(link, frame, carried, refusal) if code is not None else ({}, {})
-    if frame.end and (code is None or OPEN in extents.values()):
+    extents = frame_extents(link, direction, carried if code is not None else (), refusal)
+    if frame.end and (code is None or extents.has(OPEN)):
         about.append("A frame ends with the first end delimiter with which it is one of the messages.")
         arguments.append(f"decode=self.decode_{direction}")
         if code is None or link.ambiguous_codes(direction):
@@ -74,58 +71,47 @@ def framer(
     if code is None:
         return "", [], []
     arguments += [f"code_size={code.size}", *_own_order("code", code, frame)]
-    arguments.append(f"extents={_table(extents, 16)}")
-    if subcodes:
-        rows = "".join(
-            f"\n{' ' * 16}{number:#04x}: ({place}, {_table(own, 20)})," for number, (place, own) in subcodes.items()
-        )
-        arguments.append(f"subcodes={{{rows}\n{' ' * 12}}}")
-    if refusal is not None and link.link.exception_response is not None and link.link.exception_response.flag:
-        arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
-    ends = {name: extents[code][2] for name, code, _ in carried if code is not None and code in extents}
-    open_ended = [name for name, end in ends.items() if end == -1]
+    arguments.append(f"extents={_table(extents.by_code, frame, 16)}")
+    if extents.by_subcode:
+        arguments.append(f"subcodes={_subcodes(extents, frame)}")
+    if extents.refusal is not None and link.link.exception_response is not None:
+        arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_row(extents.refusal, frame)}"]
+    open_ended = [name for name, own, _ in carried if own is not None and extents.of_message(name, own).kind == OPEN]
     about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
-    about += ["Of messages that share a code, the subcode determines it."] * bool(subcodes)
-    about += ["The end delimiter ends frames whose values vary in width."] * (-2 in ends.values())
+    about += ["Of messages that share a code, the subcode determines it."] * bool(extents.by_subcode)
+    about += ["The end delimiter ends frames whose values vary in width."] * extents.has(DELIMITED)
     if open_ended:
         about.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
     return "_CodeFramer", arguments, docstring(about, 8)
 
 
-def _extents(
-    link: LinkLayout, frame: FrameLayout, carried: Carried, refusal: RecordLayout | None
-) -> tuple[dict[int, Extent], dict[int, tuple[str, dict[int, Extent]]]]:
-    """The extents by code.
-
-    Of the codes that messages of several extents share, also the place of the subcode, and the extents by its number.
-    """
-    each: dict[int, set[Extent]] = {}
-    names = {}
-    for name, code, record in carried:
-        if code is not None:
-            names[name] = _extent(link, frame, record)
-            each.setdefault(code, set()).add(names[name])
-    extents = {code: next(iter(own)) if len(own) == 1 else OPEN for code, own in each.items()}
-    error = link.link.exception_response if refusal is not None else None
-    if error is not None and refusal is not None and not error.flag:
-        own = _extent(link, frame, refusal)
-        extents |= {error.code: own} if error.code is not None else {}
-        if error.part:
-            # The code determines the length only where exception responses are as long as others.
-            return {number: extent if extent == own else OPEN for number, extent in extents.items()}, {}
-    subcodes = {}
-    for code, shared in link.subcodes(frame.direction).items():
-        if len(each.get(code, ())) > 1:
-            place = f'{frame.header_size + shared.offset}, {shared.size}, "{shared.order}"'
-            subcodes[code] = place, {number: names[message.name] for number, message in shared.messages.items()}
-            del extents[code]
-    return extents, subcodes
-
-
-def _table(extents: dict[int, Extent], indent: int) -> str:
+def _table(extents: Mapping[int, FrameExtent], frame: FrameLayout, indent: int) -> str:
     """A dictionary of extents."""
-    rows = "".join(f"\n{' ' * indent}{number:#04x}: {extent}," for number, extent in extents.items())
+    rows = "".join(f"\n{' ' * indent}{number:#04x}: {_row(extent, frame)}," for number, extent in extents.items())
     return f"{{{rows}\n{' ' * (indent - 4)}}}"
+
+
+def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
+    """A dictionary of what tells messages apart, and of their extents."""
+    rows = "".join(
+        f'\n{" " * 16}{code:#04x}: ({frame.header_size + shared.offset}, {shared.size}, "{shared.order}", '
+        f"{_table(own, frame, 20)}),"
+        for code, (shared, own) in extents.by_subcode.items()
+    )
+    return f"{{{rows}\n{' ' * 12}}}"
+
+
+def _row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
+    """The length without the repeated part; then offset and size of its count, and the bytes of each unit.
+
+    Behind these is the order of a count that has another one than the unit address, and whether the bytes of its words
+    have the opposite one.
+    """
+    if extent.kind == BY_COUNT:
+        usual = extent.length, extent.offset, extent.size, extent.unit
+        is_usual = extent.size == 1 or (extent.order == _order(frame) and not extent.is_turned)
+        return usual if is_usual else (*usual, extent.order, extent.is_turned)
+    return extent.length, 0, {DELIMITED: -2, OPEN: -1}.get(extent.kind, 0), 0
 
 
 def _own_order(name: str, part: PartLayout, frame: FrameLayout) -> list[str]:
@@ -173,32 +159,3 @@ def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> lis
 def _span(interval: tuple[int, int]) -> str:
     low, high = interval
     return str(low) if low == high else f"*range({low}, {high + 1})"
-
-
-def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> Extent:
-    """The length without the repeated part; then offset and size of its count, and the bytes of each unit."""
-    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
-    if record.size is not None:
-        return around + record.size, 0, 0, 0
-    tail = record.fields[-1]
-    count, others = record.count_of_text or (None, 0)
-    if count is not None and (count.size == 1 or count.order == _order(frame)):
-        return around + others, frame.header_size + count.offset, count.size, 1
-    if record.spans and frame.end:
-        return around + record.first_bytes, 0, -2, 0
-    measures = [field for field in record.fields if record.has_place(field) and _measures(field, tail, frame)]
-    measure = min(measures, key=lambda field: field.size, default=None)  # one byte is read faster than two
-    if measure is None or measure.field.measures is None or tail.cases or record.spans or not record.has_single_list:
-        return 0, 0, -1, 0
-    unit, plus = measure.field.measures.unit(tail.size), measure.field.measures.plus
-    return around + tail.offset - plus * unit, frame.header_size + measure.offset, measure.size, unit
-
-
-def _measures(field: FieldLayout, tail: FieldLayout, frame: FrameLayout) -> bool:
-    measure = field.field.measures
-    return (
-        measure is not None
-        and measure.field == tail.name
-        and field.size <= 2
-        and (field.size == 1 or field.order == _order(frame))
-    )

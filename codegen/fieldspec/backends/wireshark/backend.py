@@ -26,6 +26,7 @@ RUNTIME = (
     "records",
     "opaque",
     "frames",
+    "items",
     "streams",
     "start",
 )
@@ -119,7 +120,9 @@ def device_data(visible_device: Remaining) -> dict[str, Data]:
             prefixes, data = (message.name, f"{message.name}.{direction}"), message.data(direction)
             is_opaque = (message.name, direction) in visible_device.bodies
             records[record_key(message, direction)] = (
-                opaque_data(data) if is_opaque else record_data(filters, layout, data, prefixes, message.message)
+                opaque_data(layout, data)
+                if is_opaque
+                else record_data(filters, layout, data, prefixes, message.message)
             )
     links: dict[str, Data] = {name: link_data(filters, layout, link) for name, link in layout.links.items()}
     common: dict[str, Data] = {

@@ -66,7 +66,6 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
     around, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
     marks = len(frame.start) + len(frame.end)
     most = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
-    is_delimited = own.encoding == "hex_ascii" and bool(frame.end)
     return {
         "start": frame.start,
         "stop": frame.end,
@@ -78,7 +77,7 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "trailer": frame.trailer_size,
         "shortest": marks + width * (around + min((record.least for record in bodies), default=0)),
         "longest": marks + width * (around + most),
-        "is_framed": is_delimited or _tells_length(frame),
+        "is_framed": bool(frame.end) or _tells_length(frame),
     }
 
 

@@ -84,6 +84,7 @@ def record_data(
         "least": record.least,
         "most": record.most,
         "extent": _extent(record),
+        **_step(layout, record),
         "last": record.fields[-1].name if record.fields else None,
     }
     if record.selector is not None:
@@ -96,7 +97,7 @@ def record_data(
     return data
 
 
-def opaque_data(record: RecordLayout) -> dict[str, Data]:
+def opaque_data(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
     """A record that is shown as bytes: how many there may be, and what tells how many there are."""
     extent = _varying_extent(record) if record.spans or record.inner_lists is not None else _extent(record)
     return {
@@ -106,6 +107,7 @@ def opaque_data(record: RecordLayout) -> dict[str, Data]:
         "least": record.least,
         "most": record.most,
         "extent": extent,
+        **_step(layout, record),
     }
 
 
@@ -188,6 +190,26 @@ def _extent(record: RecordLayout) -> Data:
             }
             return extent
     return None
+
+
+def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
+    """The bytes of each element of the only list, and those of all else, where no count tells how many there are.
+
+    Only frames that an end delimiter ends need them.
+    """
+    frames = (link.frame(direction) for link in layout.links.values() for direction in DIRECTIONS)
+    if not any(frame.end for frame in frames) or record.size is not None:
+        return {}
+    if record.spans or record.selector is not None or not record.fields:
+        return {}
+    inner = record.inner_lists
+    if inner is not None:
+        single = inner.last if len(inner.lists) == 1 and inner.last.tail is None else None
+        return {"step": {"fixed": inner.fixed, "unit": single.element}} if single is not None else {}
+    tail = record.fields[-1]
+    if tail.count is not None or tail.size < 2 or _extent(record) is not None:
+        return {}
+    return {"step": {"fixed": tail.offset, "unit": tail.size}}
 
 
 def _varying_extent(record: RecordLayout) -> Data:

@@ -35,12 +35,12 @@ from .._error import wrong_measure as _wrong_measure
 from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import CodeFramer as _CodeFramer
-from .._framers import MarkFramer as _MarkFramer
 from .._frames import ErrorReply as _ErrorReply
 from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
 from .._frames import Response as _Response
+from .._mark_framer import MarkFramer as _MarkFramer
 from .._record import Record as _Record
 from .._refusals import refused_broadcast as _refused_broadcast
 from .._refusals import refused_list as _refused_list

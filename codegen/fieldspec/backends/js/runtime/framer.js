@@ -112,11 +112,12 @@ export function lengthFramer(shape) {
  * The framer of frames whose code decides their length. `extents` has for each code the length of the frame without its
  * repeated part, then offset, size and order of the part that measures it, and the bytes of each unit of the measure; a
  * size of 0 where the length is fixed, and of -1 where nothing measures the repeated part. With a size of -2, the frame
- * ends with the next end delimiter, and has at least that length. `subcodes` has the codes that messages of several
- * lengths share: the place of the number that tells these messages apart, and the extents by this number.
+ * ends with the next end delimiter, and has at least that length. With `isTurned`, the bytes of the words of a measure
+ * have the opposite order. `subcodes` has the codes that messages of several lengths share: the place of the number that
+ * tells these messages apart, and the extents by this number.
  */
 export function codeFramer(shape) {
-  const { code, extents, subcodes, flag, refusal, longest } = shape;
+  const { code, extents, subcodes, flag, refusal, shortest, longest } = shape;
   const { start, end } = shape.parts;
   return new Framer(shape, (bytes, from) => {
     if (!begins(bytes, from, start)) return 0;
@@ -137,9 +138,15 @@ export function codeFramer(shape) {
     if (extent.size <= 0) return extent.size === 0 ? extent.length : -1;
     const behind = at + extent.offset + extent.size;
     if (behind > bytes.length) return behind - from;
-    const length = extent.length + readPart(bytes, at + extent.offset, extent) * extent.unit;
-    return length <= longest ? length : 0;
+    const own = bytes.slice(behind - extent.size, behind);
+    const length = extent.length + readPart(extent.isTurned ? turned(own) : own, 0, extent) * extent.unit;
+    return length >= shortest && length <= longest ? length : 0;
   });
+}
+
+/** 16-bit words with the two bytes of each exchanged. */
+function turned(words) {
+  return words.map((_, at) => words[at ^ 1]);
 }
 
 /** The framer of frames of characters between delimiters, neither of which occurs within. */
@@ -150,6 +157,10 @@ export function delimiterFramer(shape) {
 class DelimiterFramer extends Framer {
   constructor(shape) {
     super(shape, null);
+    const { start, end } = shape.parts;
+    /** How many of the last bytes of an end delimiter may begin a frame. */
+    this.common = end.length;
+    while (!end.slice(end.length - this.common).every((byte, at) => byte === start[at])) this.common--;
   }
 
   feed(piece) {
@@ -158,17 +169,14 @@ class DelimiterFramer extends Framer {
     const bytes = joined(this.bytes, piece);
     const frames = [];
     let done = 0;
-    for (let close = find(bytes, 0, end); close >= 0; close = find(bytes, done, end)) {
-      const after = close + end.length;
+    for (let close = find(bytes, start.length, end); close >= 0; close = find(bytes, done + start.length, end)) {
       const open = findLast(bytes, start, done, close);
-      const frame = open < 0 ? null : bytes.slice(open, after);
-      if (frame !== null && this.holds(frame)) {
-        frames.push(frame);
-        this.dropped += open - done;
-      } else {
-        this.dropped += after - done;
-      }
-      done = after;
+      const frame = open < 0 ? null : bytes.slice(open, close + end.length);
+      const isFrame = frame !== null && this.holds(frame);
+      if (isFrame) frames.push(frame);
+      const behind = close + end.length - (isFrame ? 0 : this.common);
+      this.dropped += (isFrame ? open : behind) - done;
+      done = behind;
     }
     const open = findLast(bytes, start, done, bytes.length);
     const rest = open >= 0 && bytes.length - open < longest ? open : Math.max(done, bytes.length - start.length + 1);

@@ -138,11 +138,12 @@ class PartFrames(Frames):
         return bool(self.checks)
 
     def agrees(self, data: Data) -> bool:
-        """Whether the checksum and the constants are right."""
-        if len(data) < self.head_size + self.tail_size:
+        """Whether all lengths, checksums and constants are right."""
+        try:
+            self.split(data)
+        except CodecError:
             return False
-        numbers = self._numbers(data)
-        return self._no_digits(data, numbers, self.digits) is None and self._wrong(data, numbers) is None
+        return True
 
     def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
         """The header and the body of the parts of a frame. Raises CodecError."""

@@ -1,4 +1,4 @@
--- Frames: where they end, whether bytes are one, and the items of their parts.
+-- Frames: where they end, and whether bytes are one.
 
 local frames = {}
 
@@ -146,6 +146,33 @@ local function extent_of(record, body)
     return extent.fixed + numbers.of(own, extent.value) * extent.unit
 end
 
+-- Whether a record may have so many bytes, where it does not tell them itself.
+local function may_have(record, size)
+    if size < record.least or record.most and size > record.most then
+        return false
+    end
+    return not record.step or (size - record.step.fixed) % record.step.unit == 0
+end
+
+-- The bytes of the first frame, which ends with the first end delimiter with which it is one; nil where it is not there.
+-- The second result is true where more bytes may bring it: a damaged frame is not taken for the beginning of a longer one.
+local function delimited(link, direction, bytes, record, asked, message)
+    local shape = link[direction]
+    local at = #shape.start + 1
+    while true do
+        local first, stop = bytes:find(shape.stop, at, true)
+        if not stop then
+            local size = #bytes - #shape.start - shape.header - shape.trailer - #shape.stop
+            local is_whole = bytes:sub(-#shape.stop) == shape.stop and may_have(record, size)
+            return nil, not is_whole and #bytes < shape.longest
+        end
+        if frames.fits(link, direction, bytes:sub(1, stop), asked, message) then
+            return stop
+        end
+        at = first + 1
+    end
+end
+
 -- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
 function frames.length(link, direction, bytes, asked, message)
     local shape = link[direction]
@@ -180,6 +207,9 @@ function frames.length(link, direction, bytes, asked, message)
         return nil
     end
     local body, is_short = extent_of(record, rest)
+    if not body and not is_short and #shape.stop > 0 then
+        return delimited(link, direction, bytes, record, asked, message)
+    end
     return body and marks + width * (shape.header + body + shape.trailer), is_short
 end
 
@@ -214,187 +244,8 @@ function frames.fits(link, direction, bytes, asked, message)
     end
     local size = #parts - shape.header - shape.trailer
     local exact = extent_of(record, parts:sub(shape.header + 1))
-    if exact and exact ~= size or size < record.least or record.most and size > record.most then
+    if exact and exact ~= size or not may_have(record, size) then
         return false
     end
     return not (asked and direction == "response" and named and asked.message and named ~= asked.message)
-end
-
-local Context = {}
-Context.__index = Context
-
--- Bytes of the parts in the packet; past the end, none.
-function Context:range(at, size)
-    local length = self.tvb:len()
-    local first = math.max(0, math.min(at + self.skip, length))
-    return self.tvb(first, math.max(0, math.min(size, length - first)))
-end
-
-local function show_part(context, part, at)
-    local bytes = context.bytes:sub(at + 1, at + part.size)
-    local tree, link = context.tree, context.link
-    if #bytes < part.size then
-        local item = tree:add(fields[device.common.undecoded], context:range(at, #bytes))
-        values.report(item, "incomplete", "bytes are missing for " .. part.name)
-        return
-    end
-    local range = context:range(at, part.size)
-    if part.role == "checksum" then
-        local should = checksums.bytes(part, checksums.covered(part, context.bytes))
-        local item = tree:add(fields[part.filter], range)
-        local function text(own)
-            return part.digits and own or (own:gsub(".", function(char) return string.format("%02X", char:byte()) end))
-        end
-        local printable = text(bytes):gsub("[^\32-\126]", "?")
-        item:set_text(part.title .. ": " .. printable .. (bytes == should and " (right)" or " (wrong)"))
-        if bytes ~= should then
-            values.report(item, "wrong_check", part.name .. " should be " .. text(should))
-        end
-        values.cite(item, part.errata)
-        return
-    end
-    local item, number, reason = values.show(tree, part, range, bytes)
-    if part.role == "length" then
-        if number * part.unit_size + part.base ~= #context.bytes then
-            values.report(item, "wrong_length", part.name .. " counts other bytes than the frame has")
-        end
-        return
-    end
-    if part.offset < 0 then
-        return
-    end
-    context.values[part.name] = number
-    if part.role == "code" then
-        local shape = link[context.direction]
-        local body = context.bytes:sub(shape.header + 1, math.max(shape.header, #context.bytes - shape.trailer))
-        context.message, context.is_refusal =
-            frames.message_of(link, context.direction, number, context.bytes, body, context.open)
-        if context.is_refusal then
-            context.values[part.name] = number - numbers.band(number, link.exception.flag)
-        end
-        if context.message then
-            item:append_text(", " .. context.message.title .. (context.is_refusal and ", refused" or ""))
-        elseif not context.is_refusal then
-            values.report(item, "unknown_code", "no message has the code " .. numbers.text(number))
-        end
-        if context.is_refusal then
-            values.report(item, "exception", "exception response")
-        end
-    elseif part.role == "unit_address" then
-        context.unit = number
-        local addresses = link.units
-        if addresses and number == addresses.broadcast then
-            item:append_text(", for all stations")
-        elseif addresses and addresses.ranges and not values.is_within(number, addresses.ranges) then
-            values.report(item, "out_of_range", part.name .. " is no address of this device")
-        end
-    elseif part.same_as and context.asked and not reason then
-        local expected = context.asked[part.same_as]
-        if expected ~= nil and expected ~= number then
-            values.report(item, "mismatch", part.name .. " does not repeat that of the request")
-        end
-    end
-end
-
--- What a message accesses, as a span for `registers.show`; nil where nothing tells.
-local function span_of(context, access)
-    local asked = context.asked or {}
-    local address = context.values[access.start] or asked[access.start]
-    if not address then
-        return nil
-    end
-    local place = access.values and context.places[access.values]
-    local at, size = place and place.at or context.body_end, place and place.size or 0
-    local bytes = context.bytes:sub(at + 1, at + size)
-    local unit_size = access.unit_size or 2
-    if not access.is_bits then
-        bytes = bytes:sub(1, #bytes - #bytes % unit_size)
-    end
-    local span = {
-        space = access.space, address = address, at = at, bytes = bytes, is_bits = access.is_bits, unit_size = unit_size,
-    }
-    if access.is_bits and access.set then
-        local number = #bytes > 0 and context.values[access.values]
-        span.single = number == access.set and 1 or number == access.clear and 0 or false
-        span.words = 1
-        return span
-    end
-    local count = access.is_bits and 1 or math.max(1, math.floor(#bytes / unit_size))
-    if access.count then
-        count = context.values[access.count] or asked[access.count]
-    end
-    span.words = count or (access.is_bits and 8 * #bytes or math.floor(#bytes / unit_size))
-    return span
-end
-
-local function show_mark(context, range, bytes, name, expected)
-    local item = context.tree:add(fields[device.common.mark], range)
-    item:set_text(name)
-    if bytes ~= expected then
-        values.report(item, "wrong_mark", "the " .. name:lower() .. " is wrong")
-    end
-end
-
--- Adds the items of one frame: `tvb` has its bytes. `asked` is the result for the request that a response answers, and
--- `message` the message of a link without codes. Returns the values, the message, the unit and whether it is refused.
-function frames.show(link, direction, tvb, tree, asked, message)
-    local bytes = tvb:raw()
-    local shape = link[direction]
-    local context = setmetatable({
-        link = link, direction = direction, tree = tree, tvb = tvb, skip = #shape.start, values = {}, places = {},
-        items = {}, open = asked, asked = asked and asked.values, message = message or asked and asked.message,
-    }, Context)
-    if #shape.start > 0 then
-        show_mark(context, context:range(-#shape.start, #shape.start), bytes:sub(1, #shape.start), "Start", shape.start)
-    end
-    local parts, reason = unwrapped(link, direction, bytes)
-    if not parts then
-        local item = tree:add(fields[device.common.undecoded], tvb())
-        values.report(item, reason, "no frame of the link " .. link.name)
-        context.is_broken = true
-        return context
-    end
-    context.bytes = parts
-    if link.hex and #parts > 0 then
-        local digits = parts:gsub(".", function(char) return string.format("%02x", char:byte()) end)
-        context.tvb, context.skip = ByteArray.new(digits):tvb("Decoded frame"), 0
-    end
-    for _, part in ipairs(shape.parts) do
-        if part.offset >= 0 then
-            show_part(context, part, part.offset)
-        end
-    end
-    if #parts < shape.header then
-        return context
-    end
-    local start, stop = shape.header, math.max(shape.header, #parts - shape.trailer)
-    context.body_end = stop
-    if not with_role(shape, "code") and has_mark(link, direction, parts, parts:sub(start + 1, stop)) then
-        context.is_refusal = true
-        values.report(tree, "exception", "exception response")
-    end
-    local record = record_of(link, direction, context.message, context.is_refusal)
-    if record then
-        records.show(context, tree, record, start, stop)
-        local access = context.message and not context.is_refusal and context.message.access
-        local span = access and span_of(context, access)
-        if span then
-            registers.show(context, tree, span, access.operation)
-        end
-    elseif stop > start or not with_role(shape, "code") then
-        local item = tree:add(fields[device.common.undecoded], context:range(start, stop - start))
-        if not with_role(shape, "code") then
-            values.report(item, "unknown_code", "nothing tells which message this is")
-        end
-    end
-    for _, part in ipairs(shape.parts) do
-        if part.offset < 0 then
-            show_part(context, part, stop + shape.trailer + part.offset)
-        end
-    end
-    if #shape.stop > 0 then
-        local range = tvb(#bytes - #shape.stop, #shape.stop)
-        show_mark(context, range, bytes:sub(-#shape.stop), "End", shape.stop)
-    end
-    return context
 end
