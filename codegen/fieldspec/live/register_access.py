@@ -15,7 +15,7 @@ from fieldspec.explain.registers import (
 )
 from fieldspec.layout.bases import at_bases, at_usual_bases, moving_tables
 from fieldspec.live import writing
-from fieldspec.live.access import DumpRow, clears_on_read, role_masks
+from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.bases import read_bases
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
 from fieldspec.live.value_lists import COMMANDS
@@ -87,11 +87,7 @@ class RegisterAccess:
     def harmless(self) -> list[Placed]:
         """Everything that the read plan reads."""
         every = [pair for pair in self._items if not pair[1].reserved]
-        planned = [
-            block
-            for block in blocks(self._usual, every)
-            if len(block.occupants) > 1 or _is_harmless(block.occupants[0])
-        ]
+        planned = [block for block in blocks(self._usual, every) if all(map(_is_harmless, block.occupants))]
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
@@ -238,7 +234,7 @@ class RegisterAccess:
 
 
 def _is_harmless(occupant: Occupant) -> bool:
-    return occupant.access in ("ro", "rw") and not clears_on_read(occupant.fact)
+    return occupant.access in ("ro", "rw") and not occupant.clears_on_read
 
 
 def _objection(layout: DeviceLayout, occupant: Occupant) -> str:
@@ -249,8 +245,7 @@ def _objection(layout: DeviceLayout, occupant: Occupant) -> str:
         return "commands the device; write it by its name, with the verb write"
     if not writable(occupant.access):
         return "can only be read" if occupant.access else "is not stated to be writable"
-    handling = getattr(occupant.fact, "handling", None)
-    if not readable(occupant.access) or (handling is not None and handling.clears_on_read):
+    if not readable(occupant.access) or occupant.clears_on_read:
         return "cannot be read back, so that nothing could be verified; write it by its name, with the verb write"
     return ""
 

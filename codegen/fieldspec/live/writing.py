@@ -59,13 +59,11 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
 def _hazards(occupant: Occupant) -> list[str]:
     """What a person should know before a value is written."""
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
-    facts = (occupant.fact, occupant.outer)
-    handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
     hazards = write_hazards(
         trigger=occupant.trigger,
         access=occupant.access,
         restart=fact.restart if fact is not None else None,
-        handlings=handlings,
+        handlings=occupant.handlings,
     )
     return list(hazards)
 

@@ -29,10 +29,8 @@ def read_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, 
         words.append(memory.words[space, address] if displayed else 0)
     for address in addresses:
         for occupant in memory.at(space, address):
-            if occupant.address == address and getattr(occupant.fact, "handling", None) is not None:
-                handling = occupant.fact.handling  # type: ignore[attr-defined]
-                if handling.clears_on_read:
-                    memory.write(space, occupant, 0)
+            if occupant.address == address and occupant.clears_on_read:
+                memory.write(space, occupant, 0)
     return words
 
 
