@@ -43,6 +43,7 @@ PROGRAM = {
     ],
     "changed": {"hour": 1, "minute": 2},
     "owner": {"tag": "ab12"},
+    "level": 5,
 }
 """The values of an element of `programs`."""
 
@@ -72,6 +73,8 @@ RAW = {
     "changed.hour": 1,
     "changed.minute": 2,
     "owner.tag": b"ab12",
+    "level": 5,
+    "mark": 0x5A,
 }
 """The same values by the paths that people write."""
 

@@ -160,8 +160,7 @@ class _Frame:
         except EscapeError as error:
             self.unreadable = start + error.offset
             return sent
-        if not originals:
-            self.empty_escape = sent[start:stop]
+        self.empty_escape = b"" if originals else sent[start:stop]
         inner = [place + start for _, place in originals]
         inner[:1] = [start][: len(inner)]  # what is sent before the first byte belongs to it
         data = sent[:start] + bytes(byte for byte, _ in originals) + sent[stop:]
@@ -171,6 +170,7 @@ class _Frame:
             places=(*range(start), *inner, *range(stop, end + 1)),
             originals=data + self.surplus,
             escape=shape.escape,
+            gap=None if originals else start,
         )
         return data
 
