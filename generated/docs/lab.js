@@ -950,33 +950,12 @@ function sameValue(left, right) {
 
 /** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`; `floatSize` is their size. */
 function valueText(value, floatSize = 0) {
-  if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "number" && (floatSize || !Number.isInteger(value))) return floatText(value, floatSize);
-  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
-  if (typeof value === "string") return quotedText(value);
+  if (value instanceof Uint8Array) return hexOf(value, " ");
+  if (typeof value === "string") return JSON.stringify(value);
   if (Array.isArray(value)) return `[${value.map((item) => valueText(item, floatSize)).join(", ")}]`;
-  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
+  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${key}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
-}
-
-const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
-
-const BEYOND_ASCII = /[^\x20-\x7e]/;
-const UNPRINTABLE = /[\p{C}\p{Z}]/u;
-
-function escapedCharacter(code) {
-  const [letter, digits] = code < 0x100 ? ["x", 2] : code < 0x10000 ? ["u", 4] : ["U", 8];
-  return `\\${letter}${code.toString(16).padStart(digits, "0")}`;
-}
-
-function quotedText(text, escaped = UNPRINTABLE) {
-  const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
-  const inner = Array.from(text, (char) => {
-    if (char === quote) return `\\${char}`;
-    if (SPELLED[char]) return SPELLED[char];
-    return char !== " " && escaped.test(char) ? escapedCharacter(char.codePointAt(0)) : char;
-  });
-  return quote + inner.join("") + quote;
 }
 
 /** A raw value for JSON: bytes, and numbers that JSON does not have, as text; bigints stay. */
@@ -1392,7 +1371,9 @@ function decodedWhole(device, value, number) {
     result = { ...named, text: inUnit(value, number), verdict: named.verdict || result.verdict };
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
-    result = { ...result, meanings: setBitsOf(device, word, number), facts: [word.path] };
+    const meanings = setBitsOf(device, word, number);
+    const notes = word.countedFromMost && meanings.some(({ bits }) => bits) ? [fromMostText(word)] : result.notes;
+    result = { ...result, meanings, notes, facts: [word.path] };
   } else {
     result = { ...result, text: inUnit(value, number) };
   }
@@ -1424,6 +1405,12 @@ function namedValue(device, value, number) {
 
 function memberList(listing) {
   return `one of ${listing.members.filter((member) => !member.unavailable).map((member) => member.value).join(", ")}`;
+}
+
+/** How the manual numbers the bits of a word whose bit 0 is the most significant one. */
+function fromMostText({ size }) {
+  const last = 8 * size - 1;
+  return `Bit 0 is the least significant one here. The manual counts from the most significant: bit ${last} is its bit 0.`;
 }
 
 /** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
@@ -4371,7 +4358,8 @@ function visibleCharacters(text) {
 
 // The raw value; words of bits in hexadecimal digits.
 function rawText({ number, meanings, raw }) {
-  if (number === null || number instanceof Uint8Array) return "";
+  if (number === null) return "";
+  if (number instanceof Uint8Array) return hexOf(number, " ");
   if (typeof number === "boolean") return String(number);
   if (meanings.some(({ bits }) => bits) && isWhole(number)) {
     const digits = BigInt.asUintN(8 * raw.length, BigInt(number)).toString(16).toUpperCase();

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from fieldspec.carriers.carrier import CarrierError
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.live.access import differs
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.writing import WriteError
@@ -89,4 +90,4 @@ def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> No
     if lost and now.words == change.before.words:
         raise TransferError(change.path, f"is not written: {lost}")
     number = now.decoded.number if now.decoded is not None else None
-    raise TransferError(change.path, f"is not taken over: the device has {number!r} instead")
+    raise TransferError(change.path, f"is not taken over: the device has {spec_text(number)} instead")

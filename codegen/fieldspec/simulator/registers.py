@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.registers import FORBIDS, Occupant, count_of_occupant, element_number
 from fieldspec.layout.bits import packed_bits, unpacked_bits
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.record import Message, RegisterAccess
 from fieldspec.model.registers import Table
 from fieldspec.model.value import Kind, Value
@@ -64,7 +65,7 @@ def place_words(
             raw = memory.read(space, occupant)
             why = _invalid(engine, occupant, raw)
             if why:
-                raise Refusal("value_invalid", f"{occupant.path} cannot be {raw!r}: {why}")
+                raise Refusal("value_invalid", f"{occupant.path} cannot be {spec_text(raw)}: {why}")
             if not _is_whole(occupant, addresses) and occupant.atomic and not _accepts(engine, "partial_values"):
                 raise Refusal("value_invalid", f"{occupant.path} is to be written in one request")
             paths.append(_path(occupant))
