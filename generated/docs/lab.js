@@ -950,33 +950,12 @@ function sameValue(left, right) {
 
 /** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`; `floatSize` is their size. */
 function valueText(value, floatSize = 0) {
-  if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "number" && (floatSize || !Number.isInteger(value))) return floatText(value, floatSize);
-  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
-  if (typeof value === "string") return quotedText(value);
+  if (value instanceof Uint8Array) return hexOf(value, " ");
+  if (typeof value === "string") return JSON.stringify(value);
   if (Array.isArray(value)) return `[${value.map((item) => valueText(item, floatSize)).join(", ")}]`;
-  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
+  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${key}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
-}
-
-const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
-
-const BEYOND_ASCII = /[^\x20-\x7e]/;
-const UNPRINTABLE = /[\p{C}\p{Z}]/u;
-
-function escapedCharacter(code) {
-  const [letter, digits] = code < 0x100 ? ["x", 2] : code < 0x10000 ? ["u", 4] : ["U", 8];
-  return `\\${letter}${code.toString(16).padStart(digits, "0")}`;
-}
-
-function quotedText(text, escaped = UNPRINTABLE) {
-  const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
-  const inner = Array.from(text, (char) => {
-    if (char === quote) return `\\${char}`;
-    if (SPELLED[char]) return SPELLED[char];
-    return char !== " " && escaped.test(char) ? escapedCharacter(char.codePointAt(0)) : char;
-  });
-  return quote + inner.join("") + quote;
 }
 
 /** A raw value for JSON: bytes, and numbers that JSON does not have, as text; bigints stay. */
@@ -1392,7 +1371,9 @@ function decodedWhole(device, value, number) {
     result = { ...named, text: inUnit(value, number), verdict: named.verdict || result.verdict };
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
-    result = { ...result, meanings: setBitsOf(device, word, number), facts: [word.path] };
+    const meanings = setBitsOf(device, word, number);
+    const notes = word.countedFromMost && meanings.some(({ bits }) => bits) ? [fromMostText(word)] : result.notes;
+    result = { ...result, meanings, notes, facts: [word.path] };
   } else {
     result = { ...result, text: inUnit(value, number) };
   }
@@ -1424,6 +1405,12 @@ function namedValue(device, value, number) {
 
 function memberList(listing) {
   return `one of ${listing.members.filter((member) => !member.unavailable).map((member) => member.value).join(", ")}`;
+}
+
+/** How the manual numbers the bits of a word whose bit 0 is the most significant one. */
+function fromMostText({ size }) {
+  const last = 8 * size - 1;
+  return `Bit 0 is the least significant one here. The manual counts from the most significant: bit ${last} is its bit 0.`;
 }
 
 /** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
@@ -1486,11 +1473,12 @@ function repeatedValue(value, should, floatSize = 0) {
 /**
  * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
  * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
- * for them, and of the end.
+ * for them, and of the end. `gap` is the place of the first byte behind an escape of nothing, which is sent between that
+ * byte and the one before.
  */
 class Spot {
-  constructor(frame, start, width, places = null, originals = null, escape = null) {
-    Object.assign(this, { frame, start, width, places, originals, escape });
+  constructor(frame, start, width, places = null, originals = null, escape = null, gap = null) {
+    Object.assign(this, { frame, start, width, places, originals, escape, gap });
   }
 
   /** Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read. */
@@ -1512,7 +1500,8 @@ class Spot {
   place(at, length) {
     if (this.places) {
       const end = this.places.length - 1;
-      const [first, behind] = [this.places[Math.min(at, end)], this.places[Math.min(at + length, end)]];
+      const first = this.places[Math.min(at, end)];
+      const behind = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
       const offset = this.start + first;
       const sent = this.frame.subarray(offset, offset + behind - first);
       const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
@@ -2170,38 +2159,58 @@ function addElements(occupants, register, span) {
 
 function addFields(occupants, device, table, span) {
   const [start, last] = nearElements(table.base, table, span);
-  const record = device.records.get(table.record);
+  if (start === last) return;
+  const nested = [...nestedFields(device, device.records.get(table.record))];
   for (let number = start; number < last; number++) {
     const base = table.base + number * table.stride;
-    const beside = (name) => {
-      const field = record.named.get(name);
-      return field && { address: base + (field.offset >> 1), skip: field.offset & 1, value: field.value };
-    };
-    for (const field of record.fields) {
-      if (!field.value) continue;
-      for (let item = 0; item < (field.count ?? 0); item++) {
-        const first = field.offset + item * field.size;
-        const address = base + (first >> 1);
-        const words = ((first + field.size + 1) >> 1) - (first >> 1);
-        if (address >= span.end || span.address >= address + words) continue;
-        occupants.push({
-          address,
-          words,
-          path: `${table.name}[${table.first + number}].${field.name}${field.isList ? `[${item}]` : ""}`,
-          fact: field,
-          outer: table,
-          value: field.value,
-          skip: first & 1,
-          beside,
-          element: number,
-          access: table.accesses[field.name] ?? "",
-          reserved: Boolean(field.reserved),
-          atomic: table.atomic.includes(field.name),
-          trigger: false,
-        });
+    for (const { path, name, field, offset, record, start: first } of nested) {
+      const address = base + (offset >> 1);
+      const words = ((offset + field.size + 1) >> 1) - (offset >> 1);
+      if (address >= span.end || span.address >= address + words) continue;
+      occupants.push({
+        address,
+        words,
+        path: `${table.name}[${table.first + number}].${path}`,
+        fact: field,
+        outer: table,
+        value: field.value,
+        skip: offset & 1,
+        beside: (other) => besideAt(record, base, first, other),
+        element: number,
+        access: table.accesses[name] ?? "",
+        reserved: Boolean(field.reserved),
+        atomic: table.atomic.includes(name),
+        trigger: false,
+      });
+    }
+  }
+}
+
+/**
+ * The values of a record, and of the records in it, each element of a list by itself: `parts[1].value` at an offset from
+ * the start of the whole record. The record that has the field begins `start` bytes behind it.
+ */
+function* nestedFields(device, record, start = 0, before = "", names = "") {
+  for (const field of record.fields) {
+    const name = `${names}${field.name}`;
+    for (let item = 0; item < (field.count ?? 0); item++) {
+      const path = `${before}${field.name}${field.isList ? `[${item}]` : ""}`;
+      const offset = start + field.offset + item * field.size;
+      if (field.record) {
+        yield* nestedFields(device, device.records.get(field.record), offset, `${path}.`, `${name}.`);
+      } else if (field.value) {
+        yield { path, name, field, offset, record, start };
       }
     }
   }
+}
+
+/** A field of a record that begins `start` bytes behind an address; undefined where it has none with a value. */
+function besideAt(record, base, start, name) {
+  const field = record.named.get(name);
+  if (!field?.value) return undefined;
+  const offset = start + field.offset;
+  return { address: base + (offset >> 1), skip: offset & 1, value: field.value };
 }
 
 /** The numbers of the first element that may share words with a span, and of the one behind the last. */
@@ -2669,6 +2678,7 @@ class ExplainedFrame {
       ...Array.from({ length: end + 1 - stop }, (_, at) => stop + at),
     ];
     this.spot.escape = escape;
+    this.spot.gap = originals.length ? null : start;
     this.spot.originals = Uint8Array.from([...data, ...this.surplus]);
     return data;
   }
@@ -4358,7 +4368,8 @@ function visibleCharacters(text) {
 
 // The raw value; words of bits in hexadecimal digits.
 function rawText({ number, meanings, raw }) {
-  if (number === null || number instanceof Uint8Array) return "";
+  if (number === null) return "";
+  if (number instanceof Uint8Array) return hexOf(number, " ");
   if (typeof number === "boolean") return String(number);
   if (meanings.some(({ bits }) => bits) && isWhole(number)) {
     const digits = BigInt.asUintN(8 * raw.length, BigInt(number)).toString(16).toUpperCase();

@@ -290,7 +290,7 @@ def test_a_stuck_bit_and_a_value_out_of_range_stay() -> None:
         (["tc100", "--port", "udp://127.0.0.1:0"], "is a serial line"),
         (["tc100", "--unit", "17"], "17 is not in 1..16"),
         (["hiwin-e", "--unit", "3"], "frames of hiwin-e have no unit address; leave out --unit"),
-        (["tc100", "--fault", "rust=0.1"], "there is no fault 'rust'"),
+        (["tc100", "--fault", "rust=0.1"], "there is no fault `rust`"),
         (["tc100", "--fault", "no_answer"], "KIND=PROBABILITY"),
         (["tc100", "--faults", "nothing.jsonl"], "cannot read nothing.jsonl"),
         (["tc100", "--dump", "nothing.csv"], "cannot read nothing.csv"),

@@ -32,6 +32,7 @@ from random_devices.selftest_judge import Selftest
 from random_devices.simulator_judge import Simulator
 from random_devices.spec_changes import examples_are_proven, identities_agree
 from random_devices.structured_text_judge import StructuredText
+from random_devices.tables_judge import Tables
 from random_devices.wireshark_judge import Wireshark, has_tshark
 
 SANITIZED = ["gcc", "-std=c99", "-w", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
@@ -66,6 +67,7 @@ JUDGES = (
     Judge("script", 3, ScriptExplainer),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
     Judge("command", 5, Command),
+    Judge("tables", 1, lambda layout, folder, number: Tables(layout)),
     Judge("simulator", 4, lambda layout, folder, number: Simulator(layout)),
     Judge("selftest", 25, Selftest),
     Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),

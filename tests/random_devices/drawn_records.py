@@ -56,7 +56,11 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
     if nested and draft.chance(15):
         record = draft.pick(nested)
         count = draft.number(2, 3) if draft.chance(30) else 1
-        return {**fact, "record": record.name, **({"count": count} if count > 1 else {})}, record.size * count
+        keys: Spec = {"record": record.name, **({"count": count} if count > 1 else {})}
+        if place == "table":
+            keys |= {"access": draft.pick(("rw", "ro"))} if draft.chance(15) else {}
+            keys |= {"clears_on_read": True} if draft.chance(8) else {}
+        return {**fact, **keys}, record.size * count
     keys = value(draft, place)
     if draft.chance(8) and "digits" not in keys:
         keys = {key: keys[key] for key in ("type", "length", "byte_order", "const") if key in keys} | {"reserved": True}

@@ -138,11 +138,11 @@ def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
 
 
 def tables(draft: Draft) -> list[Spec]:
-    """Tables of the records that consist of whole registers, behind all registers."""
+    """Tables of the records that consist of whole registers, behind all registers; later ones may have earlier ones."""
     drawn = []
     at = 0x4000
     spaces_of_words = [s["name"] for s in draft.spec.get("spaces", []) if s.get("unit", "word") == "word"]
-    for record in [record for record in draft.records if record.words and record.size][:2]:
+    for record in [record for record in draft.records if record.words and record.size][-2:]:
         if not draft.chance(60):
             continue
         count = draft.number(1, 4)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.audit.section import Figure, Section, SectionTable, Subject
 from fieldspec.checks.facts import layers
@@ -13,7 +13,8 @@ from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.fact import Citation, Fact, Place
 from fieldspec.model.record import Field, Message
-from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
+from fieldspec.model.registers import Parameter, ParameterSet, Register
+from fieldspec.model.table_records import TableRecord, table_records
 from fieldspec.model.value import UNSPECIFIED, Handling, Value
 
 
@@ -125,10 +126,10 @@ def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
     for table in device.tables.values():
         yield from _handled(table, table.handling, f"{table.base:04X}h, {table.count} times", device)
     placed = {field.field.place.path for record_layout in layout.records.values() for field in record_layout.fields}
+    uses = table_records(device)
     for record in layers(device):
-        tables = [table for table in device.tables.values() if table.record == record.name]
         for field in record.fields:
-            yield from _of_field(device, field, tables, field.place.path in placed)
+            yield from _of_field(device, field, uses.get(record.name, ()), field.place.path in placed)
     for parameter_set in device.parameters.values():
         for parameter in parameter_set.parameters:
             yield from _of_parameter(device, parameter_set, parameter)
@@ -159,16 +160,16 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
     yield from _handled(register, register.handling, where, device)
 
 
-def _of_field(device: Device, field: Field, tables: list[Table], in_record: bool) -> Iterator[Hazard]:
-    where = ", ".join(table.name for table in tables) or field.place.path.rpartition("/")[0]
-    accesses = [narrowed(table.access, field.access) for table in tables]
+def _of_field(device: Device, field: Field, uses: Sequence[TableRecord], in_record: bool) -> Iterator[Hazard]:
+    where = ", ".join(dict.fromkeys(use.name for use in uses)) or field.place.path.rpartition("/")[0]
+    accesses = [narrowed(use.access, field.access) for use in uses]
     if "wo" in (field.access, *accesses):
         yield _hazard("write_only", field, where, "access wo", key="access")
     if field.restart:
         yield _hazard("restart", field, where, "restart", key="restart")
     if field.atomic and field.value is not None and field.value.size > 2:
         yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
-    if field.value is not None and tables and in_record:
+    if field.value is not None and uses and in_record:
         access = next(filter(writable, accesses), "")
         yield from _shared(device, field, field.value, access, where)
     yield from _handled(field, field.handling, where, device)

@@ -71,7 +71,7 @@ class Names:
         meant = [path for path in self.operands.by_path if path.rpartition("/")[2] == last]
         meant = meant or get_close_matches(name, [*self.like(name), *self.operands.by_path], 3, 0.75)
         hint = f"did you mean {' or '.join(meant[:3])}?" if meant else "`fieldspec facts` lists the paths"
-        return f"the device has no signal {name!r}; a signal is a role, or a path as registers/NAME; {hint}"
+        return f"the device has no signal `{name}`; a signal is a role, or a path as registers/NAME; {hint}"
 
     def has_member(self, signal: str, member: str) -> bool:
         """Whether a text is a value of a signal: a state of a machine, a member of an enum, or a special value."""

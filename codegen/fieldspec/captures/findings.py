@@ -165,18 +165,15 @@ class CaptureAudit:
         days = self._days()
         for use in sorted(self.seen.registers.values(), key=_by_address):
             occupant = self.occupants.get((use.space, use.register))
-            handling = getattr(occupant.fact, "handling", None) if occupant is not None else None
-            if use.operation != "write" or handling is None:
+            if use.operation != "write" or occupant is None:
                 continue
-            if handling.endurance in ("", "unlimited") and handling.memory != "nonvolatile":
-                continue
-            if handling.endurance == "unlimited":
+            memory = next((own.memory for own in occupant.handlings if own.memory), "")
+            endures = next((own.endurance for own in occupant.handlings if own.endurance), "")
+            if endures == "unlimited" or (not endures and memory != "nonvolatile"):
                 continue
             rate = f"{use.count / days:.0f}" if days else ""
-            endurance = handling.endurance or "not printed"
-            left = (
-                f"{int(handling.endurance) * days / use.count:.0f}" if days and handling.endurance.isdecimal() else ""
-            )
+            endurance = endures or "not printed"
+            left = f"{int(endures) * days / use.count:.0f}" if days and endures.isdecimal() else ""
             rows.append((use.space, use.address, use.register, use.count, rate, endurance, left))
         columns = ("space", "address", "register", "writes", "writes_per_day", "endurance", "days_until_worn")
         return Section(

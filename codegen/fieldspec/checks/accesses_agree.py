@@ -23,6 +23,7 @@ from fieldspec.model.access import narrowed, readable, writable
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Record
 from fieldspec.model.registers import Table
+from fieldspec.model.table_records import TableRecord, table_records
 
 _CODE = "accesses_agree"
 _HELP = "correct one of them: outputs use the narrower access"
@@ -30,11 +31,12 @@ _VERBS = (("read", readable), ("written", writable))
 
 
 def accesses_agree(device: Device) -> Iterator[Diagnostic]:
+    uses = table_records(device)
     for record in device.records.values():
-        tables = [table for table in device.tables.values() if table.record == record.name]
-        for field in record.fields if tables else ():
-            yield from _of_field(field, tables)
-        for table in tables:
+        own = uses.get(record.name, [])
+        for field in record.fields if own else ():
+            yield from _of_field(field, own)
+        for table in (use.table for use in own if use.table.record == record.name):
             yield from _of_table(table, record)
     for message in device.messages.values():
         yield from _of_message(message.request, "request", "sends", "ro")
@@ -52,15 +54,15 @@ def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterat
             yield finding(_CODE, field.place, "atomic", text, "remove it, or state it at the register")
 
 
-def _of_field(field: Field, tables: list[Table]) -> Iterator[Diagnostic]:
-    """What the field allows, and no table of its record."""
-    if not field.access or not all(table.access for table in tables):
+def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
+    """What the field allows, and no table with its record."""
+    if not field.access or not all(use.access for use in uses):
         return
     for verb, allows in _VERBS:
-        if allows(field.access) and not any(allows(narrowed(table.access, field.access)) for table in tables):
-            names = enumeration([table.name for table in tables])
+        if allows(field.access) and not any(allows(narrowed(use.access, field.access)) for use in uses):
+            names = enumeration(list(dict.fromkeys(use.name for use in uses)))
             text = f"{field.name} can be {verb} by its access, {field.access}, but not as a part of {names}"
-            there = label(tables[0].place, "access", f"the access of {tables[0].name}")
+            there = label(uses[0].place, "access", f"the access of {uses[0].name}")
             yield finding(_CODE, field.place, "access", text, _HELP, there)
 
 

@@ -19,6 +19,7 @@ from fieldspec.checks.finding import finding
 from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, Register
+from fieldspec.model.table_records import table_records
 
 _ACTIONS = frozenset(
     ("alarm_reset", "command", "homing_start", "jog_start", "move_start", "point_start", "restart", "save")
@@ -42,9 +43,10 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
             continue
         help = "set `trigger: true`, or correct the access"
         yield finding("commands_are_triggers", fact.place, key, text, help, severity=Severity.WARNING)
-    settings = {table.record for table in device.tables.values() if table.access != "wo"}
+    uses = table_records(device)
     for record in device.records.values():
-        for field in record.fields if record.name in settings else ():
+        is_setting = any(use.access != "wo" for use in uses.get(record.name, ()))
+        for field in record.fields if is_setting else ():
             if field.access == "wo":
                 text = f"the field {field.name} of a table can only be written"
                 help = "correct the access, or allow it with a reason"

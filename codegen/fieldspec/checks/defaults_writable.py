@@ -19,12 +19,14 @@ from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter, Register
+from fieldspec.model.table_records import table_records
 
 
 def defaults_writable(device: Device) -> Iterator[Diagnostic]:
     settings: list[Register | Parameter | Field] = [register for register in device.registers() if not register.copy_of]
     settings += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
-    writable = {table.record for table in device.tables.values() if table.access != "ro"}
+    uses = table_records(device)
+    writable = {name for name, own in uses.items() if any(use.access != "ro" for use in own)}
     settings += (field for record in device.records.values() if record.name in writable for field in record.fields)
     for fact in settings:
         if fact.access == "ro" and fact.restart:

@@ -14,7 +14,7 @@ bounds of the scaled value in counts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding
@@ -23,7 +23,8 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Record
-from fieldspec.model.registers import Register
+from fieldspec.model.registers import Register, Table
+from fieldspec.model.table_records import table_records
 from fieldspec.model.value import MOST_PLACES, Kind, Value
 
 _CODE = "exponents_apply"
@@ -39,17 +40,20 @@ def exponents_apply(device: Device) -> Iterator[Diagnostic]:
         exponent = registers.get(register.value.scale_by)
         if exponent is not None:
             yield from _unfit(register, exponent, _no_exponent(device, register, exponent))
+    uses = table_records(device)
     for layer in layers(device):
+        tables = [use.table for use in uses.get(layer.name, ())]
         for field in layer.fields:
             if field.value is not None and field.value.scale_by:
                 yield from _scaled(field, field.value)
-                yield from _of_field(device, layer, field, field.value.scale_by, registers)
+                yield from _of_field(device, layer, field, registers, tables)
 
 
 def _of_field(
-    device: Device, layer: Record, field: Field, name: str, registers: Mapping[str, Register]
+    device: Device, layer: Record, field: Field, registers: Mapping[str, Register], tables: Sequence[Table]
 ) -> Iterator[Diagnostic]:
-    """The findings of the exponent of a field, which is another field or a register."""
+    """The findings of the exponent of a field, which is another field or a register. `tables` have its record."""
+    name = field.value.scale_by if field.value is not None else ""
     beside, register = layer.named(name), registers.get(name)
     if beside is not None and register is not None:
         text = f"both a field of {layer.name} and a register have the name {name}"
@@ -58,8 +62,8 @@ def _of_field(
         yield from _unfit(field, beside, _no_exponent_beside(field, beside))
     elif register is not None:
         wrong = _no_register(register)
-        for table in device.tables.values():
-            if table.record == layer.name and device.space_name(table.space) != device.space_name(register.space):
+        for table in tables:
+            if device.space_name(table.space) != device.space_name(register.space):
                 wrong = wrong or f"{table.name} is in another address space"
         yield from _unfit(field, register, wrong)
 

@@ -23,6 +23,7 @@ from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Table
+from fieldspec.model.table_records import table_records
 
 _CODE = "spaces_reachable"
 
@@ -68,9 +69,15 @@ def _read_only(device: Device) -> Iterator[Diagnostic]:
 
 def _holders(device: Device) -> Iterator[tuple[Fact, str, set[str]]]:
     """The groups and tables, their spaces, and how what is in them can be accessed."""
+    uses = table_records(device)
     for group in device.groups:
         yield group, group.space, {register.access for register in group.registers}
     for table in device.tables.values():
-        record = device.records.get(table.record)
-        fields = record.fields if record is not None else ()
-        yield table, table.space, {field.access or table.access for field in fields}
+        own = (use for name in uses for use in uses[name] if use.table is table)
+        accesses = {
+            field.access or use.access
+            for use in own
+            for field in (device.records[use.record].fields if use.record in device.records else ())
+            if not field.record
+        }
+        yield table, table.space, accesses

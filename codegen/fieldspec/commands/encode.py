@@ -21,6 +21,7 @@ from fieldspec.explain.row import ExplanationRow
 from fieldspec.explain.spans import accessed, accessed_bits
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
 from fieldspec.model.quantity import count_of
 from fieldspec.model.record import Message, RegisterAccess
@@ -68,7 +69,7 @@ def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
     explanation = explained(layout, way.link, way.direction, frame, way.message)
     wrong = [row for row in (*explanation.rows, *explanation.registers) if row.verdict.startswith("wrong")]
     if wrong and way.direction == "request":
-        reasons = "; ".join(f"{_row_name(row)} is {row.value or repr(row.number)}: {row.verdict}" for row in wrong)
+        reasons = "; ".join(f"{_row_name(row)} is {row.value or spec_text(row.number)}: {row.verdict}" for row in wrong)
         raise UsageError(f"out_of_range: {reasons}")
 
 

@@ -29,8 +29,8 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
         for hazard in item.hazards:
             print(f"{item.path}: {hazard}", file=sys.stderr)
     if arguments.dry_run:
-        for item, frame in zip(chosen, frames, strict=True):
-            print(f"{item.path}: {frame.hex(' ').upper()}")
+        for names, frame in frames:
+            print(f"{names}: {frame.hex(' ').upper()}")
         return 0
     if any(item.hazards for item in chosen):
         if can_ask(arguments):
@@ -40,7 +40,8 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
             return 1
     code = 0
     for at, item in enumerate(chosen):
-        reason, holds = _outcome(client, access, item)
+        is_sent = any(other.sent == item.sent for other in chosen[:at])
+        reason, holds = _outcome(client, access, item, is_sent)
         if reason:
             before = ", ".join(other.path for other in chosen[:at]) or "nothing"
             print(f"fieldspec: {item.path} {reason}; written before it: {before}", file=sys.stderr)
@@ -65,21 +66,31 @@ def _assignments(access: Access, texts: Sequence[str]) -> list[Assignment]:
             chosen.append(access.assignment(own[0], value))
         except WriteError as error:
             raise UsageError(str(error)) from None
+    chosen, problems = access.together(chosen)
+    if problems:
+        raise UsageError("; ".join(dict.fromkeys(problems.values())))
     return chosen
 
 
-def _frames(client: Client, access: Access, chosen: Sequence[Assignment]) -> list[bytes]:
-    """The frames that write values. Raises UsageError."""
+def _frames(client: Client, access: Access, chosen: Sequence[Assignment]) -> list[tuple[str, bytes]]:
+    """The frames that write values, each with the names of these. Raises UsageError."""
+    names: dict[object, list[Assignment]] = {}
+    for item in chosen:
+        names.setdefault(item.sent, []).append(item)
     try:
-        return [access.frame(client, item) for item in chosen]
+        return [(", ".join(item.path for item in own), access.frame(client, own[0])) for own in names.values()]
     except WriteError as error:
         raise UsageError(str(error)) from None
 
 
-def _outcome(client: Client, access: Access, item: Assignment) -> tuple[str, bool]:
-    """Writes a value, reads it back and prints it: why it failed, or empty, and whether the device holds the value."""
+def _outcome(client: Client, access: Access, item: Assignment, is_sent: bool) -> tuple[str, bool]:
+    """Writes a value, reads it back and prints it: why it failed, or empty, and whether the device holds the value.
+
+    One that `is_sent` was written with another one, with which it shares a word.
+    """
     try:
-        access.write(client, item)
+        if not is_sent:
+            access.write(client, item)
     except RefusedError as error:
         return f"is not written: {error}", False
     except (NoAnswerError, CarrierError) as error:

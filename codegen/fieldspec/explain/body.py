@@ -14,6 +14,7 @@ from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.values import Raw
 from fieldspec.layout.widths import extents, value_form, widened
 from fieldspec.model.device import Device
@@ -390,4 +391,4 @@ class Body:
         should = self.asked.get(field.field.same_as)
         if read.reason or should is None:
             return read
-        return read.judged(read.number == should, repr(should), "")
+        return read.judged(read.number == should, spec_text(should), "")

@@ -33,6 +33,7 @@ from fieldspec.layout.escapes import EscapeError, original_places
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.values import Raw
 
 __all__ = ["Explanation", "ExplanationRow", "Meaning", "explained", "explained_after"]
@@ -160,8 +161,7 @@ class _Frame:
         except EscapeError as error:
             self.unreadable = start + error.offset
             return sent
-        if not originals:
-            self.empty_escape = sent[start:stop]
+        self.empty_escape = b"" if originals else sent[start:stop]
         inner = [place + start for _, place in originals]
         inner[:1] = [start][: len(inner)]  # what is sent before the first byte belongs to it
         data = sent[:start] + bytes(byte for byte, _ in originals) + sent[stop:]
@@ -171,6 +171,7 @@ class _Frame:
             places=(*range(start), *inner, *range(stop, end + 1)),
             originals=data + self.surplus,
             escape=shape.escape,
+            gap=None if originals else start,
         )
         return data
 
@@ -253,7 +254,7 @@ class _Frame:
         if part.role == "unit_address":
             return self._unit_address(read)
         should = self.asked.values.get(part.part.same_as) if self.asked else None
-        return read if read.reason or should is None else read.judged(read.number == should, repr(should), "")
+        return read if read.reason or should is None else read.judged(read.number == should, spec_text(should), "")
 
     def _judged_length(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """A length, compared with the bytes that it counts."""

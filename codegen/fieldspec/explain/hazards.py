@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Parameter, Register
@@ -109,15 +110,27 @@ def _hazards(layout: DeviceLayout) -> Iterator[tuple[Fact, str, str]]:
     for register in layout.registers:
         yield from _of_value(register.register)
     for table in layout.tables.values():
-        for field in table.record.fields:
-            access = table.access(field.field)
-            if access != "ro":
-                handlings = (field.field.handling, table.table.handling)
-                hazards = write_hazards(trigger=False, access=access, restart=False, handlings=handlings)
-                yield from ((field.field, "write", text) for text in hazards)
+        yield from _of_table(table)
     for parameter_set in layout.device.parameters.values():
         for parameter in parameter_set.parameters:
             yield from _of_value(parameter)
+
+
+def _of_table(table: TableLayout) -> Iterator[tuple[Fact, str, str]]:
+    seen: set[tuple[int, ...]] = set()
+    for nested in nested_fields(table.record):
+        own, holders = nested.field.field, [holder.field for holder in reversed(nested.holders)]
+        facts = tuple(map(id, (own, *holders)))
+        access = nested.access(table.table.access)
+        if facts in seen:
+            continue
+        seen.add(facts)
+        if own.handling.clears_on_read or any(holder.handling.clears_on_read for holder in holders):
+            yield own, "read", CLEARS
+        if access != "ro":
+            handlings = (own.handling, *(holder.handling for holder in holders), table.table.handling)
+            hazards = write_hazards(trigger=False, access=access, restart=False, handlings=handlings)
+            yield from ((own, "write", text) for text in hazards)
 
 
 def _of_value(fact: Register | Parameter) -> Iterator[tuple[Fact, str, str]]:

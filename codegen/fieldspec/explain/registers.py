@@ -10,11 +10,12 @@ from fieldspec.explain.spans import Span
 from fieldspec.explain.values import DecodedValue, decode_value, number_of
 from fieldspec.layout.bases import moving_tables
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.record import FieldLayout, RegisterLayout
+from fieldspec.layout.nested_fields import NestedField, nested_fields
+from fieldspec.layout.record import RegisterLayout
 from fieldspec.layout.values import Raw
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Table
-from fieldspec.model.value import Value
+from fieldspec.model.value import Handling, Value
 
 _PARTIAL = {
     False: "The frame contains only some of its {}s.",
@@ -28,7 +29,10 @@ FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be wri
 
 @dataclass(frozen=True, slots=True)
 class Occupant:
-    """What is at an address: a register, or a field in an element of a table. Its bytes begin after `skip` bytes."""
+    """What is at an address: a register, or a field in an element of a table. Its bytes begin after `skip` bytes.
+
+    `nested` is the field in the record of its table, or in a record in that one; None for a register.
+    """
 
     address: int
     words: int
@@ -43,6 +47,19 @@ class Occupant:
     atomic: bool = False
     trigger: bool = False
     skip: int = 0
+    nested: NestedField | None = None
+
+    @property
+    def handlings(self) -> tuple[Handling, ...]:
+        """What its value states of its handling, then what each of those around it states, the innermost one first."""
+        holders = reversed(self.nested.holders) if self.nested is not None else ()
+        facts = (self.fact, *(holder.field for holder in holders), *((self.outer,) if self.nested is not None else ()))
+        return tuple(handling for fact in facts if (handling := getattr(fact, "handling", None)) is not None)
+
+    @property
+    def clears_on_read(self) -> bool:
+        """Whether reading it changes it."""
+        return any(handling.clears_on_read for handling in self.handlings)
 
 
 def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[ExplanationRow]:
@@ -163,34 +180,34 @@ def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]
 
 def _fields(table_layout: TableLayout, span: Span) -> Iterator[Occupant]:
     table = table_layout.table
-    for number in _near(table.base, table.stride, table_layout.words, table.count, span):
-        index = table.index_from + number
-        for field in table_layout.record.fields:
-            if field.value is None:
-                continue
-            for item in range(field.count or 0):
-                path = f"{table_layout.name}[{index}].{field.name}" + (f"[{item}]" if field.is_list else "")
-                occupant = _field(table_layout, field, table.address(index), item, path)
-                if occupant.address < span.end and span.address < occupant.address + occupant.words:
-                    yield occupant
+    near = _near(table.base, table.stride, table_layout.words, table.count, span)
+    nested = tuple(nested_fields(table_layout.record)) if near else ()
+    for number in near:
+        base = table.base + number * table.stride
+        for field in nested:
+            first = base + field.offset // 2
+            if first < span.end and span.address < first + field.words:
+                yield _field(table, field, number)
 
 
-def _field(table_layout: TableLayout, field: FieldLayout, base: int, item: int, path: str) -> Occupant:
+def _field(table: Table, nested: NestedField, number: int) -> Occupant:
+    """A field in the element with a number, counted from 0."""
+    field = nested.field
     assert field.value is not None
-    first = field.offset + item * field.size
     return Occupant(
-        base + first // 2,
-        (first + field.size + 1) // 2 - first // 2,
-        path,
+        table.base + number * table.stride + nested.offset // 2,
+        nested.words,
+        f"{table.name}[{table.index_from + number}].{nested.path}",
         field.field,
-        table_layout.table,
+        table,
         field.value,
         field.order,
         field.swapped,
-        table_layout.access(field.field),
+        nested.access(table.access),
         field.field.reserved,
         atomic=field.field.atomic,
-        skip=first % 2,
+        skip=nested.offset % 2,
+        nested=nested,
     )
 
 
@@ -221,18 +238,14 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
 
 
 def exponent_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | None:
-    """What has the exponent of the scale of a value: a field of the same element, or a register; None without one."""
+    """What has the exponent of the scale of a value: a field of the same record, or a register; None without one."""
     name = occupant.value.scale_by
     if not name:
         return None
     table = occupant.outer
-    if isinstance(table, Table):
-        table_layout = replace(layout.tables[table.name], table=table)
-        field = table_layout.record.named(name)
-        if field is not None:
-            number = element_number(occupant)
-            path = f"{table.name}[{table.index_from + number}].{name}"
-            return _field(table_layout, field, table.base + number * table.stride, 0, path)
+    beside = occupant.nested.beside(name) if occupant.nested is not None else None
+    if beside is not None and isinstance(table, Table):
+        return _field(table, beside, element_number(occupant))
     return _first(next(row for row in layout.registers if row.name == name))
 
 

@@ -87,7 +87,8 @@ class Spot:
     """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each.
 
     `escape` is that of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were
-    escaped, and `places` the offsets behind `start` of what is sent for them, and of the end.
+    escaped, and `places` the offsets behind `start` of what is sent for them, and of the end. `gap` is the place of the
+    first byte behind an escape of nothing, which is sent between that byte and the one before; None without one.
     """
 
     frame: bytes
@@ -96,6 +97,7 @@ class Spot:
     places: tuple[int, ...] = ()
     originals: bytes = b""
     escape: Escape | None = None
+    gap: int | None = None
 
     def can_place(self, at: int) -> str:
         """Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read."""
@@ -115,6 +117,7 @@ class Spot:
         if self.places:
             end = len(self.places) - 1
             first, behind = self.places[min(at, end)], self.places[min(at + length, end)]
+            behind = self.gap if length and at + length == self.gap else behind
             offset = self.start + first
             sent = self.frame[offset : offset + behind - first]
             return offset, len(sent), sent.hex(" ").upper() if sent != self.originals[at : at + length] else ""

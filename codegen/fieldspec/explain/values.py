@@ -198,7 +198,9 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
         decoded = replace(named, text=in_unit(value, number), verdict=named.verdict or decoded.verdict)
     elif value.flags:
         word = device.flags[value.flags]
-        decoded = replace(decoded, meanings=tuple(_set_bits(device, word, number)), facts=(word.place.path,))
+        meanings = tuple(_set_bits(device, word, number))
+        notes = (_remark_on_bit_numbers(word),) if word.bit_0 == "most" and any(own.bits for own in meanings) else ()
+        decoded = replace(decoded, meanings=meanings, notes=notes, facts=(word.place.path,))
     else:
         decoded = replace(decoded, text=in_unit(value, number))
     if not decoded.reason and value.ranges is not None and number not in value.ranges:
@@ -244,6 +246,12 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
         if unknown >> at & 1:
             yield Meaning("", "", "not listed", str(at))
     yield from (_state(state) for state in word.states if _shows(word, state, number))
+
+
+def _remark_on_bit_numbers(word: Flags) -> str:
+    """How the manual numbers the bits of a word whose bit 0 is the most significant one."""
+    text = "Bit 0 is the least significant one here. The manual counts from the most significant"
+    return f"{text}: bit {8 * word.type.size - 1} is its bit 0."
 
 
 def _shows(word: Flags, state: State, number: int) -> bool:

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.access import readable
+from fieldspec.model.access import narrowed, readable
 from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
@@ -229,8 +229,18 @@ def _of_fields(table: TableLayout, fields: Sequence[FieldLayout]) -> str:
     """Why fields that share words are not read; the first objection to one of them."""
     if _reserved(fields) and not any(field.field.access for field in fields):
         return ""
-    refusals = (_refused(table.access(field.field), field.field.handling) for field in fields)
+    refusals = (refusal for field in fields for refusal in _of_field(field, table.table.access))
     return next(filter(None, refusals), "")
+
+
+def _of_field(field: FieldLayout, container: str) -> Iterator[str]:
+    """Why a field, or a value in its record, is not read, of each; empty where it may be."""
+    access = narrowed(container, field.field.access)
+    if field.record is None or field.field.handling.clears_on_read:
+        yield _refused(access, field.field.handling)
+    for inner in field.record.fields if field.record is not None else ():
+        if not inner.field.reserved or inner.field.access:
+            yield from _of_field(inner, access)
 
 
 def _refused(access: str, handling: Handling) -> str:

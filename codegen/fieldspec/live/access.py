@@ -63,6 +63,14 @@ if TYPE_CHECKING:
             """What goes on the wire."""
 
         @property
+        def mask(self) -> tuple[int, ...]:
+            """The bits of its words that are its own; empty where all are."""
+
+        @property
+        def sent(self) -> object:
+            """What its request has; the same for values that one request writes."""
+
+        @property
         def hazards(self) -> tuple[str, ...]:
             """What a person should know."""
 
@@ -111,6 +119,9 @@ if TYPE_CHECKING:
         def assignment(self, item: Item, text: str) -> Assignment:
             """The assignment of a value as people write it. Raises WriteError."""
 
+        def together(self, chosen: Sequence[Any]) -> tuple[list[Any], dict[str, str]]:
+            """Assignments with what is written beside them in one request, and by path why some are not written."""
+
         def intended(self, chosen: Any) -> Reading:
             """What would be read once a value is written."""
 
@@ -142,8 +153,10 @@ if TYPE_CHECKING:
 
 
 def differs(chosen: Assignment, now: Reading) -> bool:
-    """Whether the device holds another value than the one that is assigned."""
-    return bool(now.refusal) or tuple(now.words) != chosen.words
+    """Whether the device holds another value than the one that is assigned, whatever shares its words."""
+    if now.refusal or not chosen.mask:
+        return bool(now.refusal) or tuple(now.words) != chosen.words
+    return any((word ^ own) & mask for word, own, mask in zip(now.words, chosen.words, chosen.mask, strict=True))
 
 
 def find(access: Access, names: Sequence[str]) -> tuple[list[Item], list[str]]:

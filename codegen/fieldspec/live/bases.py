@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from fieldspec.explain.registers import base_of_table
 from fieldspec.layout.bases import at_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.live.client import Client
 from fieldspec.live.reading import blocks, read
 
@@ -26,7 +27,9 @@ def read_bases(client: Client, layout: DeviceLayout, names: Iterable[str]) -> di
             if isinstance(number, int) and ranges is not None and number in ranges:
                 bases[name] = number
             else:
-                why = value.refusal or f"it is {number!r}, which is not within {ranges.text() if ranges else ''}"
+                why = (
+                    value.refusal or f"it is {spec_text(number)}, which is not within {ranges.text() if ranges else ''}"
+                )
                 bases[name] = f"{register.path} does not say where {name} begins: {why}"
     return bases
 

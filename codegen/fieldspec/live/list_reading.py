@@ -76,6 +76,12 @@ def entries(
             result.append(access.assignment(known[demand.path], demand.text))
         except WriteError as error:
             findings.append(ListFinding(demand.row, demand.whole + 1, str(error)))
+    result, problems = access.together(result)
+    findings += [
+        ListFinding(demand.row, demand.whole + 1, problems[demand.path])
+        for demand in demands
+        if demand.path in problems
+    ]
     if not result and not findings:
         findings.append(ListFinding(head.number, 0, "no row below has a value"))
     return result, sorted(set(findings), key=lambda finding: (finding.row, finding.column, finding.text))

@@ -78,11 +78,17 @@ class ParameterAssignment:
     raw: Any
     words: tuple[int, ...]
     hazards: tuple[str, ...]
+    mask: tuple[int, ...] = ()
 
     @property
     def path(self) -> str:
         """The path of the value."""
         return self.signal.path
+
+    @property
+    def sent(self) -> object:
+        """What its request has: this value alone."""
+        return self.path
 
 
 def link_of(layout: DeviceLayout) -> LinkLayout | None:

@@ -125,6 +125,10 @@ class ParameterAccess:
         """The assignment of a value as people write it. Raises WriteError."""
         return parameter_assignment(self.layout, self.link, item, text)
 
+    def together(self, chosen: Sequence[ParameterAssignment]) -> tuple[list[ParameterAssignment], dict[str, str]]:
+        """The same assignments: no value shares a request with another one."""
+        return list(chosen), {}
+
     def intended(self, chosen: ParameterAssignment) -> SignalReading:
         """What would be read once a value is written."""
         return signal_reading(self.layout, chosen.signal, chosen.raw)

@@ -60,7 +60,8 @@ def all_occupants(layout: DeviceLayout) -> Iterator[tuple[str, Occupant]]:
 def blocks(layout: DeviceLayout, chosen: Sequence[tuple[str, Occupant]]) -> list[Block]:
     """The requests that read some values: parts of the read plan, so that none touches what must not be read.
 
-    A value that no block of the plan has is read alone: somebody has named it.
+    A value that no block of the plan has is read alone: somebody has named it. Several that share a word are read
+    together, as the device may clear the word.
     """
     result: list[Block] = []
     rest = list(chosen)
@@ -71,8 +72,21 @@ def blocks(layout: DeviceLayout, chosen: Sequence[tuple[str, Occupant]]) -> list
             first = min(occupant.address for _, occupant in own)
             last = max(occupant.address + occupant.words for _, occupant in own)
             result.append(Block(own[0][0], first, last - first, tuple(occupant for _, occupant in own)))
-    result += [Block(space, occupant.address, occupant.words, (occupant,)) for space, occupant in rest]
-    return sorted(result, key=lambda block: (block.space, block.start))
+    return sorted([*result, *_overlapping(rest)], key=lambda block: (block.space, block.start))
+
+
+def _overlapping(rest: Sequence[tuple[str, Occupant]]) -> Iterator[Block]:
+    """Blocks of values that no block of the plan has: one for those that share words, directly or through others."""
+    run: list[Occupant] = []
+    own, end = "", 0
+    for space, occupant in sorted(rest, key=lambda pair: (pair[0], pair[1].address)):
+        if run and (space != own or occupant.address >= end):
+            yield Block(own, run[0].address, end - run[0].address, tuple(run))
+            run = []
+        own, end = space, max(end, occupant.address + occupant.words) if run else occupant.address + occupant.words
+        run.append(occupant)
+    if run:
+        yield Block(own, run[0].address, end - run[0].address, tuple(run))
 
 
 def _within(layout: DeviceLayout, block: ReadBlock, space: str, occupant: Occupant) -> bool:

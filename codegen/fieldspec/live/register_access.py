@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import replace
@@ -15,9 +16,10 @@ from fieldspec.explain.registers import (
 )
 from fieldspec.layout.bases import at_bases, at_usual_bases, moving_tables
 from fieldspec.live import writing
-from fieldspec.live.access import DumpRow, clears_on_read, role_masks
+from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.bases import read_bases
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
+from fieldspec.live.shared_words import SharedWords, merged
 from fieldspec.live.value_lists import COMMANDS
 from fieldspec.live.writing import Assignment, request_frame
 from fieldspec.model.access import readable, writable
@@ -44,6 +46,7 @@ class RegisterAccess:
         self._moving = moving_tables(layout)
         self._usual = self._located = at_usual_bases(layout)
         self._items = list(all_occupants(self._usual))
+        self._shared = SharedWords(layout, self._items)
 
     def number(self, value: Reading) -> int:
         """The address of a value."""
@@ -87,11 +90,7 @@ class RegisterAccess:
     def harmless(self) -> list[Placed]:
         """Everything that the read plan reads."""
         every = [pair for pair in self._items if not pair[1].reserved]
-        planned = [
-            block
-            for block in blocks(self._usual, every)
-            if len(block.occupants) > 1 or _is_harmless(block.occupants[0])
-        ]
+        planned = [block for block in blocks(self._usual, every) if all(map(_is_harmless, block.occupants))]
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
@@ -104,11 +103,15 @@ class RegisterAccess:
 
     def objection(self, item: Placed) -> str:
         """Why an item is in no list that is written to a device; empty where it may be."""
-        return _objection(self.layout, item[1])
+        return _objection(self.layout, item[1]) or self._shared.objection(item, partial(_objection, self.layout))
 
     def assignment(self, item: Placed, text: str) -> Assignment:
         """The assignment of a value as people write it. Raises WriteError."""
         return writing.assignment(self.layout, *item, text)
+
+    def together(self, chosen: Sequence[Assignment]) -> tuple[list[Assignment], dict[str, str]]:
+        """Assignments with the words of all values that share a word, and by path why some are not written."""
+        return self._shared.together(chosen)
 
     def intended(self, chosen: Assignment) -> Reading:
         """What would be read once a value is written."""
@@ -234,23 +237,23 @@ class RegisterAccess:
 
     def words_of(self, value: Reading, text: str) -> tuple[int, ...]:
         """What a text means for a value that was read. Raises WriteError."""
-        return writing.assignment(self.layout, "", value.occupant, text).words
+        own = writing.assignment(self.layout, "", value.occupant, text)
+        return merged(value.words, own.words, own.mask) if own.mask else own.words
 
 
 def _is_harmless(occupant: Occupant) -> bool:
-    return occupant.access in ("ro", "rw") and not clears_on_read(occupant.fact)
+    return occupant.access in ("ro", "rw") and not occupant.clears_on_read
 
 
 def _objection(layout: DeviceLayout, occupant: Occupant) -> str:
-    """Why a value is in no list that is written to a device; empty where it may be."""
+    """Why a value is in no list that is written to a device, for its own sake; empty where it may be."""
     if occupant.reserved or getattr(occupant.fact, "reserved", False):
         return "is reserved"
     if occupant.trigger or COMMANDS.intersection(_roles(layout, occupant)):
         return "commands the device; write it by its name, with the verb write"
     if not writable(occupant.access):
         return "can only be read" if occupant.access else "is not stated to be writable"
-    handling = getattr(occupant.fact, "handling", None)
-    if not readable(occupant.access) or (handling is not None and handling.clears_on_read):
+    if not readable(occupant.access) or occupant.clears_on_read:
         return "cannot be read back, so that nothing could be verified; write it by its name, with the verb write"
     return ""
 

@@ -113,11 +113,9 @@ def scanned_items(layout: DeviceLayout, space: ScanSpace) -> Iterator[ScannedIte
     if space.parameters is None:
         for name, occupant in all_occupants(layout):
             if name == space.name:
-                handlings = [getattr(fact, "handling", None) for fact in (occupant.fact, occupant.outer)]
-                spared = any(handling is not None and handling.clears_on_read for handling in handlings)
                 addresses = range(occupant.address, occupant.address + occupant.words)
                 readable = occupant.access != "wo" and not occupant.reserved
-                yield ScannedItem(occupant.path, addresses, readable, spared, occupant)
+                yield ScannedItem(occupant.path, addresses, readable, occupant.clears_on_read, occupant)
         return
     for parameter_set in layout.device.sets(space.name):
         for row in parameter_set.parameters:

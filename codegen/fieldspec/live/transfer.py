@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from fieldspec.carriers.carrier import CarrierError
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.live.access import differs
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.writing import WriteError
@@ -58,22 +59,27 @@ def transfer(
     `before` is called before a request that may change the device, `after` when the value has been read back. Raises
     TransferError at the first value that the device does not take over.
     """
+    sent: set[object] = set()
     for change in plan:
         before(change)
         try:
-            _settle(access, client, change)
+            _settle(access, client, change, change.chosen.sent in sent)
         except (NoAnswerError, CarrierError) as error:
             raise TransferError(change.path, f"may be written or not: {error}", uncertain=True) from None
         except (RefusedError, WriteError) as error:
             raise TransferError(change.path, f"is not written: {error}") from None
+        sent.add(change.chosen.sent)
         after(change)
 
 
-def _settle(access: Access, client: Client, change: Change) -> None:
-    """Writes a value once. Where no answer comes, the device itself says whether it has the value."""
+def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> None:
+    """Writes a value once, with all that shares its words. Where no answer comes, the device itself says whether it has
+    the value. One that `is_sent` was written with another one, and is verified alone.
+    """
     lost = ""
     try:
-        access.write(client, change.chosen)
+        if not is_sent:
+            access.write(client, change.chosen)
     except NoAnswerError as error:
         lost = str(error)
     now = access.read_back(client, change.chosen)
@@ -84,4 +90,4 @@ def _settle(access: Access, client: Client, change: Change) -> None:
     if lost and now.words == change.before.words:
         raise TransferError(change.path, f"is not written: {lost}")
     number = now.decoded.number if now.decoded is not None else None
-    raise TransferError(change.path, f"is not taken over: the device has {number!r} instead")
+    raise TransferError(change.path, f"is not taken over: the device has {spec_text(number)} instead")

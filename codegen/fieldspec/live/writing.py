@@ -21,17 +21,29 @@ class WriteError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """A value for what is at an address: its words, and what a person should know before it is written."""
+    """A value for what is at an address: its words, and what a person should know before it is written.
+
+    A value that has only a part of its words has the bits of `mask` in them. It is written once `request` has the words
+    of all values that it shares words with, the first of them `before` its own first one.
+    """
 
     space: str
     occupant: Occupant
     words: tuple[int, ...]
     hazards: tuple[str, ...]
+    mask: tuple[int, ...] = ()
+    request: tuple[int, ...] = ()
+    before: int = 0
 
     @property
     def path(self) -> str:
         """The path of the value."""
         return self.occupant.path
+
+    @property
+    def sent(self) -> tuple[str, int, tuple[int, ...]]:
+        """The space, the address and the words of the request, which is one for values that share words."""
+        return self.space, self.occupant.address - self.before, self.request or self.words
 
 
 def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) -> Assignment:
@@ -42,8 +54,6 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
     if occupant.reserved:
         raise WriteError(f"{occupant.path} is reserved")
     size = layout.device.space(space).unit_size
-    if not is_bit(occupant) and (occupant.skip or occupant.value.size % size):
-        raise WriteError(f"{occupant.path} shares a word with something else, and is not written alone")
     value = occupant.value.for_writing()
     try:
         raw = raw_value(layout.device, occupant.path, value, text)
@@ -51,42 +61,55 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
         data = bytes(value_construct(value, occupant.order, occupant.swapped).build(known))
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
+    if is_bit(occupant) or not is_partial(occupant, size):
+        return Assignment(space, occupant, words_of(layout, data, size), tuple(_hazards(occupant)))
+    behind = occupant.words * size - occupant.skip - len(data)
+    placed, ones = (bytes(occupant.skip) + own + bytes(behind) for own in (data, b"\xff" * len(data)))
+    words, mask = words_of(layout, placed, size), words_of(layout, ones, size)
+    return Assignment(space, occupant, words, tuple(_hazards(occupant)), mask)
+
+
+def is_partial(occupant: Occupant, unit_size: int) -> bool:
+    """Whether a value has only a part of its words."""
+    return bool(occupant.skip or occupant.value.size % unit_size)
+
+
+def words_of(layout: DeviceLayout, data: bytes, size: int) -> tuple[int, ...]:
+    """The words of `size` bytes in which some bytes are."""
     big = layout.device.byte_order == "big"
-    words = tuple(int.from_bytes(data[at : at + size], "big" if big else "little") for at in range(0, len(data), size))
-    return Assignment(space, occupant, words, tuple(_hazards(occupant)))
+    return tuple(int.from_bytes(data[at : at + size], "big" if big else "little") for at in range(0, len(data), size))
 
 
 def _hazards(occupant: Occupant) -> list[str]:
     """What a person should know before a value is written."""
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
-    facts = (occupant.fact, occupant.outer)
-    handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
     hazards = write_hazards(
         trigger=occupant.trigger,
         access=occupant.access,
         restart=fact.restart if fact is not None else None,
-        handlings=handlings,
+        handlings=occupant.handlings,
     )
     return list(hazards)
 
 
 def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, object], bytes]:
     """The message that writes a value, its fields, and its frame. Raises WriteError."""
-    message = message_for(client.layout, "write", chosen.space, len(chosen.words))
+    space, address, words = chosen.sent
+    message = message_for(client.layout, "write", space, len(words))
     access = message.accesses if message is not None else None
     if message is None or access is None:
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")
-    values: dict[str, object] = {access.start: chosen.occupant.address}
+    values: dict[str, object] = {access.start: address}
     if client.layout.device.bit_access(message) is None:
         is_list = (field := message.request.named(access.values)) is not None and field.repeat is not None
-        values[access.values] = list(chosen.words) if is_list else chosen.words[0]
+        values[access.values] = list(words) if is_list else words[0]
         count_field = message.request.named(access.count) if access.count else None
         if count_field is not None and count_field.measures is None:
-            values[access.count] = len(chosen.words)
+            values[access.count] = len(words)
     elif access.set is None:
-        values |= {access.count: len(chosen.words), access.values: list(packed_bits(chosen.words))}
+        values |= {access.count: len(words), access.values: list(packed_bits(words))}
     else:
-        values[access.values] = access.set if chosen.words[0] else access.clear
+        values[access.values] = access.set if words[0] else access.clear
     try:
         return message.name, values, client.request(message.name, values)
     except CodecError as error:

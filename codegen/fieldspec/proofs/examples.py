@@ -12,6 +12,7 @@ from fieldspec.checks.layout_conditions import has_layout
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.values import MeaningError, Raw, raw_values
 from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
@@ -182,13 +183,14 @@ def _compare_meaning(
     for name, value in actual.items():
         if name in expected:
             if not _is_same_value(expected[name], value):
-                text = f"{name} is {_text(value)} in the bytes, but {_text(expected[name])} in the values"
+                path, want, have = _difference(name, expected[name], value)
+                text = f"{path} is {spec_text(have)} in the bytes, but {spec_text(want)} in the values"
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
                 yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
         elif name not in implied and not _implied(decoded, name):
             text = f"the values do not contain {name}"
-            help = f"add `{name}: {_text(value)}` if the manual means that"
+            help = f"add `{name}: {spec_text(value)}` if the manual means that"
             yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
 
 
@@ -210,6 +212,17 @@ def _is_same_value(expected: Any, actual: Any) -> bool:
     if isinstance(expected, float) and isinstance(actual, float):
         return _rounded(expected) == _rounded(actual)
     return bool(expected == actual)
+
+
+def _difference(path: str, expected: Any, actual: Any) -> tuple[str, Any, Any]:
+    """The innermost value that differs, by its path, as it is expected and as it is."""
+    pairs: list[tuple[str, Any, Any]] = []
+    if isinstance(expected, dict) and isinstance(actual, dict) and expected.keys() <= actual.keys():
+        pairs = [(f"{path}.{name}", value, actual[name]) for name, value in expected.items()]
+    elif isinstance(expected, list) and isinstance(actual, list) and len(expected) == len(actual):
+        pairs = [(f"{path}[{at}]", *pair) for at, pair in enumerate(zip(expected, actual, strict=True))]
+    inner = next((pair for pair in pairs if not _is_same_value(pair[1], pair[2])), None)
+    return (path, expected, actual) if inner is None else _difference(*inner)
 
 
 def _rounded(number: float) -> bytes:
@@ -247,7 +260,3 @@ def _bytes(
         label = Label(example.place["frame"], "these bytes")
         span = example.place["values"]
         yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
-
-
-def _text(value: Any) -> str:
-    return value.hex(" ") if isinstance(value, bytes) else str(value)

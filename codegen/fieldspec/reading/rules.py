@@ -224,13 +224,17 @@ Example: a file in another format with ten thousand lines.
 
 Cure: Correct the first findings.
 """,
-    "type_present": """The spec states the type of every value on the wire, once.
+    "type_present": """The spec states the type of every value on the wire, once, and what belongs to a value where the
+value is.
 
-Why: width and sign are never guessed.
+Why: width and sign are never guessed. A field with a record has no value of its own: what is stated there of a unit, a
+range or a meaning would reach nothing.
 
-Example: a register without `type`, a text without `length`, a field with both `type` and `record`.
+Example: a register without `type`, a text without `length`, a field with both `type` and `record`, or with `record` and
+`unit`.
 
-Cure: Add the type, as inferred with a reason if the manual only implies it.
+Cure: Add the type, as inferred with a reason if the manual only implies it. State the keys of values at the fields of
+the record. Bytes without a meaning are `type: bytes`, with their `length` and `reserved: true`.
 """,
     "unknown_key": """Every key is part of the language.
 

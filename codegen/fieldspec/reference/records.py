@@ -9,6 +9,7 @@ from typing import Any
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.inner_lists import InnerLists
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.widths import WidthError, data_of, image_of, narrowed, place_in_data
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
@@ -309,9 +310,9 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     if kind is Kind.FLOAT and isinstance(raw_value, int | float):
         return _float(name, value, raw_value)
     if kind is Kind.FLOAT:
-        raise CodecError("wrong_type", f"{name} is a number, not {raw_value!r}")
+        raise CodecError("wrong_type", f"{name} is a number, not {spec_text(raw_value)}")
     if not isinstance(raw_value, int):
-        raise CodecError("wrong_type", f"{name} is a whole number, not {raw_value!r}")
+        raise CodecError("wrong_type", f"{name} is a whole number, not {spec_text(raw_value)}")
     if value.const is not None and raw_value != value.const:
         raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
     if value.enum and not _is_known(device, value, int(raw_value)):
@@ -332,7 +333,7 @@ def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
 
 def _bytes(name: str, data: Any) -> bytes:
     if not isinstance(data, bytes | bytearray):
-        raise CodecError("wrong_type", f"{name} is a text or bytes, not {data!r}")
+        raise CodecError("wrong_type", f"{name} is a text or bytes, not {spec_text(data)}")
     return bytes(data)
 
 

@@ -80,7 +80,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (row.at, row.sent, _hex(row.raw), row.path, _label(row), raw, row.value)
-            lines += _lines(row, first, 2)
+            lines += _lines(row, first, 2, 5)
     return _table(headings, lines)
 
 
@@ -105,7 +105,7 @@ def register_table(explanation: Explanation) -> Table:
     for row in explanation.registers:
         name = row.path or row.doc
         first = (f"0x{row.address:04X}", str(row.words), _hex(row.raw), name, _label(row), row.access)
-        lines += _lines(row, (*first, raw_text(row, False), row.value), 2)
+        lines += _lines(row, (*first, raw_text(row, False), row.value), 2, 6)
     return _table(headings, lines)
 
 
@@ -154,8 +154,10 @@ def raw_text(row: ExplanationRow, hexadecimal: bool) -> str:
     number = row.number
     if isinstance(number, bool):
         return "true" if number else "false"
-    if isinstance(number, bytes) or number is None:
+    if number is None:
         return ""
+    if isinstance(number, bytes):
+        return _hex(number)
     if isinstance(number, int) and (hexadecimal or any(meaning.bits for meaning in row.meanings)):
         return f"0x{number & (1 << 8 * len(row.raw)) - 1:0{2 * len(row.raw)}X}"
     return str(number)
@@ -195,14 +197,16 @@ def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, 
         yield (first.at, sent, data, path, "" if at else _label(first), numbers, "", "", "", source), False
 
 
-def _lines(row: ExplanationRow, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
-    """The lines of a row: several where the bytes in cell `data`, or its meanings, are many."""
+def _lines(row: ExplanationRow, first: tuple[str, ...], data: int, raw: int) -> Iterator[tuple[tuple[str, ...], bool]]:
+    """The lines of a row: several where the bytes in cell `data`, or in cell `raw`, or its meanings, are many."""
     meanings = [meaning_text(meaning) for meaning in row.meanings]
     chunks = _chunks(first[data])
+    raw_chunks = _chunks(first[raw]) if isinstance(row.number, bytes) else [first[raw]]
     wrong = row.verdict.startswith("wrong")
-    for number in range(max(1, len(meanings), len(chunks))):
+    for number in range(max(1, len(meanings), len(chunks), len(raw_chunks))):
         cells = list(first) if number == 0 else [""] * len(first)
         cells[data] = chunks[number] if number < len(chunks) else ""
+        cells[raw] = raw_chunks[number] if number < len(raw_chunks) else ""
         meaning = meanings[number] if number < len(meanings) else ""
         yield (*cells, meaning, *((row.verdict, row.source) if number == 0 else ("", ""))), wrong
 

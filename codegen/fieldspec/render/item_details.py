@@ -9,6 +9,7 @@ from fieldspec.explain.body import references_text
 from fieldspec.explain.recognition import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.device import Device
@@ -133,7 +134,7 @@ def _table(layout: DeviceLayout, table_layout: TableLayout, address: int | None)
     yield "access", table.access or "not printed"
     if address is not None:
         steps, offset = divmod(address - table.base, table.stride)
-        names = [field.name for field in table_layout.record.fields if field.offset <= 2 * offset + 1]
+        names = [own.path for own in nested_fields(table_layout.record) if own.offset <= 2 * offset + 1]
         is_in = "is usually in" if table.base_by else "is in"
         yield "here", f"0x{address:04X} {is_in} {table.name}[{table.index_from + steps}].{names[-1]}"
 

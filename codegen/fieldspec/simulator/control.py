@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from fieldspec.behaviour.part import AXIS_PROPERTIES
 from fieldspec.classes import TYPE_CHECKING
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.text_form import text_fault
 from fieldspec.simulator.faults import FaultError, fault_of
 from fieldspec.simulator.simulation import Simulation
@@ -73,7 +74,7 @@ def _set(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]:
                 continue
             raw = engine.raw(cell, value)
             if isinstance(value, str) and not raw and engine.names_nothing(cell, value):
-                raise CommandError(f"{name} has no value {value!r}")
+                raise CommandError(f"{name} has no value {spec_text(value)}")
             cell.write(raw)
     engine.follow()
     return {}

@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterable, Mapping
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.reference.records import CodecError
 
 if TYPE_CHECKING:
@@ -67,16 +68,16 @@ def fault_of(data: Mapping[str, Any]) -> Fault:
     """The fault that a script or a command describes. Raises FaultError."""
     unknown = sorted(set(data) - _KEYS)
     if unknown:
-        raise FaultError(f"a fault has no {unknown[0]!r}; it has {', '.join(sorted(_KEYS))}")
+        raise FaultError(f"a fault has no `{unknown[0]}`; it has {', '.join(sorted(_KEYS))}")
     kind = data.get("fault")
     if kind not in KINDS:
-        raise FaultError(f"there is no fault {kind!r}; there are {', '.join(KINDS)}")
+        raise FaultError(f"there is no fault `{kind}`; there are {', '.join(KINDS)}")
     if kind in _LASTING and not isinstance(data.get("signal"), str):
         raise FaultError(f"the fault {kind} needs a `signal`")
     numbers = {key: data[key] for key in ("at", "request", "count", "seconds", "value", "probability") if key in data}
     for key, number in numbers.items():
         if isinstance(number, bool) or not isinstance(number, int | float):
-            raise FaultError(f"`{key}` of the fault {kind} is {number!r}, which is no number")
+            raise FaultError(f"`{key}` of the fault {kind} is {spec_text(number)}, which is no number")
     if not 0 <= numbers.get("probability", 0) <= 1:
         raise FaultError(f"the probability of the fault {kind} is {numbers['probability']}, not 0 to 1")
     by_chance = "probability" in numbers

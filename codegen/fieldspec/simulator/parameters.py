@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.access import readable
 from fieldspec.model.registers import Parameter
 from fieldspec.simulator.memory import element_value, numbers_of
@@ -127,7 +128,7 @@ def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
     for index, raw in zip(target.elements, raws, strict=True):
         why = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)
         if why:
-            raise Refusal("value_invalid", f"{parameter.name} cannot be {raw!r}: {why}")
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {spec_text(raw)}: {why}")
     elements = engine.memory.elements
     before = {index: elements[target.set_name, target.number, index] for index in target.elements}
     for index, raw in zip(target.elements, raws, strict=True):
@@ -161,6 +162,6 @@ def write_all(engine: Engine, name: str, values: list[Raw] | Raw) -> None:
     for (_, _, parameter), raw in zip(rows, raws, strict=True):
         why = "" if parameter.reserved else invalid(engine, parameter.value, raw)
         if why:
-            raise Refusal("value_invalid", f"{parameter.name} cannot be {raw!r}: {why}")
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {spec_text(raw)}: {why}")
     for (set_name, number, parameter), raw in zip(rows, raws, strict=True):
         write_parameter(engine, Target(set_name, number, parameter, 0, None), [raw])

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.registers import FORBIDS, Occupant, count_of_occupant, element_number
 from fieldspec.layout.bits import packed_bits, unpacked_bits
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.record import Message, RegisterAccess
 from fieldspec.model.registers import Table
 from fieldspec.model.value import Kind, Value
@@ -29,10 +30,8 @@ def read_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, 
         words.append(memory.words[space, address] if displayed else 0)
     for address in addresses:
         for occupant in memory.at(space, address):
-            if occupant.address == address and getattr(occupant.fact, "handling", None) is not None:
-                handling = occupant.fact.handling  # type: ignore[attr-defined]
-                if handling.clears_on_read:
-                    memory.write(space, occupant, 0)
+            if occupant.address == address and occupant.clears_on_read:
+                memory.write(space, occupant, 0)
     return words
 
 
@@ -66,7 +65,7 @@ def place_words(
             raw = memory.read(space, occupant)
             why = _invalid(engine, occupant, raw)
             if why:
-                raise Refusal("value_invalid", f"{occupant.path} cannot be {raw!r}: {why}")
+                raise Refusal("value_invalid", f"{occupant.path} cannot be {spec_text(raw)}: {why}")
             if not _is_whole(occupant, addresses) and occupant.atomic and not _accepts(engine, "partial_values"):
                 raise Refusal("value_invalid", f"{occupant.path} is to be written in one request")
             paths.append(_path(occupant))

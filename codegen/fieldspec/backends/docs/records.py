@@ -24,9 +24,10 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.links import elements_text, field_cells
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, access_cell, default_cell, restart_cell
-from fieldspec.classes import replace
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.registers import PrintedElement
 from fieldspec.model.registers import Table as TableOfRecords
 
@@ -133,7 +134,8 @@ def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple
 def _fields(context: Context, table_layout: TableLayout, anchored: bool) -> DocumentTable:
     record = table_layout.record.record
     marks = Inferences(f"{table_layout.table.place.path}/fields")
-    rows = [_table_row(context, field, table_layout.access(field.field), marks) for field in table_layout.record.fields]
+    holder = _Holder(context, marks, table_layout.table.access)
+    rows = [row for field in table_layout.record.fields for row in _table_rows(holder, field)]
     caption = f"Fields of an element, the record {record.name}"
     if not anchored:
         rows = [row._replace(anchor="") for row in rows]
@@ -141,14 +143,57 @@ def _fields(context: Context, table_layout: TableLayout, anchored: bool) -> Docu
     return replace(field_table, anchor=record.place.path if anchored else "")
 
 
-def _table_row(context: Context, field: FieldLayout, access: str, marks: Inferences) -> TableRow:
+@dataclass(frozen=True, slots=True)
+class _Holder:
+    """The place of fields in an element of a table: its access, the bytes before it, and the path that leads to it.
+
+    `steps` are the sizes in bytes of the elements of the lists that it is in, whose numbers are k, l and so on.
+    """
+
+    context: Context
+    marks: Inferences
+    access: str
+    offset: int = 0
+    path: str = ""
+    steps: tuple[int, ...] = ()
+
+
+def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
+    """The row of a field, and those of the fields of its record, which have their anchors at that record."""
+    row = _table_row(holder, field)
+    yield row._replace(anchor="") if holder.path else row
+    if field.record is None:
+        return
+    inner = replace(
+        holder,
+        access=narrowed(holder.access, field.field.access),
+        offset=holder.offset + field.offset,
+        path=f"{holder.path}{_named(holder, field)}.",
+        steps=(*holder.steps, field.size) if field.is_list else holder.steps,
+    )
+    for own in field.record.fields:
+        yield from _table_rows(inner, own)
+
+
+def _letter(holder: _Holder) -> str:
+    """The letter of the numbers of a list in the holder."""
+    return chr(ord("k") + len(holder.steps))
+
+
+def _named(holder: _Holder, field: FieldLayout) -> str:
+    return f"{field.name}[{_letter(holder)}]" if field.is_list else field.name
+
+
+def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
+    context, marks = holder.context, holder.marks
     inferred, value = field.field.inferred, field.value
-    many = elements_text(field, "k") if field.is_list else ""
-    path = f"{field.name}[k]" if field.is_list else field.name
+    many = elements_text(field, _letter(holder)) if field.is_list else ""
+    path = f"{holder.path}{_named(holder, field)}"
+    access = narrowed(holder.access, field.field.access)
     name, kind, unit, bounds, meaning, source = field_cells(context, field, path, many, marks)
     return TableRow(
         (
-            cell(_word(field)),
+            cell(_word(holder, field)),
             cell(str((field.size * (field.count or 1) + 1) // 2)),
             name,
             kind,
@@ -164,10 +209,18 @@ def _table_row(context: Context, field: FieldLayout, access: str, marks: Inferen
     )
 
 
-def _word(field: FieldLayout) -> Line:
-    """`+3`, with the half of the word where the field begins in its middle."""
-    half: Line = (styled(" second byte", "quiet"),) if field.offset % 2 else ()
-    return (code(f"+{field.offset // 2}"), *half)
+def _word(holder: _Holder, field: FieldLayout) -> Line:
+    """`+3`, or `+3 + 2k` in a list, with the half of the word where the field begins in its middle.
+
+    In a list of elements with odd sizes, it is `byte 6 + 5k`.
+    """
+    offset = holder.offset + field.offset
+    unit = 1 if any(step % 2 for step in holder.steps) else 2
+    terms = "".join(f" + {step // unit}{chr(ord('k') + number)}" for number, step in enumerate(holder.steps))
+    if unit == 1:
+        return (code(f"byte {offset}{terms}"),)
+    half: Line = (styled(" second byte", "quiet"),) if offset % 2 else ()
+    return (code(f"+{offset // 2}{terms}"), *half)
 
 
 def _addresses(table_layout: TableLayout) -> DocumentTable:

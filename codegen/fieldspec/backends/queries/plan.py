@@ -10,6 +10,7 @@ from fieldspec.backends.queries.dialect import Dialect
 from fieldspec.backends.queries.values import ValueQuery
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.registers import Parameter, ParameterSet, RegisterGroup, Subindex
@@ -170,7 +171,8 @@ def _table_query(layout: DeviceLayout, name: str, table: TableLayout, content: C
     address = f"(({number} - {own.index_from}) * {own.stride} + {own.base})"
     level = {data: dialect.words(address, table.record.size or 0)}
     content.levels.append(level)
-    names = {field.value.scale_by for field in table.record.fields if field.value is not None}
+    values = (nested.field.value for nested in nested_fields(table.record))
+    names = {value.scale_by for value in values if value is not None}
     for register in layout.registers:
         if register.name in names:
             power, words = _register_query(content, register, register.address, level)

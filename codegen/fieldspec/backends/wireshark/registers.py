@@ -6,6 +6,7 @@ from fieldspec.backends.wireshark.filters import Filters, title_of
 from fieldspec.backends.wireshark.text import Data, line_text
 from fieldspec.backends.wireshark.values import errata_data, intervals, value_data
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.nested_fields import NestedField, nested_fields
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
@@ -37,38 +38,44 @@ def register_data(filters: Filters, device: Device, layout: RegisterLayout) -> d
 def table_data(filters: Filters, device: Device, layout: TableLayout) -> list[Data]:
     """The fields of a table of records in registers, each element of a list by itself."""
     rows: list[Data] = []
-    table = layout.table
-    for field in layout.record.fields:
-        if field.value is None:
-            continue
-        names = (f"{layout.name}.{field.name}", f"table.{layout.name}.{field.name}")
-        entry: dict[str, Data] = {
-            "filter": filters.of_value(names, field.field, field.value),
-            "quantity": filters.of_quantity(names, field.field, field.value),
-            "bits": filters.of_bits(names, field.value),
-            "value": value_data(field.value, field.order, field.swapped),
-            "space": device.space_name(table.space),
-            "count": table.count,
-            "stride": table.stride,
-            "index_from": table.index_from,
-            "access": layout.access(field.field) or None,
-            "reserved": field.field.reserved,
-            "errata": errata_data(device, field.field),
-        }
-        for item in range(field.count or 0):
-            first = field.offset + item * field.size
-            element = f"[{item}]" if field.is_list else ""
-            rows.append(
-                {
-                    "name": f"{layout.name}.{field.name}{element}",
-                    "title": f"{title_of(field.field)}{element} of {layout.name}",
-                    **entry,
-                    "address": table.base + first // 2,
-                    "words": (first + field.size + 1) // 2 - first // 2,
-                    "skip": first % 2 or None,
-                }
-            )
+    entries: dict[str, dict[str, Data]] = {}
+    for nested in nested_fields(layout.record):
+        entry = entries.get(nested.name)
+        if entry is None:
+            entry = entries[nested.name] = _table_field(filters, device, layout, nested)
+        element = nested.path.removeprefix(f"{nested.before}{nested.field.name}")
+        holder = f"{nested.before[:-1]} of {layout.name}" if nested.before else layout.name
+        rows.append(
+            {
+                "name": f"{layout.name}.{nested.path}",
+                "title": f"{title_of(nested.field.field)}{element} of {holder}",
+                **entry,
+                "address": layout.table.base + nested.offset // 2,
+                "words": nested.words,
+                "skip": nested.offset % 2 or None,
+            }
+        )
     return rows
+
+
+def _table_field(filters: Filters, device: Device, layout: TableLayout, nested: NestedField) -> dict[str, Data]:
+    """What all elements of a field of a table share."""
+    table, field = layout.table, nested.field
+    names = (f"{layout.name}.{nested.name}", f"table.{layout.name}.{nested.name}")
+    assert field.value is not None
+    return {
+        "filter": filters.of_value(names, field.field, field.value),
+        "quantity": filters.of_quantity(names, field.field, field.value),
+        "bits": filters.of_bits(names, field.value),
+        "value": value_data(field.value, field.order, field.swapped),
+        "space": device.space_name(table.space),
+        "count": table.count,
+        "stride": table.stride,
+        "index_from": table.index_from,
+        "access": nested.access(table.access) or None,
+        "reserved": field.field.reserved,
+        "errata": errata_data(device, field.field),
+    }
 
 
 def parameter_sets(filters: Filters, layout: DeviceLayout) -> dict[str, Data]:

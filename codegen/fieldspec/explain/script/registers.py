@@ -6,6 +6,7 @@ from fieldspec.explain.row import citations
 from fieldspec.explain.script.literals import Data
 from fieldspec.explain.script.values import fact_data, intervals, stated, value_data
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, ParameterSet
@@ -38,7 +39,8 @@ def register_data(device: Device, layout: RegisterLayout) -> dict[str, Data]:
 def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
     """A table of records in registers."""
     table = layout.table
-    accesses = {field.name: layout.access(field.field) for field in layout.record.fields}
+    fields = {nested.name: nested for nested in nested_fields(layout.record)}
+    accesses = {path: nested.access(table.access) for path, nested in fields.items()}
     return {
         **fact_data(table),
         "base": table.base,
@@ -48,7 +50,7 @@ def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
         "words": layout.words,
         "record": layout.record.name,
         "accesses": stated(accesses),
-        "atomic": [field.name for field in layout.record.fields if field.field.atomic],
+        "atomic": [path for path, nested in fields.items() if nested.field.field.atomic],
         **stated({"space": device.space_name(table.space), "countBy": table.count_by, "baseBy": table.base_by}),
     }
 

@@ -148,6 +148,7 @@ def word_data(word: Flags) -> dict[str, Data]:
             "name": word.name,
             "path": word.place.path,
             "size": word.type.size,
+            "countedFromMost": word.bit_0 == "most",
             "bits": [_bit(bit) for bit in word.bits],
             "states": [
                 stated(

@@ -16,6 +16,9 @@ from fieldspec.model.record import (
 from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
+_OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
+"""The keys that only a field with a value of its own has."""
+
 
 def record(entry: Entry, reused: Reused) -> Record:
     """A record."""
@@ -42,6 +45,9 @@ def _field(entry: Entry) -> Field:
     if (name or choice) and entry.get("scale_by"):
         text = f"the field is a {'record' if name else 'choice'}, which has no scale"
         entry.refuse("type_present", "scale_by", text, "remove it, or state it for a field with a `type`")
+    for key in sorted(_OF_VALUES & entry.own.keys()) if name else ():
+        help = f"state it at the fields of {name}, or give the field a `type`"
+        entry.refuse("type_present", key, f"the field is a record, which has no `{key}`", help)
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None

@@ -4,11 +4,12 @@ import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
 /**
  * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
  * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
- * for them, and of the end.
+ * for them, and of the end. `gap` is the place of the first byte behind an escape of nothing, which is sent between that
+ * byte and the one before.
  */
 export class Spot {
-  constructor(frame, start, width, places = null, originals = null, escape = null) {
-    Object.assign(this, { frame, start, width, places, originals, escape });
+  constructor(frame, start, width, places = null, originals = null, escape = null, gap = null) {
+    Object.assign(this, { frame, start, width, places, originals, escape, gap });
   }
 
   /** Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read. */
@@ -30,7 +31,8 @@ export class Spot {
   place(at, length) {
     if (this.places) {
       const end = this.places.length - 1;
-      const [first, behind] = [this.places[Math.min(at, end)], this.places[Math.min(at + length, end)]];
+      const first = this.places[Math.min(at, end)];
+      const behind = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
       const offset = this.start + first;
       const sent = this.frame.subarray(offset, offset + behind - first);
       const isSame = sameBytes(sent, this.originals.subarray(at, at + length));

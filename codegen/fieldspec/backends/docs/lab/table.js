@@ -184,7 +184,8 @@ function visibleCharacters(text) {
 
 // The raw value; words of bits in hexadecimal digits.
 function rawText({ number, meanings, raw }) {
-  if (number === null || number instanceof Uint8Array) return "";
+  if (number === null) return "";
+  if (number instanceof Uint8Array) return hexOf(number, " ");
   if (typeof number === "boolean") return String(number);
   if (meanings.some(({ bits }) => bits) && isWhole(number)) {
     const digits = BigInt.asUintN(8 * raw.length, BigInt(number)).toString(16).toUpperCase();

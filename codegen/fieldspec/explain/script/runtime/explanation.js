@@ -103,6 +103,7 @@ class ExplainedFrame {
       ...Array.from({ length: end + 1 - stop }, (_, at) => stop + at),
     ];
     this.spot.escape = escape;
+    this.spot.gap = originals.length ? null : start;
     this.spot.originals = Uint8Array.from([...data, ...this.surplus]);
     return data;
   }

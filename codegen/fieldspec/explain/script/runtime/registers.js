@@ -152,38 +152,58 @@ function addElements(occupants, register, span) {
 
 function addFields(occupants, device, table, span) {
   const [start, last] = nearElements(table.base, table, span);
-  const record = device.records.get(table.record);
+  if (start === last) return;
+  const nested = [...nestedFields(device, device.records.get(table.record))];
   for (let number = start; number < last; number++) {
     const base = table.base + number * table.stride;
-    const beside = (name) => {
-      const field = record.named.get(name);
-      return field && { address: base + (field.offset >> 1), skip: field.offset & 1, value: field.value };
-    };
-    for (const field of record.fields) {
-      if (!field.value) continue;
-      for (let item = 0; item < (field.count ?? 0); item++) {
-        const first = field.offset + item * field.size;
-        const address = base + (first >> 1);
-        const words = ((first + field.size + 1) >> 1) - (first >> 1);
-        if (address >= span.end || span.address >= address + words) continue;
-        occupants.push({
-          address,
-          words,
-          path: `${table.name}[${table.first + number}].${field.name}${field.isList ? `[${item}]` : ""}`,
-          fact: field,
-          outer: table,
-          value: field.value,
-          skip: first & 1,
-          beside,
-          element: number,
-          access: table.accesses[field.name] ?? "",
-          reserved: Boolean(field.reserved),
-          atomic: table.atomic.includes(field.name),
-          trigger: false,
-        });
+    for (const { path, name, field, offset, record, start: first } of nested) {
+      const address = base + (offset >> 1);
+      const words = ((offset + field.size + 1) >> 1) - (offset >> 1);
+      if (address >= span.end || span.address >= address + words) continue;
+      occupants.push({
+        address,
+        words,
+        path: `${table.name}[${table.first + number}].${path}`,
+        fact: field,
+        outer: table,
+        value: field.value,
+        skip: offset & 1,
+        beside: (other) => besideAt(record, base, first, other),
+        element: number,
+        access: table.accesses[name] ?? "",
+        reserved: Boolean(field.reserved),
+        atomic: table.atomic.includes(name),
+        trigger: false,
+      });
+    }
+  }
+}
+
+/**
+ * The values of a record, and of the records in it, each element of a list by itself: `parts[1].value` at an offset from
+ * the start of the whole record. The record that has the field begins `start` bytes behind it.
+ */
+function* nestedFields(device, record, start = 0, before = "", names = "") {
+  for (const field of record.fields) {
+    const name = `${names}${field.name}`;
+    for (let item = 0; item < (field.count ?? 0); item++) {
+      const path = `${before}${field.name}${field.isList ? `[${item}]` : ""}`;
+      const offset = start + field.offset + item * field.size;
+      if (field.record) {
+        yield* nestedFields(device, device.records.get(field.record), offset, `${path}.`, `${name}.`);
+      } else if (field.value) {
+        yield { path, name, field, offset, record, start };
       }
     }
   }
+}
+
+/** A field of a record that begins `start` bytes behind an address; undefined where it has none with a value. */
+function besideAt(record, base, start, name) {
+  const field = record.named.get(name);
+  if (!field?.value) return undefined;
+  const offset = start + field.offset;
+  return { address: base + (offset >> 1), skip: offset & 1, value: field.value };
 }
 
 /** The numbers of the first element that may share words with a span, and of the one behind the last. */

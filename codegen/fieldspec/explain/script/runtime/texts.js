@@ -41,33 +41,12 @@ export function sameValue(left, right) {
 
 /** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`; `floatSize` is their size. */
 export function valueText(value, floatSize = 0) {
-  if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "number" && (floatSize || !Number.isInteger(value))) return floatText(value, floatSize);
-  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
-  if (typeof value === "string") return quotedText(value);
+  if (value instanceof Uint8Array) return hexOf(value, " ");
+  if (typeof value === "string") return JSON.stringify(value);
   if (Array.isArray(value)) return `[${value.map((item) => valueText(item, floatSize)).join(", ")}]`;
-  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
+  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${key}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
-}
-
-const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
-
-const BEYOND_ASCII = /[^\x20-\x7e]/;
-const UNPRINTABLE = /[\p{C}\p{Z}]/u;
-
-function escapedCharacter(code) {
-  const [letter, digits] = code < 0x100 ? ["x", 2] : code < 0x10000 ? ["u", 4] : ["U", 8];
-  return `\\${letter}${code.toString(16).padStart(digits, "0")}`;
-}
-
-function quotedText(text, escaped = UNPRINTABLE) {
-  const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
-  const inner = Array.from(text, (char) => {
-    if (char === quote) return `\\${char}`;
-    if (SPELLED[char]) return SPELLED[char];
-    return char !== " " && escaped.test(char) ? escapedCharacter(char.codePointAt(0)) : char;
-  });
-  return quote + inner.join("") + quote;
 }
 
 /** A raw value for JSON: bytes, and numbers that JSON does not have, as text; bigints stay. */

@@ -140,7 +140,9 @@ function decodedWhole(device, value, number) {
     result = { ...named, text: inUnit(value, number), verdict: named.verdict || result.verdict };
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
-    result = { ...result, meanings: setBitsOf(device, word, number), facts: [word.path] };
+    const meanings = setBitsOf(device, word, number);
+    const notes = word.countedFromMost && meanings.some(({ bits }) => bits) ? [fromMostText(word)] : result.notes;
+    result = { ...result, meanings, notes, facts: [word.path] };
   } else {
     result = { ...result, text: inUnit(value, number) };
   }
@@ -172,6 +174,12 @@ function namedValue(device, value, number) {
 
 function memberList(listing) {
   return `one of ${listing.members.filter((member) => !member.unavailable).map((member) => member.value).join(", ")}`;
+}
+
+/** How the manual numbers the bits of a word whose bit 0 is the most significant one. */
+function fromMostText({ size }) {
+  const last = 8 * size - 1;
+  return `Bit 0 is the least significant one here. The manual counts from the most significant: bit ${last} is its bit 0.`;
 }
 
 /** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
