@@ -46,13 +46,13 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, reply.place, "values", text, _HELP, there)
         message = device.messages.get(reply.message)
         if message is not None and request.message == reply.message and not reply.exception_response:
-            why = _other_number(device, message, request, reply)
+            why = _count_mismatch(device, message, request, reply)
             if why:
                 help = f"{_HELP}, or the fields under `accesses` of {message.name}"
                 yield finding(_CODE, reply.place, "values", why, help, there)
 
 
-def _other_number(device: Device, message: Message, request: Example, reply: Example) -> str:
+def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:
     """Why a response does not have what its request asks for, or an empty text."""
     access = message.accesses
     if access is None or access.operation != "read" or reply.direction != "response":

@@ -168,10 +168,12 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
     signed = [literal(taken_name) for bit, taken_name in named if bit.signed]
     scaled = [
-        (bit, _scaled(bit, view, names)) for (bit, _), view in zip(named, bits, strict=True) if bit.as_value.scaled
+        (bit, view.name, _scaled(bit, view, names))
+        for (bit, _), view in zip(named, bits, strict=True)
+        if bit.as_value.scaled
     ]
-    units = [f'"{view.name}": ("{view.snapshot}", {ratio(bit.as_value)})' for bit, view in scaled]
-    arguments = [*map(_argument, bits), *(f"{view.name}: {view.argument} = 0" for _, view in scaled)]
+    units = [f'"{view.name}": ("{raw}", {ratio(bit.as_value)})' for bit, raw, view in scaled]
+    arguments = [*map(_argument, bits), *(f"{view.name}: {view.argument} = 0" for _, _, view in scaled)]
     return FlagsView(
         name=name,
         bits=bits,
@@ -180,7 +182,7 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
             *(filled("_SIGNED = frozenset({", signed, "})", 4) if signed else []),
             *(item_lines("_QUANTITIES = {", units, "}", 4) if units else []),
         ],
-        scaled=[view for _, view in scaled],
+        scaled=[view for _, _, view in scaled],
         init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *arguments], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
@@ -245,12 +247,12 @@ def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
 
 
 def _scaled(bit: Bit, view: BitView, names: Scope) -> BitView:
-    """The property of a field of bits in its unit; its snapshot is the name of that field."""
+    """The property of a field of bits in its unit."""
     value = bit.as_value
     name = names.take(f"{bit.name}_{unit_word(value.unit)}")
     unit = f" in {value.unit}" if value.unit else ""
     doc = docstring([f"`{view.name}`{unit}."], 8)
-    return BitView(name, "float", "_Quantity", in_unit(f"self.{view.name}", ratio(value)), view.name, doc)
+    return BitView(name, "float", "_Quantity", in_unit(f"self.{view.name}", ratio(value)), "", doc)
 
 
 def _view(name: str, type_: str, read: str, doc: list[str]) -> BitView:
