@@ -153,11 +153,11 @@ def _single_bit(payload: _pl.Expr, start: _pl.Expr, address: int) -> _pl.Expr:
     return (byte & masks) != 0
 
 
-def _refusal(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
-    refusal = _pl.lit(None, dtype=_pl.String)
-    for condition, reason in reversed(rows):
-        refusal = _pl.when(condition).then(_pl.lit(reason)).otherwise(refusal)
-    return refusal
+def _reason(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
+    reason = _pl.lit(None, dtype=_pl.String)
+    for condition, text in reversed(rows):
+        reason = _pl.when(condition).then(_pl.lit(text)).otherwise(reason)
+    return reason
 
 
 def _findings(rows: list[tuple[_pl.Expr, str, str, _pl.Expr | None]]) -> _pl.Expr:
@@ -409,7 +409,7 @@ def exception(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "exception_code": _names(number_0, _NAMES_OF_EXCEPTION_CODE),
         "exception_code_raw": number_0,
     }
@@ -457,7 +457,7 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_22 = _whole(data, 56, 2, "big", False, False)
     number_23 = _whole(data, 0, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 64), "incomplete"), ((_size(payload) > 64), "wrong_length"), (~_is_in(number_5, [(0, 11), (65535, 65535)]), "unknown_value"), (~_is_in(number_16, [(0, 1)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 64), "incomplete"), ((_size(payload) > 64), "wrong_length"), (~_is_in(number_5, [(0, 11), (65535, 65535)]), "unknown_value"), (~_is_in(number_16, [(0, 1)]), "unknown_value")]),
         "position": number_0,
         "low_speed": number_1,
         "high_speed": number_2,
@@ -568,7 +568,7 @@ def read_registers_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "word_count": number_1,
     }
@@ -594,7 +594,7 @@ def read_registers_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     data = _sized(payload, 3, 251, 1, 2)
     number_0 = _whole(data, 0, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 251), "wrong_length"), ((((_size(payload) - 1) % 2) != 0), "wrong_length"), ((number_0 != (_size(data) - 1)), "wrong_measure")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 251), "wrong_length"), ((((_size(payload) - 1) % 2) != 0), "wrong_length"), ((number_0 != (_size(data) - 1)), "wrong_measure")]),
         "byte_count": number_0,
         "values": _each(data, 1, 2, None, _whole(_pl.element(), 0, 2, "big", False, False)),
     }
@@ -619,7 +619,7 @@ def write_register_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "value": number_1,
     }
@@ -645,7 +645,7 @@ def write_register_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "value": number_1,
     }
@@ -672,7 +672,7 @@ def write_registers_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_1 = _whole(data, 2, 2, "big", False, False)
     number_2 = _whole(data, 4, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 7), "incomplete"), ((_size(payload) > 251), "wrong_length"), ((((_size(payload) - 5) % 2) != 0), "wrong_length"), ((number_1 != ((_size(data) - 5) // 2)), "wrong_measure"), ((number_2 != (_size(data) - 5)), "wrong_measure")]),
+        "refusal": _reason([((_size(payload) < 7), "incomplete"), ((_size(payload) > 251), "wrong_length"), ((((_size(payload) - 5) % 2) != 0), "wrong_length"), ((number_1 != ((_size(data) - 5) // 2)), "wrong_measure"), ((number_2 != (_size(data) - 5)), "wrong_measure")]),
         "address": number_0,
         "word_count": number_1,
         "byte_count": number_2,
@@ -702,7 +702,7 @@ def write_registers_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "word_count": number_1,
     }
@@ -726,7 +726,7 @@ def report_server_id_request(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -749,7 +749,7 @@ def report_server_id_response(payload: _pl.Expr | str = "payload") -> list[_pl.E
     number_1 = _whole(data, 1, 1, "big", False, False)
     number_2 = _whole(data, 2, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length"), ((number_0 != 2), "wrong_const"), ((number_1 != 104), "wrong_const"), ((number_2 != 255), "wrong_const")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length"), ((number_0 != 2), "wrong_const"), ((number_1 != 104), "wrong_const"), ((number_2 != 255), "wrong_const")]),
         "byte_count": number_0,
         "server_id": number_1,
         "run_status": number_2,
@@ -2845,7 +2845,7 @@ def points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload",
     number_22 = _whole(data, 56, 2, "big", False, False)
     number_23 = _whole(data, 0, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([(~_is_in(number_5, [(0, 11), (65535, 65535)]), "unknown_value"), (~_is_in(number_16, [(0, 1)]), "unknown_value")]),
+        "refusal": _reason([(~_is_in(number_5, [(0, 11), (65535, 65535)]), "unknown_value"), (~_is_in(number_16, [(0, 1)]), "unknown_value")]),
         "position": number_0,
         "low_speed": number_1,
         "high_speed": number_2,
@@ -2982,7 +2982,7 @@ def flash_points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "pay
     number_22 = _whole(data, 56, 2, "big", False, False)
     number_23 = _whole(data, 0, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([(~_is_in(number_5, [(0, 11), (65535, 65535)]), "unknown_value"), (~_is_in(number_16, [(0, 1)]), "unknown_value")]),
+        "refusal": _reason([(~_is_in(number_5, [(0, 11), (65535, 65535)]), "unknown_value"), (~_is_in(number_16, [(0, 1)]), "unknown_value")]),
         "position": number_0,
         "low_speed": number_1,
         "high_speed": number_2,

@@ -153,11 +153,11 @@ def _single_bit(payload: _pl.Expr, start: _pl.Expr, address: int) -> _pl.Expr:
     return (byte & masks) != 0
 
 
-def _refusal(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
-    refusal = _pl.lit(None, dtype=_pl.String)
-    for condition, reason in reversed(rows):
-        refusal = _pl.when(condition).then(_pl.lit(reason)).otherwise(refusal)
-    return refusal
+def _reason(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
+    reason = _pl.lit(None, dtype=_pl.String)
+    for condition, text in reversed(rows):
+        reason = _pl.when(condition).then(_pl.lit(text)).otherwise(reason)
+    return reason
 
 
 def _findings(rows: list[tuple[_pl.Expr, str, str, _pl.Expr | None]]) -> _pl.Expr:
@@ -262,7 +262,7 @@ def alarm_history_entry(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_1 = _whole(data, 2, 1, "little", False, False)
     number_2 = _whole(data, 3, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "hours": number_0,
         "minutes": number_1,
         "alarm_code": _names(number_2, _NAMES_OF_ALARM_CODE),
@@ -298,7 +298,7 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_5 = _whole(data, 8, 4, "little", False, True)
     number_6 = _whole(data, 12, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "number": number_0,
         "mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "mode_raw": number_1,
@@ -350,7 +350,7 @@ def temporary_point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_5 = _whole(data, 8, 4, "little", False, True)
     number_6 = _whole(data, 12, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), ((number_0 != 0), "wrong_const"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), ((number_0 != 0), "wrong_const"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "number": number_0,
         "mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "mode_raw": number_1,
@@ -396,7 +396,7 @@ def read_points_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "first_point": number_0,
     }
     return _named(columns)
@@ -426,7 +426,7 @@ def read_points_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_5 = _whole(data, 8, 4, "little", False, True)
     number_6 = _whole(data, 12, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 240), "wrong_length"), ((((_size(payload) - 0) % 16) != 0), "wrong_length"), (_each(data, 0, 16, None, ~_is_in(_whole(_pl.element(), 1, 1, "little", False, False), [(65, 65), (67, 67), (71, 75), (79, 79)])).list.any(), "unknown_value")]),
+        "refusal": _pl.coalesce(_reason([((_size(payload) < 16), "incomplete"), ((_size(payload) > 240), "wrong_length"), ((((_size(payload) - 0) % 16) != 0), "wrong_length")]), _each(data, 0, 16, None, _reason([(~_is_in(_whole(_pl.element(), 1, 1, "little", False, False), [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")])).list.drop_nulls().list.first()),
         "points_number": _each(data, 0, 16, None, _whole(_pl.element(), 0, 1, "little", False, False)),
         "points_mode": _each(data, 0, 16, None, _names(_whole(_pl.element(), 1, 1, "little", False, False), _NAMES_OF_POINT_MODE)),
         "points_mode_raw": _each(data, 0, 16, None, _whole(_pl.element(), 1, 1, "little", False, False)),
@@ -471,7 +471,7 @@ def read_parameters_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -492,7 +492,7 @@ def read_parameters_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     data = _sized(payload, 64, 64, 0, 1)
     number_0 = _whole(data, 0, 2, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 64), "incomplete"), ((_size(payload) > 64), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 64), "incomplete"), ((_size(payload) > 64), "wrong_length")]),
         "parameters": _each(data, 0, 2, 32, _whole(_pl.element(), 0, 2, "little", False, False)),
     }
     return _named(columns)
@@ -514,7 +514,7 @@ def read_io_status_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -537,7 +537,7 @@ def read_io_status_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_1 = _whole(data, 1, 1, "little", False, False)
     number_2 = _whole(data, 2, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
         "inputs": number_0,
         "inputs_point_input_0": _any_bit(number_0, 0x1),
         "inputs_point_input_1": _any_bit(number_0, 0x2),
@@ -587,7 +587,7 @@ def read_alarm_history_request(payload: _pl.Expr | str = "payload") -> list[_pl.
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -610,7 +610,7 @@ def read_alarm_history_response(payload: _pl.Expr | str = "payload") -> list[_pl
     number_1 = _whole(data, 2, 1, "little", False, False)
     number_2 = _whole(data, 3, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) > 64), "wrong_length"), ((((_size(payload) - 0) % 4) != 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 64), "wrong_length"), ((((_size(payload) - 0) % 4) != 0), "wrong_length")]),
         "entries_hours": _each(data, 0, 4, None, _whole(_pl.element(), 0, 2, "little", False, False)),
         "entries_minutes": _each(data, 0, 4, None, _whole(_pl.element(), 2, 1, "little", False, False)),
         "entries_alarm_code": _each(data, 0, 4, None, _names(_whole(_pl.element(), 3, 1, "little", False, False), _NAMES_OF_ALARM_CODE)),
@@ -646,7 +646,7 @@ def write_points_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_5 = _whole(data, 8, 4, "little", False, True)
     number_6 = _whole(data, 12, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 240), "wrong_length"), ((((_size(payload) - 0) % 16) != 0), "wrong_length"), (_each(data, 0, 16, None, ~_is_in(_whole(_pl.element(), 1, 1, "little", False, False), [(65, 65), (67, 67), (71, 75), (79, 79)])).list.any(), "unknown_value")]),
+        "refusal": _pl.coalesce(_reason([((_size(payload) < 16), "incomplete"), ((_size(payload) > 240), "wrong_length"), ((((_size(payload) - 0) % 16) != 0), "wrong_length")]), _each(data, 0, 16, None, _reason([(~_is_in(_whole(_pl.element(), 1, 1, "little", False, False), [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")])).list.drop_nulls().list.first()),
         "points_number": _each(data, 0, 16, None, _whole(_pl.element(), 0, 1, "little", False, False)),
         "points_mode": _each(data, 0, 16, None, _names(_whole(_pl.element(), 1, 1, "little", False, False), _NAMES_OF_POINT_MODE)),
         "points_mode_raw": _each(data, 0, 16, None, _whole(_pl.element(), 1, 1, "little", False, False)),
@@ -691,7 +691,7 @@ def write_points_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -712,7 +712,7 @@ def write_parameters_request(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     data = _sized(payload, 64, 64, 0, 1)
     number_0 = _whole(data, 0, 2, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 64), "incomplete"), ((_size(payload) > 64), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 64), "incomplete"), ((_size(payload) > 64), "wrong_length")]),
         "parameters": _each(data, 0, 2, 32, _whole(_pl.element(), 0, 2, "little", False, False)),
     }
     return _named(columns)
@@ -734,7 +734,7 @@ def write_parameters_response(payload: _pl.Expr | str = "payload") -> list[_pl.E
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -756,7 +756,7 @@ def write_parameter_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_0 = _whole(data, 0, 1, "little", False, False)
     number_1 = _whole(data, 1, 2, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
         "parameter_number": number_0,
         "value": number_1,
     }
@@ -781,7 +781,7 @@ def write_parameter_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -808,7 +808,7 @@ def write_temporary_point_request(payload: _pl.Expr | str = "payload") -> list[_
     number_5 = _whole(data, 8, 4, "little", False, True)
     number_6 = _whole(data, 12, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), ((number_0 != 0), "wrong_const"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), ((number_0 != 0), "wrong_const"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "point_number": number_0,
         "point_mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "point_mode_raw": number_1,
@@ -853,7 +853,7 @@ def write_temporary_point_response(payload: _pl.Expr | str = "payload") -> list[
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -875,7 +875,7 @@ def clear_points_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_0 = _whole(data, 0, 1, "little", False, False)
     number_1 = _whole(data, 1, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "first_point": number_0,
         "point_count": number_1,
     }
@@ -901,7 +901,7 @@ def clear_points_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -921,7 +921,7 @@ def initialize_points_request(payload: _pl.Expr | str = "payload") -> list[_pl.E
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -941,7 +941,7 @@ def initialize_points_response(payload: _pl.Expr | str = "payload") -> list[_pl.
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -962,7 +962,7 @@ def initialize_parameters_request(payload: _pl.Expr | str = "payload") -> list[_
     data = _sized(payload, 2, 2, 0, 1)
     number_0 = _whole(data, 0, 2, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "actuator_type": _names(number_0, _NAMES_OF_ACTUATOR_TYPE),
         "actuator_type_raw": number_0,
     }
@@ -986,7 +986,7 @@ def initialize_parameters_response(payload: _pl.Expr | str = "payload") -> list[
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1006,7 +1006,7 @@ def clear_alarm_history_request(payload: _pl.Expr | str = "payload") -> list[_pl
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1026,7 +1026,7 @@ def clear_alarm_history_response(payload: _pl.Expr | str = "payload") -> list[_p
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1046,7 +1046,7 @@ def clear_accumulated_time_request(payload: _pl.Expr | str = "payload") -> list[
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1066,7 +1066,7 @@ def clear_accumulated_time_response(payload: _pl.Expr | str = "payload") -> list
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1086,7 +1086,7 @@ def stop_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1106,7 +1106,7 @@ def stop_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1126,7 +1126,7 @@ def start_homing_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1146,7 +1146,7 @@ def start_homing_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1169,7 +1169,7 @@ def move_positive_distance_request(payload: _pl.Expr | str = "payload") -> list[
     number_1 = _whole(data, 1, 1, "little", False, False)
     number_2 = _whole(data, 2, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
         "distance_mm": _decimal(number_0, "0.01", "0", 2),
         "distance_raw": number_0,
         "speed": number_1,
@@ -1199,7 +1199,7 @@ def move_positive_distance_response(payload: _pl.Expr | str = "payload") -> list
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1222,7 +1222,7 @@ def move_negative_distance_request(payload: _pl.Expr | str = "payload") -> list[
     number_1 = _whole(data, 1, 1, "little", False, False)
     number_2 = _whole(data, 2, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
         "distance_mm": _decimal(number_0, "0.01", "0", 2),
         "distance_raw": number_0,
         "speed": number_1,
@@ -1252,7 +1252,7 @@ def move_negative_distance_response(payload: _pl.Expr | str = "payload") -> list
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1273,7 +1273,7 @@ def move_open_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "speed": number_0,
     }
     return _named(columns)
@@ -1296,7 +1296,7 @@ def move_open_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1317,7 +1317,7 @@ def move_close_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "speed": number_0,
     }
     return _named(columns)
@@ -1340,7 +1340,7 @@ def move_close_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1362,7 +1362,7 @@ def move_relative_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_0 = _whole(data, 0, 4, "little", False, True)
     number_1 = _whole(data, 4, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 5), "incomplete"), ((_size(payload) > 5), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 5), "incomplete"), ((_size(payload) > 5), "wrong_length")]),
         "distance_mm": _decimal(number_0, "0.01", "0", 2),
         "distance_raw": number_0,
         "speed": number_1,
@@ -1389,7 +1389,7 @@ def move_relative_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1411,7 +1411,7 @@ def move_absolute_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_0 = _whole(data, 0, 4, "little", False, True)
     number_1 = _whole(data, 4, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 5), "incomplete"), ((_size(payload) > 5), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 5), "incomplete"), ((_size(payload) > 5), "wrong_length")]),
         "position_mm": _decimal(number_0, "0.01", "0", 2),
         "position_raw": number_0,
         "speed": number_1,
@@ -1438,7 +1438,7 @@ def move_absolute_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1460,7 +1460,7 @@ def move_to_point_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_0 = _whole(data, 0, 1, "little", False, False)
     number_1 = _whole(data, 1, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "point_number": number_0,
         "speed": number_1,
     }
@@ -1486,7 +1486,7 @@ def move_to_point_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1508,7 +1508,7 @@ def grip_open_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_0 = _whole(data, 0, 1, "little", False, False)
     number_1 = _whole(data, 1, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "speed": number_0,
         "force": number_1,
     }
@@ -1534,7 +1534,7 @@ def grip_open_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1556,7 +1556,7 @@ def grip_close_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_0 = _whole(data, 0, 1, "little", False, False)
     number_1 = _whole(data, 1, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "speed": number_0,
         "force": number_1,
     }
@@ -1582,7 +1582,7 @@ def grip_close_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1605,7 +1605,7 @@ def grip_relative_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_1 = _whole(data, 4, 1, "little", False, False)
     number_2 = _whole(data, 5, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length")]),
         "distance_mm": _decimal(number_0, "0.01", "0", 2),
         "distance_raw": number_0,
         "speed": number_1,
@@ -1635,7 +1635,7 @@ def grip_relative_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1658,7 +1658,7 @@ def grip_absolute_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_1 = _whole(data, 4, 1, "little", False, False)
     number_2 = _whole(data, 5, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length")]),
         "position_mm": _decimal(number_0, "0.01", "0", 2),
         "position_raw": number_0,
         "speed": number_1,
@@ -1688,7 +1688,7 @@ def grip_absolute_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1712,7 +1712,7 @@ def grip_open_with_zone_request(payload: _pl.Expr | str = "payload") -> list[_pl
     number_2 = _whole(data, 8, 1, "little", False, False)
     number_3 = _whole(data, 9, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
         "zone_limit_1_mm": _decimal(number_0, "0.01", "0", 2),
         "zone_limit_1_raw": number_0,
         "zone_limit_2_mm": _decimal(number_1, "0.01", "0", 2),
@@ -1746,7 +1746,7 @@ def grip_open_with_zone_response(payload: _pl.Expr | str = "payload") -> list[_p
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1770,7 +1770,7 @@ def grip_close_with_zone_request(payload: _pl.Expr | str = "payload") -> list[_p
     number_2 = _whole(data, 8, 1, "little", False, False)
     number_3 = _whole(data, 9, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
         "zone_limit_1_mm": _decimal(number_0, "0.01", "0", 2),
         "zone_limit_1_raw": number_0,
         "zone_limit_2_mm": _decimal(number_1, "0.01", "0", 2),
@@ -1804,7 +1804,7 @@ def grip_close_with_zone_response(payload: _pl.Expr | str = "payload") -> list[_
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1824,7 +1824,7 @@ def no_operation_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1844,7 +1844,7 @@ def no_operation_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1865,7 +1865,7 @@ def set_motor_excitation_request(payload: _pl.Expr | str = "payload") -> list[_p
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length"), (~_is_in(number_0, [(0, 1)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length"), (~_is_in(number_0, [(0, 1)]), "unknown_value")]),
         "excited": _truth(number_0),
     }
     return _named(columns)
@@ -1888,7 +1888,7 @@ def set_motor_excitation_response(payload: _pl.Expr | str = "payload") -> list[_
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1908,7 +1908,7 @@ def read_version_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1928,7 +1928,7 @@ def read_version_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     payload = _column(payload)
     data = _sized(payload, 6, 6, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length"), (~_is_ascii(_piece(data, 0, 6)), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length"), (~_is_ascii(_piece(data, 0, 6)), "unknown_value")]),
         "version": _text(_piece(data, 0, 6)),
     }
     return _named(columns)
@@ -1950,7 +1950,7 @@ def read_current_position_request(payload: _pl.Expr | str = "payload") -> list[_
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -1971,7 +1971,7 @@ def read_current_position_response(payload: _pl.Expr | str = "payload") -> list[
     data = _sized(payload, 4, 4, 0, 1)
     number_0 = _whole(data, 0, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "position_mm": _decimal(number_0, "0.01", "0", 2),
         "position_raw": number_0,
     }
@@ -1995,7 +1995,7 @@ def read_current_point_number_request(payload: _pl.Expr | str = "payload") -> li
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -2016,7 +2016,7 @@ def read_current_point_number_response(payload: _pl.Expr | str = "payload") -> l
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "point_number": number_0,
     }
     return _named(columns)
@@ -2040,7 +2040,7 @@ def read_parameter_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "parameter_number": number_0,
     }
     return _named(columns)
@@ -2064,7 +2064,7 @@ def read_parameter_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     data = _sized(payload, 2, 2, 0, 1)
     number_0 = _whole(data, 0, 2, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "value": number_0,
     }
     return _named(columns)
@@ -2087,7 +2087,7 @@ def read_point_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "point_number": number_0,
     }
     return _named(columns)
@@ -2117,7 +2117,7 @@ def read_point_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_5 = _whole(data, 8, 4, "little", False, True)
     number_6 = _whole(data, 12, 4, "little", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "point_number": number_0,
         "point_mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "point_mode_raw": number_1,
@@ -2162,7 +2162,7 @@ def read_homing_state_request(payload: _pl.Expr | str = "payload") -> list[_pl.E
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -2183,7 +2183,7 @@ def read_homing_state_response(payload: _pl.Expr | str = "payload") -> list[_pl.
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length"), (~_is_in(number_0, [(0, 1)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length"), (~_is_in(number_0, [(0, 1)]), "unknown_value")]),
         "homing_complete": _truth(number_0),
     }
     return _named(columns)
@@ -2206,7 +2206,7 @@ def read_motor_excitation_request(payload: _pl.Expr | str = "payload") -> list[_
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -2227,7 +2227,7 @@ def read_motor_excitation_response(payload: _pl.Expr | str = "payload") -> list[
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length"), (~_is_in(number_0, [(0, 1)]), "unknown_value")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length"), (~_is_in(number_0, [(0, 1)]), "unknown_value")]),
         "excited": _truth(number_0),
     }
     return _named(columns)
@@ -2250,7 +2250,7 @@ def read_alarm_code_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -2271,7 +2271,7 @@ def read_alarm_code_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "alarm_code": _names(number_0, _NAMES_OF_ALARM_CODE),
         "alarm_code_raw": number_0,
     }
@@ -2295,7 +2295,7 @@ def read_accumulated_time_request(payload: _pl.Expr | str = "payload") -> list[_
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -2317,7 +2317,7 @@ def read_accumulated_time_response(payload: _pl.Expr | str = "payload") -> list[
     number_0 = _whole(data, 0, 2, "little", False, False)
     number_1 = _whole(data, 2, 1, "little", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 3), "wrong_length")]),
         "hours": number_0,
         "minutes": number_1,
     }
@@ -2342,7 +2342,7 @@ def reset_alarm_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -2362,7 +2362,7 @@ def reset_alarm_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 

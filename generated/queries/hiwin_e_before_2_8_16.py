@@ -153,11 +153,11 @@ def _single_bit(payload: _pl.Expr, start: _pl.Expr, address: int) -> _pl.Expr:
     return (byte & masks) != 0
 
 
-def _refusal(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
-    refusal = _pl.lit(None, dtype=_pl.String)
-    for condition, reason in reversed(rows):
-        refusal = _pl.when(condition).then(_pl.lit(reason)).otherwise(refusal)
-    return refusal
+def _reason(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
+    reason = _pl.lit(None, dtype=_pl.String)
+    for condition, text in reversed(rows):
+        reason = _pl.when(condition).then(_pl.lit(text)).otherwise(reason)
+    return reason
 
 
 def _findings(rows: list[tuple[_pl.Expr, str, str, _pl.Expr | None]]) -> _pl.Expr:
@@ -488,7 +488,7 @@ def parameter_error(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_1 = _whole(data, 1, 1, "big", False, False)
     number_2 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length"), ((number_0 != 68), "wrong_const"), (~_is_in(number_0, [(1, 8), (65, 68)]), "unknown_value"), ((number_1 != 1), "wrong_const")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length"), ((number_0 != 68), "wrong_const"), (~_is_in(number_0, [(1, 8), (65, 68)]), "unknown_value"), ((number_1 != 1), "wrong_const")]),
         "format": _names(number_0, _NAMES_OF_PARAMETER_FORMAT),
         "format_raw": number_0,
         "value_count": number_1,
@@ -524,7 +524,7 @@ def read_parameter_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     number_2 = _whole(data, 2, 2, "big", False, False)
     number_3 = _whole(data, 4, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length"), ((number_0 != 16), "wrong_const")]),
+        "refusal": _reason([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length"), ((number_0 != 16), "wrong_const")]),
         "attribute": number_0,
         "element_count": number_1,
         "parameter_number": number_2,
@@ -574,7 +574,7 @@ def read_parameter_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_1 = _whole(whole, 0, 1, "big", False, False)
     number_2 = _whole(whole, 1, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 1022), "wrong_length"), (~_is_in(number_0, [(1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (65, 65), (66, 66), (67, 67)]), "unknown_value"), ((_is_in(number_0, [(1, 1)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(1, 1)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(2, 2)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(2, 2)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (_size(data) < 4)), "incomplete"), ((_is_in(number_0, [(3, 3)]) & (_size(data) > 512)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (((_size(data) - 2) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(4, 4)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) < 4)), "incomplete"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) > 512)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (((_size(data) - 2) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(8, 8)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), (~_is_in(number_1, [(1, 8), (65, 68)]), "unknown_value"), (_each(shape_1, 2, 1, None, ~_is_in(_whole(_pl.element(), 0, 1, "big", False, False), [(0, 1)])).list.any(), "unknown_value"), ((number_4 != (_size(shape_1) - 2)), "wrong_measure"), ((number_5 != (_size(shape_2) - 2)), "wrong_measure"), ((number_6 != ((_size(shape_3) - 2) // 2)), "wrong_measure"), ((number_7 != ((_size(shape_4) - 2) // 4)), "wrong_measure"), ((number_8 != (_size(shape_5) - 2)), "wrong_measure"), ((number_9 != ((_size(shape_6) - 2) // 2)), "wrong_measure"), ((number_10 != ((_size(shape_7) - 2) // 4)), "wrong_measure"), ((number_11 != ((_size(shape_8) - 2) // 4)), "wrong_measure")]),
+        "refusal": _pl.coalesce(_reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 1022), "wrong_length"), (~_is_in(number_0, [(1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (65, 65), (66, 66), (67, 67)]), "unknown_value"), ((_is_in(number_0, [(1, 1)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(1, 1)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(2, 2)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(2, 2)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (_size(data) < 4)), "incomplete"), ((_is_in(number_0, [(3, 3)]) & (_size(data) > 512)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (((_size(data) - 2) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(4, 4)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) < 4)), "incomplete"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) > 512)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (((_size(data) - 2) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(8, 8)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), (~_is_in(number_1, [(1, 8), (65, 68)]), "unknown_value")]), _each(shape_1, 2, 1, None, _reason([(~_is_in(_whole(_pl.element(), 0, 1, "big", False, False), [(0, 1)]), "unknown_value")])).list.drop_nulls().list.first(), _reason([((number_4 != (_size(shape_1) - 2)), "wrong_measure"), ((number_5 != (_size(shape_2) - 2)), "wrong_measure"), ((number_6 != ((_size(shape_3) - 2) // 2)), "wrong_measure"), ((number_7 != ((_size(shape_4) - 2) // 4)), "wrong_measure"), ((number_8 != (_size(shape_5) - 2)), "wrong_measure"), ((number_9 != ((_size(shape_6) - 2) // 2)), "wrong_measure"), ((number_10 != ((_size(shape_7) - 2) // 4)), "wrong_measure"), ((number_11 != ((_size(shape_8) - 2) // 4)), "wrong_measure")])),
         "format": _names(number_1, _NAMES_OF_PARAMETER_FORMAT),
         "format_raw": number_1,
         "value_count": number_2,
@@ -653,7 +653,7 @@ def write_parameter_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_5 = _whole(whole, 6, 1, "big", False, False)
     number_6 = _whole(whole, 7, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 9), "incomplete"), ((_size(payload) > 1028), "wrong_length"), (~_is_in(number_0, [(1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (65, 65), (66, 66), (67, 67)]), "unknown_value"), ((_is_in(number_0, [(1, 1)]) & (_size(data) < 9)), "incomplete"), ((_is_in(number_0, [(1, 1)]) & (_size(data) > 263)), "wrong_length"), ((_is_in(number_0, [(2, 2)]) & (_size(data) < 9)), "incomplete"), ((_is_in(number_0, [(2, 2)]) & (_size(data) > 263)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (_size(data) < 10)), "incomplete"), ((_is_in(number_0, [(3, 3)]) & (_size(data) > 518)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (((_size(data) - 8) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (_size(data) < 12)), "incomplete"), ((_is_in(number_0, [(4, 4)]) & (_size(data) > 1028)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (((_size(data) - 8) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) < 9)), "incomplete"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) > 263)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) < 10)), "incomplete"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) > 518)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (((_size(data) - 8) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) < 12)), "incomplete"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) > 1028)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (((_size(data) - 8) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (_size(data) < 12)), "incomplete"), ((_is_in(number_0, [(8, 8)]) & (_size(data) > 1028)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (((_size(data) - 8) % 4) != 0)), "wrong_length"), ((number_1 != 16), "wrong_const"), (~_is_in(number_5, [(1, 8), (65, 68)]), "unknown_value"), (_each(shape_1, 8, 1, None, ~_is_in(_whole(_pl.element(), 0, 1, "big", False, False), [(0, 1)])).list.any(), "unknown_value"), ((number_8 != (_size(shape_1) - 8)), "wrong_measure"), ((number_9 != (_size(shape_2) - 8)), "wrong_measure"), ((number_10 != ((_size(shape_3) - 8) // 2)), "wrong_measure"), ((number_11 != ((_size(shape_4) - 8) // 4)), "wrong_measure"), ((number_12 != (_size(shape_5) - 8)), "wrong_measure"), ((number_13 != ((_size(shape_6) - 8) // 2)), "wrong_measure"), ((number_14 != ((_size(shape_7) - 8) // 4)), "wrong_measure"), ((number_15 != ((_size(shape_8) - 8) // 4)), "wrong_measure")]),
+        "refusal": _pl.coalesce(_reason([((_size(payload) < 9), "incomplete"), ((_size(payload) > 1028), "wrong_length"), (~_is_in(number_0, [(1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (65, 65), (66, 66), (67, 67)]), "unknown_value"), ((_is_in(number_0, [(1, 1)]) & (_size(data) < 9)), "incomplete"), ((_is_in(number_0, [(1, 1)]) & (_size(data) > 263)), "wrong_length"), ((_is_in(number_0, [(2, 2)]) & (_size(data) < 9)), "incomplete"), ((_is_in(number_0, [(2, 2)]) & (_size(data) > 263)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (_size(data) < 10)), "incomplete"), ((_is_in(number_0, [(3, 3)]) & (_size(data) > 518)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (((_size(data) - 8) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (_size(data) < 12)), "incomplete"), ((_is_in(number_0, [(4, 4)]) & (_size(data) > 1028)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (((_size(data) - 8) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) < 9)), "incomplete"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) > 263)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) < 10)), "incomplete"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) > 518)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (((_size(data) - 8) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) < 12)), "incomplete"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) > 1028)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (((_size(data) - 8) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (_size(data) < 12)), "incomplete"), ((_is_in(number_0, [(8, 8)]) & (_size(data) > 1028)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (((_size(data) - 8) % 4) != 0)), "wrong_length"), ((number_1 != 16), "wrong_const"), (~_is_in(number_5, [(1, 8), (65, 68)]), "unknown_value")]), _each(shape_1, 8, 1, None, _reason([(~_is_in(_whole(_pl.element(), 0, 1, "big", False, False), [(0, 1)]), "unknown_value")])).list.drop_nulls().list.first(), _reason([((number_8 != (_size(shape_1) - 8)), "wrong_measure"), ((number_9 != (_size(shape_2) - 8)), "wrong_measure"), ((number_10 != ((_size(shape_3) - 8) // 2)), "wrong_measure"), ((number_11 != ((_size(shape_4) - 8) // 4)), "wrong_measure"), ((number_12 != (_size(shape_5) - 8)), "wrong_measure"), ((number_13 != ((_size(shape_6) - 8) // 2)), "wrong_measure"), ((number_14 != ((_size(shape_7) - 8) // 4)), "wrong_measure"), ((number_15 != ((_size(shape_8) - 8) // 4)), "wrong_measure")])),
         "attribute": number_1,
         "element_count": number_2,
         "parameter_number": number_3,
@@ -716,7 +716,7 @@ def write_parameter_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     payload = _column(payload)
     data = _sized(payload, 0, 0, 0, 1)
     columns = {
-        "refusal": _refusal([((_size(payload) > 0), "wrong_length")]),
+        "refusal": _reason([((_size(payload) > 0), "wrong_length")]),
     }
     return _named(columns)
 
@@ -740,7 +740,7 @@ def telegram_3_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_2 = _whole(data, 6, 2, "big", False, False)
     number_3 = _whole(data, 8, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
         "control_word_1": number_0,
         "control_word_1_on": _any_bit(number_0, 0x1),
         "control_word_1_no_off2": _any_bit(number_0, 0x2),
@@ -794,7 +794,7 @@ def telegram_3_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_4 = _whole(data, 10, 4, "big", False, True)
     number_5 = _whole(data, 14, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 18), "incomplete"), ((_size(payload) > 18), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 18), "incomplete"), ((_size(payload) > 18), "wrong_length")]),
         "status_word_1": number_0,
         "status_word_1_ready_to_switch_on": _any_bit(number_0, 0x1),
         "status_word_1_ready_to_operate": _any_bit(number_0, 0x2),
@@ -859,7 +859,7 @@ def telegram_5_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_4 = _whole(data, 10, 4, "big", False, True)
     number_5 = _whole(data, 14, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 18), "incomplete"), ((_size(payload) > 18), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 18), "incomplete"), ((_size(payload) > 18), "wrong_length")]),
         "control_word_1": number_0,
         "control_word_1_on": _any_bit(number_0, 0x1),
         "control_word_1_no_off2": _any_bit(number_0, 0x2),
@@ -918,7 +918,7 @@ def telegram_5_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_4 = _whole(data, 10, 4, "big", False, True)
     number_5 = _whole(data, 14, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 18), "incomplete"), ((_size(payload) > 18), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 18), "incomplete"), ((_size(payload) > 18), "wrong_length")]),
         "status_word_1": number_0,
         "status_word_1_ready_to_switch_on": _any_bit(number_0, 0x1),
         "status_word_1_ready_to_operate": _any_bit(number_0, 0x2),
@@ -985,7 +985,7 @@ def telegram_9_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_6 = _whole(data, 16, 2, "big", False, False)
     number_7 = _whole(data, 18, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
         "control_word_1": number_0,
         "control_word_1_on": _any_bit(number_0, 0x1),
         "control_word_1_no_off2": _any_bit(number_0, 0x2),
@@ -1050,7 +1050,7 @@ def telegram_9_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_2 = _whole(data, 4, 2, "big", False, False)
     number_3 = _whole(data, 6, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 10), "incomplete"), ((_size(payload) > 10), "wrong_length")]),
         "status_word_1": number_0,
         "status_word_1_ready_to_switch_on": _any_bit(number_0, 0x1),
         "status_word_1_ready_to_operate": _any_bit(number_0, 0x2),
@@ -1103,7 +1103,7 @@ def telegram_102_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_3 = _whole(data, 8, 2, "big", False, False)
     number_4 = _whole(data, 10, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 12), "incomplete"), ((_size(payload) > 12), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 12), "incomplete"), ((_size(payload) > 12), "wrong_length")]),
         "control_word_1": number_0,
         "control_word_1_on": _any_bit(number_0, 0x1),
         "control_word_1_no_off2": _any_bit(number_0, 0x2),
@@ -1162,7 +1162,7 @@ def telegram_102_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_5 = _whole(data, 12, 4, "big", False, True)
     number_6 = _whole(data, 16, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
         "status_word_1": number_0,
         "status_word_1_ready_to_switch_on": _any_bit(number_0, 0x1),
         "status_word_1_ready_to_operate": _any_bit(number_0, 0x2),
@@ -1238,7 +1238,7 @@ def telegram_105_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_5 = _whole(data, 12, 4, "big", False, True)
     number_6 = _whole(data, 16, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
         "control_word_1": number_0,
         "control_word_1_on": _any_bit(number_0, 0x1),
         "control_word_1_no_off2": _any_bit(number_0, 0x2),
@@ -1302,7 +1302,7 @@ def telegram_105_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_5 = _whole(data, 12, 4, "big", False, True)
     number_6 = _whole(data, 16, 4, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 20), "incomplete"), ((_size(payload) > 20), "wrong_length")]),
         "status_word_1": number_0,
         "status_word_1_ready_to_switch_on": _any_bit(number_0, 0x1),
         "status_word_1_ready_to_operate": _any_bit(number_0, 0x2),
@@ -1381,7 +1381,7 @@ def telegram_111_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_8 = _whole(data, 20, 2, "big", False, False)
     number_9 = _whole(data, 22, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 24), "incomplete"), ((_size(payload) > 24), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 24), "incomplete"), ((_size(payload) > 24), "wrong_length")]),
         "control_word_1": number_0,
         "control_word_1_on": _any_bit(number_0, 0x1),
         "control_word_1_no_off2": _any_bit(number_0, 0x2),
@@ -1464,7 +1464,7 @@ def telegram_111_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     number_8 = _whole(data, 20, 2, "big", False, False)
     number_9 = _whole(data, 22, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 24), "incomplete"), ((_size(payload) > 24), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 24), "incomplete"), ((_size(payload) > 24), "wrong_length")]),
         "status_word_1": number_0,
         "status_word_1_ready_to_switch_on": _any_bit(number_0, 0x1),
         "status_word_1_ready_to_operate": _any_bit(number_0, 0x2),
@@ -1550,7 +1550,7 @@ def telegram_750_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_1 = _whole(data, 2, 2, "big", False, True)
     number_2 = _whole(data, 4, 2, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 6), "incomplete"), ((_size(payload) > 6), "wrong_length")]),
         "additional_torque_percent": _decimal(number_0, "0.006103515625", "0", 12),
         "additional_torque_raw": number_0,
         "positive_torque_limit_percent": _decimal(number_1, "0.006103515625", "0", 12),
@@ -1582,7 +1582,7 @@ def telegram_750_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
     data = _sized(payload, 2, 2, 0, 1)
     number_0 = _whole(data, 0, 2, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
         "torque_actual_percent": _decimal(number_0, "0.006103515625", "0", 12),
         "torque_actual_raw": number_0,
     }

@@ -153,11 +153,11 @@ def _single_bit(payload: _pl.Expr, start: _pl.Expr, address: int) -> _pl.Expr:
     return (byte & masks) != 0
 
 
-def _refusal(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
-    refusal = _pl.lit(None, dtype=_pl.String)
-    for condition, reason in reversed(rows):
-        refusal = _pl.when(condition).then(_pl.lit(reason)).otherwise(refusal)
-    return refusal
+def _reason(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
+    reason = _pl.lit(None, dtype=_pl.String)
+    for condition, text in reversed(rows):
+        reason = _pl.when(condition).then(_pl.lit(text)).otherwise(reason)
+    return reason
 
 
 def _findings(rows: list[tuple[_pl.Expr, str, str, _pl.Expr | None]]) -> _pl.Expr:
@@ -334,7 +334,7 @@ def exception(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     data = _sized(payload, 1, 1, 0, 1)
     number_0 = _whole(data, 0, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
         "exception_code": _names(number_0, _NAMES_OF_EXCEPTION_CODE),
         "exception_code_raw": number_0,
     }
@@ -370,7 +370,7 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_9 = _whole(data, 24, 2, "big", False, False)
     number_10 = _whole(data, 26, 2, "big", False, True)
     columns = {
-        "refusal": _refusal([((_size(payload) < 28), "incomplete"), ((_size(payload) > 28), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 28), "incomplete"), ((_size(payload) > 28), "wrong_length")]),
         "mode": _names(number_0, _NAMES_OF_POINT_MODE),
         "mode_raw": number_0,
         "position": number_1,
@@ -428,7 +428,7 @@ def read_registers_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "word_count": number_1,
     }
@@ -455,7 +455,7 @@ def read_registers_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_0 = _whole(data, 0, 1, "big", False, False)
     number_1 = _whole(data, 0, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 121), "wrong_length"), ((((_size(payload) - 1) % 2) != 0), "wrong_length"), ((number_0 != (_size(data) - 1)), "wrong_measure")]),
+        "refusal": _reason([((_size(payload) < 3), "incomplete"), ((_size(payload) > 121), "wrong_length"), ((((_size(payload) - 1) % 2) != 0), "wrong_length"), ((number_0 != (_size(data) - 1)), "wrong_measure")]),
         "byte_count": number_0,
         "values": _each(data, 1, 2, None, _whole(_pl.element(), 0, 2, "big", False, False)),
     }
@@ -482,7 +482,7 @@ def write_register_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "value": number_1,
     }
@@ -508,7 +508,7 @@ def write_register_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "value": number_1,
     }
@@ -535,7 +535,7 @@ def write_registers_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_1 = _whole(data, 2, 2, "big", False, False)
     number_2 = _whole(data, 4, 1, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 7), "incomplete"), ((_size(payload) > 123), "wrong_length"), ((((_size(payload) - 5) % 2) != 0), "wrong_length"), ((number_1 != ((_size(data) - 5) // 2)), "wrong_measure"), ((number_2 != (_size(data) - 5)), "wrong_measure")]),
+        "refusal": _reason([((_size(payload) < 7), "incomplete"), ((_size(payload) > 123), "wrong_length"), ((((_size(payload) - 5) % 2) != 0), "wrong_length"), ((number_1 != ((_size(data) - 5) // 2)), "wrong_measure"), ((number_2 != (_size(data) - 5)), "wrong_measure")]),
         "address": number_0,
         "word_count": number_1,
         "byte_count": number_2,
@@ -566,7 +566,7 @@ def write_registers_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     number_0 = _whole(data, 0, 2, "big", False, False)
     number_1 = _whole(data, 2, 2, "big", False, False)
     columns = {
-        "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
+        "refusal": _reason([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "address": number_0,
         "word_count": number_1,
     }
@@ -2157,7 +2157,7 @@ def points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload",
     number_9 = _whole(data, 24, 2, "big", False, False)
     number_10 = _whole(data, 26, 2, "big", False, True)
     columns = {
-        "refusal": _refusal([]),
+        "refusal": _reason([]),
         "mode": _names(number_0, _NAMES_OF_POINT_MODE),
         "mode_raw": number_0,
         "position": number_1,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 from fieldspec.backends.queries.backend import remaining
@@ -71,31 +70,12 @@ class Queries:
         except CodecError:
             return None
 
-    def _reasons_of_elements(self, record: RecordLayout, data: bytes) -> Iterator[str]:
-        """For each element of a list of records, the reason for which it is refused."""
-        for field in record.fields:
-            if not field.is_list or field.record is None or not field.record.size:
-                continue
-            stop = len(data) if field.field.count is None else field.offset + field.field.count * field.record.size
-            for at in range(field.offset, stop, field.record.size):
-                yield self._reason(field.record, data[at : at + field.record.size])
-
-    def _reason(self, record: RecordLayout, data: bytes) -> str:
-        """The reason for which the reference refuses a record; empty where it does not."""
-        try:
-            decoded(record, data, self.layout.device)
-        except CodecError as error:
-            return error.reason
-        return ""
-
     def _differences(self, record: RecordLayout, data: bytes, row: dict[str, Any]) -> str:
         """The columns of a row that are wrong; empty where all are right."""
         try:
             values = decoded(record, data, self.layout.device)
         except CodecError as error:
-            # Of several wrong elements of a list, codecs name the first, queries the one with the first wrong field.
-            reasons = {error.reason, *self._reasons_of_elements(record, data)}
-            return "" if row["refusal"] in reasons else f"refusal {row['refusal']} and not {error.reason}"
+            return "" if row["refusal"] == error.reason else f"refusal {row['refusal']} and not {error.reason}"
         if row["refusal"] is not None:
             return f"refusal {row['refusal']}"
         wanted = record_columns(self.layout.device, record, values)

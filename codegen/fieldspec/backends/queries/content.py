@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 from fieldspec.backends.queries.dialect import Body, Dialect, Slot
 from fieldspec.backends.queries.values import Reader, ValueQuery
 from fieldspec.classes import dataclass, field, replace
@@ -30,9 +32,19 @@ class Elements:
 
 
 @dataclass(frozen=True, slots=True)
+class Fault:
+    """Something that a codec refuses in an element of a list: the condition, the offset in it, and the reason."""
+
+    breaks: Reader
+    offset: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
 class Content:
     """What a query computes. Each of `levels` has intermediate results by name, made of those before it.
 
+    `refusals` are in the order of a codec's tests. Each is a condition with its reason, or the expression of a reason.
     `exponents` has the expressions of the registers with exponents of scales, by their names.
     """
 
@@ -40,10 +52,23 @@ class Content:
     dialect: Dialect
     enums: dict[str, str]
     columns: dict[str, str] = field(default_factory=dict)
-    refusals: list[tuple[str, str]] = field(default_factory=list)
+    refusals: list[tuple[str, str] | str] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     levels: list[dict[str, str]] = field(default_factory=list)
     exponents: dict[str, str] = field(default_factory=dict)
+    _faults: list[Fault] = field(default_factory=list)
+    """The faults of the elements of the list whose fields are being added."""
+
+    @property
+    def refusal(self) -> str:
+        """The reason for which a codec refuses the payload, or null; empty where it refuses none."""
+        reasons: list[str] = []
+        for is_expression, refusals in groupby(self.refusals, lambda refusal: isinstance(refusal, str)):
+            if is_expression:
+                reasons += [refusal for refusal in refusals if isinstance(refusal, str)]
+            else:
+                reasons.append(self.dialect.reason([refusal for refusal in refusals if not isinstance(refusal, str)]))
+        return self.dialect.first(*reasons) if len(reasons) > 1 else "".join(reasons)
 
     def add_record(self, record: RecordLayout, data: str) -> None:
         """The fields of a record. `data` is the name of the result with its bytes, or with null."""
@@ -67,7 +92,9 @@ class Content:
             if own.record is not None:
                 inner = own.record.fields
                 if own.count is None:
-                    self.add_fields(inner, data, 0, f"{name}_", Elements(at, own.size, None))
+                    elements = Elements(at, own.size, None)
+                    self.add_fields(inner, data, 0, f"{name}_", elements)
+                    self._add_faults(data, elements)
                     continue
                 for number in range(own.count):
                     number_prefix = f"{name}_{number}_" if own.is_list else f"{name}_"
@@ -79,7 +106,9 @@ class Content:
             query = self._by_exponent(query, own, fields)
             reserved = own.field.reserved
             if own.is_list and inside is None:
-                self.add_value(name, query, data, 0, Elements(at, own.size, own.count), reserved)
+                elements = Elements(at, own.size, own.count)
+                self.add_value(name, query, data, 0, elements, reserved)
+                self._add_faults(data, elements)
             elif own.is_list:
                 for number in range(own.count or 0):
                     self.add_value(f"{name}_{number}", query, data, at + number * own.size, inside, reserved)
@@ -118,9 +147,23 @@ class Content:
                 f"{name}_{column.suffix}" if column.suffix else name, self._spread(column.read, data, at, inside)
             )
         for rule in query.faults():
-            self.refusals.append((self._condition(rule.breaks, data, at, inside), rule.reason))
+            if inside is None:
+                self.refusals.append((rule.breaks(data, at), rule.reason))
+            else:
+                self._faults.append(Fault(rule.breaks, at, rule.reason))
         for rule in query.findings():
             self._find(name, rule.reason, query, rule.breaks, data, at, inside)
+
+    def _add_faults(self, data: str, elements: Elements) -> None:
+        """The refusal of the first wrong element of a list."""
+        faults = tuple(self._faults)
+        self._faults.clear()
+        if not faults:
+            return
+        body: Body = lambda element: self.dialect.reason(  # noqa: E731
+            [(fault.breaks(element, fault.offset), fault.reason) for fault in faults]
+        )
+        self.refusals.append(self.dialect.first_of(data, elements.offset, elements.size, elements.count, body))
 
     def add_column(self, name: str, expression: str) -> None:
         """A column. A name that is taken gets an underscore."""

@@ -144,8 +144,14 @@ class Dialect(Protocol):
     def chosen(self, data: str, condition: str) -> str:
         """The bytes where a condition is true, else null."""
 
-    def first(self, *data: str) -> str:
-        """The first bytes that are not null."""
+    def first(self, *values: str) -> str:
+        """The first value that is not null."""
+
+    def first_of(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
+        """The first of what `body` says of each element that is not null."""
+
+    def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
+        """The reason behind the first condition that is true; null where none is."""
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
         """The bytes at an address of the registers whose words, from the address `start` on, are the payload.

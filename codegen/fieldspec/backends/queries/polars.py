@@ -145,9 +145,18 @@ class Polars:
         """The bytes where a condition is true, else null."""
         return f"_pl.when({condition}).then({data}).otherwise(None)"
 
-    def first(self, *data: str) -> str:
-        """The first bytes that are not null."""
-        return f"_pl.coalesce({', '.join(data)})"
+    def first(self, *values: str) -> str:
+        """The first value that is not null."""
+        return f"_pl.coalesce({', '.join(values)})"
+
+    def first_of(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
+        """The first of what `body` says of each element that is not null."""
+        return f"{self.each(data, offset, size, count, body)}.list.drop_nulls().list.first()"
+
+    def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
+        """The reason behind the first condition that is true; null where none is."""
+        rows = ", ".join(f'({condition}, "{reason}")' for condition, reason in refusals)
+        return f"_reason([{rows}])"
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
         """The bytes at an address of the registers whose words, from the address `start` on, are the payload.

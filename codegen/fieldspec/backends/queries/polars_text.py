@@ -75,8 +75,7 @@ def _functions(query: Query) -> Iterator[str]:
         own = "refusal"
         while own in content.columns:
             own += "_"
-        rows = ", ".join(f'({condition}, "{reason}")' for condition, reason in content.refusals)
-        yield f'        "{own}": _refusal([{rows}]),'
+        yield f'        "{own}": {content.refusal or "_reason([])"},'
     for column, expression in content.columns.items():
         yield f'        "{column}": {expression},'
     yield "    }"

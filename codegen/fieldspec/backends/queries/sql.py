@@ -257,9 +257,18 @@ class Sql:
         """The bytes where a condition is true, else null."""
         return f"CASE WHEN {condition} THEN {data} END"
 
-    def first(self, *data: str) -> str:
-        """The first bytes that are not null."""
-        return f"coalesce({', '.join(data)})"
+    def first(self, *values: str) -> str:
+        """The first value that is not null."""
+        return f"coalesce({', '.join(values)})"
+
+    def first_of(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
+        """The first of what `body` says of each element that is not null."""
+        return f"list_filter({self.each(data, offset, size, count, body)}, lambda own: own IS NOT NULL)[1]"
+
+    def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
+        """The reason behind the first condition that is true; null where none is."""
+        rows = [f"WHEN {condition} THEN {literal(reason)}" for condition, reason in refusals]
+        return f"CASE {' '.join(rows)} END"
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
         """The bytes at an address of the registers whose words, from the address `start` on, are the payload.

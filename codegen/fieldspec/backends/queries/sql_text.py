@@ -89,7 +89,7 @@ def _query_macros(schema: str, query: Query) -> Iterator[str]:
     arguments = ", ".join(("source", *query.arguments))
     columns = [(name(column), expression) for column, expression in content.columns.items()]
     if query.judged:
-        columns.insert(0, (name(_free("refusal", content.columns)), _refusal(query)))
+        columns.insert(0, (name(_free("refusal", content.columns)), content.refusal or "NULL::VARCHAR"))
     if query.elements is not None:
         columns.insert(0, (name(_free("element", content.columns)), _ELEMENT))
     levels = list(_levels(query))
@@ -122,11 +122,6 @@ def _free(own: str, taken: Iterable[str]) -> str:
     while own in taken:
         own += "_"
     return own
-
-
-def _refusal(query: Query) -> str:
-    rows = [f"WHEN {condition} THEN {literal(reason)}" for condition, reason in query.content.refusals]
-    return f"CASE {' '.join(rows)} END" if rows else "NULL::VARCHAR"
 
 
 def _levels(query: Query) -> Iterator[dict[str, str]]:

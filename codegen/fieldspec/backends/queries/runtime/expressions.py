@@ -150,11 +150,11 @@ def _single_bit(payload: _pl.Expr, start: _pl.Expr, address: int) -> _pl.Expr:
     return (byte & masks) != 0
 
 
-def _refusal(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
-    refusal = _pl.lit(None, dtype=_pl.String)
-    for condition, reason in reversed(rows):
-        refusal = _pl.when(condition).then(_pl.lit(reason)).otherwise(refusal)
-    return refusal
+def _reason(rows: list[tuple[_pl.Expr, str]]) -> _pl.Expr:
+    reason = _pl.lit(None, dtype=_pl.String)
+    for condition, text in reversed(rows):
+        reason = _pl.when(condition).then(_pl.lit(text)).otherwise(reason)
+    return reason
 
 
 def _findings(rows: list[tuple[_pl.Expr, str, str, _pl.Expr | None]]) -> _pl.Expr:
