@@ -106,7 +106,10 @@ def is_equal(item: Item, number: object) -> bool:
     if isinstance(number, float) and number != number:
         return item.value.lower() in ("nan", "-nan")
     if isinstance(number, float):
-        return float(item.value) == number or abs(float(item.value) - number) <= 1e-5 * abs(number)
+        # A record of one field has the place of that field, and no value.
+        return bool(item.value) and (
+            float(item.value) == number or abs(float(item.value) - number) <= 1e-5 * abs(number)
+        )
     base = 16 if item.value.startswith("0x") else 10
     return NUMBER.fullmatch(item.value) is not None and int(item.value, base) == number
 
