@@ -145,6 +145,12 @@ def test_a_response_names_the_line_of_its_request(run: CommandLine) -> None:
     assert "this answers the request in line 2" in result.lines
 
 
+@pytest.mark.parametrize("log", ["", "\n\n", "# nothing else\n"])
+def test_a_log_without_frames_says_so(run: CommandLine, log: str) -> None:
+    result = run("decode", "widget", stdin=log.encode())
+    assert (result.code, result.out, result.err) == (0, "", "fieldspec: standard input has no frames\n")
+
+
 def test_a_response_that_does_not_answer_says_so(run: CommandLine) -> None:
     result = run("decode", "widget", stdin=f"{READ}\n{SHORT_ANSWER}\n".encode())
     assert "this does not answer the request in line 1" in result.lines

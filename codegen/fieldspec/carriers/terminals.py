@@ -99,7 +99,9 @@ class SerialPort:
                 url, settings.baud, settings.data_bits, parity, settings.stop_bits, timeout=0.0, write_timeout=5.0
             )
         except self._errors as error:
-            raise CarrierError(f"cannot open {url}: {error}") from None
+            # The text of pyserial has the port and the number of the error twice.
+            number = getattr(error, "errno", None)
+            raise CarrierError(f"cannot open {url}: {os.strerror(number) if number else error}") from None
 
     def read(self, seconds: float) -> bytes:
         """The bytes that come within some seconds. Raises CarrierError at the end."""

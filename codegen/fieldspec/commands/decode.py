@@ -161,6 +161,7 @@ class Log:
 
     def explain(self, stream: BinaryIO) -> int:
         """Explains every line, and reports those that it cannot read. Returns the exit code."""
+        has_frames = False
         for number, line in _lines(stream):
             try:
                 if len(line) >= LONGEST_LINE:
@@ -171,7 +172,10 @@ class Log:
                 self.wrong = True
                 continue
             if log_record is not None:
+                has_frames = has_frames or bool(log_record.frame)
                 self._line(number, log_record)
+        if not has_frames and not self.wrong:
+            print("fieldspec: standard input has no frames", file=sys.stderr)
         return int(self.wrong)
 
     def _line(self, number: int, line: LogLine) -> None:

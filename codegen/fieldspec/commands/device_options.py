@@ -54,18 +54,22 @@ def add_live(live: argparse.ArgumentParser) -> None:
     )
     live.add_argument("arguments", nargs="*", default=[], metavar="ARGUMENT", help=names)
     _add_connection(live)
-    live.add_argument("--every", type=seconds, default=0.5, metavar="SECONDS", help="watch: the time between reads")
-    live.add_argument("--count", type=natural, default=0, metavar="NUMBER", help="watch: end after so many reads")
-    live.add_argument("--dry-run", action="store_true", help="show what would be written, and write nothing")
-    live.add_argument("--yes", action="store_true", help="write without a question")
-    live.add_argument("--table", metavar="NAME", help="points: the table (default: the only one, or as the file says)")
+    live.add_argument("--every", type=seconds, metavar="SECONDS", help="watch: the time between reads (default: 0.5)")
+    live.add_argument("--count", type=natural, metavar="NUMBER", help="watch: end after so many reads")
+    preview = "write, points upload, restore: show what would be written, and write nothing"
+    live.add_argument("--dry-run", action="store_true", help=preview)
+    live.add_argument("--yes", action="store_true", help="write, points upload, restore: write without a question")
+    choice = "points, compare: the table (default: the only one, or as the file says)"
+    live.add_argument("--table", metavar="NAME", help=choice)
     live.add_argument(
         "--any-version",
         action="store_true",
-        help="take a file that is for another version, and write to another firmware",
+        help="write, points upload, restore, compare: take a file that is for another version, and write to another "
+        "firmware",
     )
     live.add_argument("--trace", action="store_true", help="print all frames to standard error")
-    live.add_argument("--format", choices=("text", "json"), default="text")
+    forms = "json: what read, watch, scan and compare print"
+    live.add_argument("--format", choices=("text", "json"), default="text", help=forms)
 
 
 def add_scan(scan: argparse.ArgumentParser) -> None:

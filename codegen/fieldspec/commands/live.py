@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carries out one verb. Exit code 1 where the device refuses something or does not answer. Raises UsageError."""
+    _refuse_options(arguments)
     spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     dry = arguments.dry_run and arguments.verb_of_device == "write"
@@ -36,6 +37,24 @@ def run(arguments: argparse.Namespace) -> int:
             return _carried_out(client, spec, arguments, dry)
     except CodecError as error:
         raise unsent(error) from None
+
+
+def _verb(arguments: argparse.Namespace) -> str:
+    """The verb, with the direction of points."""
+    verb = str(arguments.verb_of_device)
+    direction = arguments.arguments[0] if arguments.arguments else ""
+    return f"{verb} {direction}" if verb == "points" and direction in ("upload", "download") else verb
+
+
+def _refuse_options(arguments: argparse.Namespace) -> None:
+    """Raises UsageError for an option that has no effect on the verb."""
+    verb = _verb(arguments)
+    for option, verbs in _OPTIONS.items():
+        value = getattr(arguments, option)
+        if value not in (None, False, "text") and verb not in verbs and verb != "points":
+            *others, last = verbs
+            own = f"{', '.join(others)} and {last}" if others else last
+            raise UsageError(f"--{option.replace('_', '-')} has no effect on {verb}, only on {own}; leave it out")
 
 
 def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace, dry: bool) -> int:
@@ -54,8 +73,7 @@ def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace
 
 def _writes(arguments: argparse.Namespace) -> bool:
     """Whether a verb changes something in the device."""
-    verb = arguments.verb_of_device
-    return verb in ("write", "restore") or (verb == "points" and arguments.arguments[:1] == ["upload"])
+    return _verb(arguments) in _WRITING
 
 
 def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
@@ -116,7 +134,7 @@ def _watch(client: Client, access: Access, spec: DeviceSpec, arguments: argparse
             print_values(access, values, arguments.format)
         rounds += 1
         if not arguments.count or rounds < arguments.count:
-            clock.sleep(arguments.every)
+            clock.sleep(0.5 if arguments.every is None else arguments.every)
     return 0
 
 
@@ -165,6 +183,19 @@ def _scan(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
 def _transfer(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
     return transfer_values(client, access, arguments)
 
+
+_WRITING = ("write", "points upload", "restore")
+
+_OPTIONS = {
+    "every": ("watch",),
+    "count": ("watch",),
+    "dry_run": _WRITING,
+    "yes": _WRITING,
+    "table": ("points download", "points upload", "compare"),
+    "any_version": (*_WRITING, "compare"),
+    "format": ("read", "watch", "scan", "compare"),
+}
+"""The verbs on which an option has an effect; the other options are for all of them."""
 
 VERBS: dict[str, Callable[[Client, Access, DeviceSpec, argparse.Namespace], int]] = {
     "read": _read,
