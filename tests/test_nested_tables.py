@@ -168,6 +168,17 @@ def test_reading_a_record_that_reading_clears_clears_its_values(
     }
 
 
+def test_a_value_of_a_record_that_takes_effect_after_a_restart_says_so(
+    device: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert live(device, "write", "programs[0].number=3", "programs[0].steps[0].limits[1].low=0", "--dry-run") == 0
+    notes = capsys.readouterr().err.splitlines()
+    assert {note for note in notes if "restart" in note} == {
+        f"programs[0].{path}: it takes effect after a restart" for path in ("number", "steps[0].limits[1].low")
+    }
+    assert "records/program/number" in hazards_by_fact(LAYOUT)["write"]["it takes effect after a restart"]
+
+
 def test_frames_in_bulk_and_redacted_ones_have_the_same_values() -> None:
     request, response = read_frames(BASE, DATA)
     frames = [Sent(0, "request", request), Sent(0, "response", response)]

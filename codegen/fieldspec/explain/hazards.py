@@ -129,7 +129,7 @@ def _of_table(table: TableLayout) -> Iterator[tuple[Fact, str, str]]:
             yield own, "read", CLEARS
         if access != "ro":
             handlings = (own.handling, *(holder.handling for holder in holders), table.table.handling)
-            hazards = write_hazards(trigger=False, access=access, restart=False, handlings=handlings)
+            hazards = write_hazards(trigger=False, access=access, restart=nested.restart, handlings=handlings)
             yield from ((own, "write", text) for text in hazards)
 
 

@@ -14,7 +14,7 @@ from fieldspec.layout.nested_fields import NestedField, nested_fields
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.layout.values import Raw
 from fieldspec.model.fact import Fact
-from fieldspec.model.registers import Table
+from fieldspec.model.registers import Register, Table
 from fieldspec.model.value import Handling, Value
 
 _PARTIAL = {
@@ -55,6 +55,13 @@ class Occupant:
         holders = reversed(self.nested.holders) if self.nested is not None else ()
         facts = (self.fact, *(holder.field for holder in holders), *((self.outer,) if self.nested is not None else ()))
         return tuple(handling for fact in facts if (handling := getattr(fact, "handling", None)) is not None)
+
+    @property
+    def restart(self) -> bool | None:
+        """Whether a change takes effect after a restart; None where nothing states it."""
+        if self.nested is not None:
+            return self.nested.restart
+        return self.outer.restart if isinstance(self.outer, Register) else None
 
     @property
     def clears_on_read(self) -> bool:

@@ -34,6 +34,12 @@ class NestedField:
         return narrowed(container, self.field.field.access)
 
     @property
+    def restart(self) -> bool | None:
+        """Whether a change takes effect after a restart, as the field or the nearest holder states it."""
+        fields = (self.field.field, *(holder.field for holder in reversed(self.holders)))
+        return next((own.restart for own in fields if own.restart is not None), None)
+
+    @property
     def name(self) -> str:
         """The path without the numbers of elements, which all elements of a list share: `parts.value`."""
         return ".".join((*(holder.name for holder in self.holders), self.field.name))

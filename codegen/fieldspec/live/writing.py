@@ -10,7 +10,6 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.live.client import Client, RefusedError
 from fieldspec.live.reading import Reading, is_bit, message_for, read_words, reading
-from fieldspec.model.registers import Register
 from fieldspec.reference.records import CodecError, encoded_value
 from fieldspec.reference.structs import value_construct
 
@@ -82,11 +81,10 @@ def words_of(layout: DeviceLayout, data: bytes, size: int) -> tuple[int, ...]:
 
 def _hazards(occupant: Occupant) -> list[str]:
     """What a person should know before a value is written."""
-    fact = occupant.outer if isinstance(occupant.outer, Register) else None
     hazards = write_hazards(
         trigger=occupant.trigger,
         access=occupant.access,
-        restart=fact.restart if fact is not None else None,
+        restart=occupant.restart,
         handlings=occupant.handlings,
     )
     return list(hazards)

@@ -153,6 +153,7 @@ class _Holder:
     context: Context
     marks: Inferences
     access: str
+    restart: bool | None = None
     offset: int = 0
     path: str = ""
     steps: tuple[int, ...] = ()
@@ -167,6 +168,7 @@ def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
     inner = replace(
         holder,
         access=narrowed(holder.access, field.field.access),
+        restart=holder.restart if field.field.restart is None else field.field.restart,
         offset=holder.offset + field.offset,
         path=f"{holder.path}{_named(holder, field)}.",
         steps=(*holder.steps, field.size) if field.is_list else holder.steps,
@@ -190,6 +192,7 @@ def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
     many = elements_text(field, _letter(holder)) if field.is_list else ""
     path = f"{holder.path}{_named(holder, field)}"
     access = narrowed(holder.access, field.field.access)
+    restart = holder.restart if field.field.restart is None else field.field.restart
     name, kind, unit, bounds, meaning, source = field_cells(context, field, path, many, marks)
     return TableRow(
         (
@@ -201,7 +204,7 @@ def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
             unit,
             bounds,
             default_cell(value, inferred, marks) if value else Cell(),
-            restart_cell(field.field.restart, inferred, marks) if field.field.restart is not None else Cell(),
+            restart_cell(restart, inferred, marks) if restart is not None and value is not None else Cell(),
             meaning,
             source,
         ),
