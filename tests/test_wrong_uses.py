@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from fieldspec.cli import main
+from layouts import TEST_SPECS
 
 SPECS = str(Path(__file__).resolve().parent.parent / "specs")
 WRITE = ["encode", "tc100", "write_registers", "station=1", "address=0x2014"]
@@ -79,3 +80,14 @@ def test_the_items_of_a_list_are_separated_by_commas_or_blanks(values: str, caps
     command = ["encode", "tc100", "read_registers", "--direction", "response", "station=1", f"values={values}"]
     assert main([*command, "--format", "hex", "--specs", SPECS]) == 0
     assert capsys.readouterr().out.startswith("01 03 06 00 01 00 02 00 03 ")
+
+
+@pytest.mark.parametrize("name", ["1", "0001", "2"])
+def test_a_number_that_may_be_an_address_or_a_printed_one_names_no_register(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = ["live", "station", "write", f"{name}=1", "--port", "tcp://127.0.0.1:9", "--link", "tcp", "--dry-run"]
+    assert main([*command, "--specs", str(TEST_SPECS)]) == 2
+    number = int(name)
+    expected = f"{name} may be the address 0x{number:04X} or the number that the manual prints for 0x{number - 1:04X}"
+    assert expected in capsys.readouterr().err

@@ -86,14 +86,18 @@ class Names:
             operands = self.of_signal(signal.partition("[")[0])
             values = [operand.value for operand in operands]
             values_of_bits = [operand.bit.enum for operand in operands if operand.bit is not None and operand.bit.enum]
-            if any(self.device.enums[enum].named(member) is not None for enum in values_of_bits):
+            if any(self._has_name(enum, member) for enum in values_of_bits):
                 return True
         return any(
-            (value.enum and self.device.enums[value.enum].named(member) is not None)
-            or any(sentinel.name == member for sentinel in value.sentinels)
+            self._has_name(value.enum, member) or any(sentinel.name == member for sentinel in value.sentinels)
             for value in values
             if value is not None
         )
+
+    def _has_name(self, enum: str, member: str) -> bool:
+        """Whether an enum has a member; one that is not there is a finding at the fact that names it."""
+        own = self.device.enums.get(enum)
+        return own is None or own.named(member) is not None if enum else False
 
     def _records(self) -> list[Record]:
         """The records of tables and collections."""

@@ -58,6 +58,8 @@ def _assignments(access: Access, texts: Sequence[str]) -> list[Assignment]:
     for text in texts:
         name, mark, value = text.partition("=")
         own = access.named(name)
+        if not own and (reason := access.reason_unread(name)):
+            raise UsageError(reason)
         if not own:
             raise unknown(access.what, name, [access.path(item) for item in access.items()])
         if not mark or len(own) != 1:

@@ -117,7 +117,7 @@ def read_plan(layout: DeviceLayout) -> ReadPlan:
     block are in `left_out`, each with the reason. Never raises for a device without findings.
     """
     device = layout.device
-    limits = tuple(_limit(device, message) for message in device.messages.values() if _is_read(device, message))
+    limits = tuple(read_limit(device, message) for message in device.messages.values() if _is_read(device, message))
     plan = ReadPlan(limits, (), ())
     units = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
     blocks: list[ReadBlock] = []
@@ -153,7 +153,7 @@ def _space(device: Device, name: str) -> str:
     return device.space_name(name) if device.several_spaces else ""
 
 
-def _limit(device: Device, message: Message) -> ReadLimit:
+def read_limit(device: Device, message: Message) -> ReadLimit:
     """The limit of a message: the range of its word count, how often its values repeat, or their size in bytes."""
     access = message.accesses
     assert access is not None

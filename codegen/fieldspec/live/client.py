@@ -93,8 +93,9 @@ class Client:
         self.head.update((part.part.name, self.fixed[part.part.name]) for part in parts if part.part.name in self.fixed)
         self.counters = [part for part in parts if part.numbering is not None]
         self.echoes = {part.part.name: part.repeated.name for part in parts if part.repeated is not None}
-        if addressed is not None:
-            self.echoes[addressed.name] = addressed.name
+        answering = self.frames.link.response.role("unit_address")
+        if addressed is not None and answering is not None:
+            self.echoes[addressed.name] = answering.name
         self._silent_until = self.clock.now() + self.timing.pause
         self._owed = 0
         self._owed_until = 0.0

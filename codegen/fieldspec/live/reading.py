@@ -10,7 +10,7 @@ from fieldspec.explain.spans import Span
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.read_plan import ReadBlock, read_plan
+from fieldspec.layout.read_plan import ReadBlock, read_limit, read_plan
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.model.record import Message, RegisterAccess
 
@@ -149,10 +149,15 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
 
 def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
     """The words, or the bits as 0 and 1, from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
-    message = message_for(client.layout, "read", space, count)
+    message = message_for(client.layout, "read", space, count) or message_for(client.layout, "read", space, 1)
     access = message.accesses if message is not None else None
     if message is None or access is None:
         raise RefusedError(0, "no message of the device reads registers")
+    most = read_limit(client.layout.device, message).words
+    if most is not None and 0 < most < count:
+        # The plan divides no value, so that this is one with more words than a request reads.
+        starts = range(start, start + count, most)
+        return [word for at in starts for word in read_words(client, space, at, min(most, start + count - at))]
     values = {access.start: start, **({access.count: count} if access.count else {})}
     content = client.ask(message.name, values).values[access.values]
     if client.layout.device.bit_access(message) is not None:
@@ -160,7 +165,10 @@ def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
         if len(bits) < count:
             raise NoAnswerError(f"the answer has {len(bits)} bits instead of {count}")
         return bits[:count]
-    return list(content) if isinstance(content, list) else [content]
+    words = list(content) if isinstance(content, list) else [content]
+    if len(words) != count:
+        raise NoAnswerError(f"the answer has {len(words)} words instead of {count}")
+    return words
 
 
 def reading(layout: DeviceLayout, space: str, occupant: Occupant, words: Sequence[int]) -> Reading:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from fieldspec.explain.registers import Occupant
     from fieldspec.layout.device import DeviceLayout
     from fieldspec.live.client import Client
+    from fieldspec.model.address_space import AddressSpace
     from fieldspec.model.fact import Fact
 
     Placed: TypeAlias = tuple[str, Occupant]
@@ -79,13 +80,22 @@ class RegisterAccess:
 
     def named(self, name: str) -> list[Placed]:
         """The register with a name, the elements of an array, the fields of a record, a role, an address."""
-        pairs = [pair for pair in self._items if writing.means(name, pair[1])]
-        return pairs or [pair for pair in self._items if self._has_printed_number(pair, name)]
+        if self._space_of_doubt(name) is None:
+            pairs = [pair for pair in self._items if writing.means(name, pair[1])]
+            if pairs:
+                return pairs
+        return [pair for pair in self._items if self._has_printed_number(pair, name)]
 
     def _has_printed_number(self, pair: Placed, text: str) -> bool:
         """Whether a text is the number that the manual prints for the address of an item, such as 40003."""
         space, occupant = pair
         return text.isdecimal() and self.layout.device.space(space).address_of(int(text)) == occupant.address
+
+    def _space_of_doubt(self, text: str) -> AddressSpace | None:
+        """The space in which a decimal number may be an address, or the manual prints it for another one."""
+        spaces = (self.layout.device.space(name) for name in dict.fromkeys(name for name, _ in self._items))
+        doubtful = (space for space in spaces if space.first_number and not space.has_numbers_apart)
+        return next(doubtful, None) if text.isdecimal() else None
 
     def harmless(self) -> list[Placed]:
         """Everything that the read plan reads."""
@@ -94,8 +104,13 @@ class RegisterAccess:
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
-        """Nothing: every register is read."""
-        return ""
+        """Why a decimal number is no name, where manuals print numbers that are addresses of other registers."""
+        space = self._space_of_doubt(name)
+        if space is None:
+            return ""
+        number, first = int(name), space.first_number
+        printed = f" or the number that the manual prints for 0x{number - first:04X}" if number >= first else ""
+        return f"{name} may be the address 0x{number:04X}{printed}; write the name, or the address as 0x..."
 
     def remarks(self, names: Sequence[str]) -> list[str]:
         """Nothing: every register is read."""

@@ -47,9 +47,13 @@ class AddressSpace(Fact):
         Where the bounds are not stated, numbers of five or six digits, such as 40001 and 400001, are no addresses.
         """
         address = number - self.first_number
+        return address if self.has_numbers_apart and address in self.bounds else None
+
+    @property
+    def has_numbers_apart(self) -> bool:
+        """Whether no number that the manual prints may be an address."""
         digits = self.bounds == WHOLE and self.first_number > LEAST_OF_FIVE_DIGITS
-        is_apart = digits or self.bounds.high < self.first_number
-        return address if is_apart and address in self.bounds else None
+        return digits or self.bounds.high < self.first_number
 
 
 WORDS = AddressSpace(

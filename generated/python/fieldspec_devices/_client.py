@@ -49,6 +49,7 @@ class Link:
         codec: Any,
         *,
         addressed: bool,
+        answers_addressed: bool = True,
         counters: tuple[tuple[str, int, int], ...] = (),
         parts: tuple[str, ...] = (),
         echoes: dict[str, str] | None = None,
@@ -64,6 +65,7 @@ class Link:
         unanswered: tuple[type[Any], ...] = (),
     ) -> None:
         self.codec, self.addressed, self.counters, self.parts = codec, addressed, counters, parts
+        self.answers_addressed = addressed and answers_addressed
         self.echoes = {name: name for name, _, _ in counters}
         self.echoes.update(echoes or {})
         self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
@@ -85,7 +87,7 @@ class Link:
 
     def is_answer(self, reply: Any, request: Any, unit_address: int, head: dict[str, Any]) -> bool:
         """Whether a frame from the device answers a request."""
-        if self.addressed and reply.unit_address != unit_address:
+        if self.answers_addressed and reply.unit_address != unit_address:
             return False
         for name, echo in self.echoes.items():
             if getattr(reply, echo) != head[name]:

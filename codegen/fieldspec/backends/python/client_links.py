@@ -55,6 +55,8 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     """The view of a link: how requests and responses belong together, and the times that the manual prints."""
     addressed = link.request.role("unit_address") is not None
     arguments = [f"{CODEC}.{view.name}", f"addressed={addressed}"]
+    if addressed and link.response.role("unit_address") is None:
+        arguments.append("answers_addressed=False")
     parts = named_parts(link, view)
     arguments += _parts(link, view, parts)
     timeout = _timeout(layout, link)
