@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
 from fieldspec.reading.rows import rows_in_order
 from fieldspec.reading.used_records import used_records
 from fieldspec.reading.yaml_reader import key_span
+
+_NO_DIGITS = str.maketrans("", "", "0123456789")
 
 _DEVICE_SECTIONS = ("device", "protocol", "uses", "versions")
 
@@ -47,6 +51,8 @@ def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mappi
             used, _ = _chosen(messages, use.values["messages"], "messages")
             chosen = used_records(protocol, chosen, used, device)
         own = device.values.get(section)
+        if own is not None and section in ("links", "messages", "records"):
+            findings += _misspelt(chosen, own)
         value = chosen if own is None else _merged(chosen, own)
         if section in device.values:
             device = device.with_value(section, value)
@@ -89,6 +95,35 @@ def _merged(base: Node, over: Node) -> Node:
         items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
         return Sequence(over.file, over.start, over.end, (*items, *extra.values()))
     return over
+
+
+def _misspelt(base: Node, over: Node, is_inside: bool = False) -> Iterator[Diagnostic]:
+    """The parts and fields that an entry adds to those of the protocol under names that are almost theirs."""
+    if isinstance(base, Mapping) and isinstance(over, Mapping):
+        for key, value in over.values.items():
+            have = base.values.get(key)
+            if have is not None:
+                yield from _misspelt(have, value, True)
+    elif isinstance(base, Sequence) and isinstance(over, Sequence) and _named(base) and _named(over):
+        entries = {identity(item): item for item in base.items}
+        free = [name for name in entries if name is not None and name not in map(identity, over.items)]
+        for item in over.items:
+            name = identity(item) or ""
+            if name in entries:
+                yield from _misspelt(entries[name], item, True)
+            elif is_inside and (like := _near(name, free)) and isinstance(item, Mapping):
+                text = f"`{name}` is none of the protocol's here, and would be added behind them"
+                help = f"did you mean `{like}`? Another one needs a name that is less like it"
+                yield Diagnostic("references_resolve", text, item.values.get("name", item).span, help=help)
+
+
+def _near(name: str, known: list[str]) -> str:
+    """The known name that is almost a name, and does not differ by a number alone; empty where there is none."""
+    from difflib import get_close_matches
+
+    letters = name.translate(_NO_DIGITS)
+    others = [other for other in known if other.translate(_NO_DIGITS) != letters]
+    return next(iter(get_close_matches(name, others, 1, 0.8)), "")
 
 
 def _without_standards(base: Mapping, over: Mapping) -> Mapping:
