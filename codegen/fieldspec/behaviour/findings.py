@@ -82,8 +82,18 @@ def _unstated(behaviour: Behaviour) -> Iterator[Diagnostic]:
 
 
 def _exceptions(device: Device) -> set[str]:
-    """The members that exception responses have, by name."""
-    return {
+    """The members that exception responses have, in their data or in the part that marks them, by name."""
+    marks = [(link, link.exception_response) for link in device.links.values()]
+    in_parts = {
+        member.name
+        for link, mark in marks
+        if mark is not None and mark.part
+        for part in link.parts("response")
+        if part.name == mark.part and part.value is not None and part.value.enum in device.enums
+        for member in device.enums[part.value.enum].members
+        if mark.normal is None or member.value not in mark.normal
+    }
+    return in_parts | {
         member.name
         for link in device.links.values()
         if link.exception_response is not None and link.exception_response.record in device.records

@@ -69,7 +69,7 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
                     return
                 if other is not None:
                     there = label(other.place, "word_order", f"{other.name} exchanges the words")
-                    help = f"add `word_order: {other.word_order}` to the link, or the order to the value"
+                    help = "add `word_order` to the value, or to the link for all values of several words"
                     yield finding(_CODE, field.place, "type", text, help, there)
                     return
 
