@@ -19,6 +19,7 @@ from fieldspec.behaviour.reading import SECTION, behaviour_of, kinds_of
 from fieldspec.checks.finding import is_imported
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.value import Kind
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Scalar, mappings
 from fieldspec.reading.yaml_reader import key_span
@@ -130,6 +131,7 @@ class _Resolution:
         if part.kind in ("show", "initial"):
             for key in ("value", "otherwise"):
                 yield from self._value(part, key, part.get(key), part.subject)
+                yield from self._number(part, key, part.get(key))
         for key in ("at", "start"):
             yield from self._value(part, key, part.get(key))
         for key, value in part.subject.items() if part.kind == "axis" else ():
@@ -217,6 +219,20 @@ class _Resolution:
                 continue
             what = f"signal, and no value of `{of}`," if of else "signal"
             yield self._unknown(part, key, what, term, ())
+
+    def _number(self, part: Part, key: str, number: object) -> Iterator[Diagnostic]:
+        """Whether what has the signal of a part can carry a number."""
+        if not isinstance(number, int) or isinstance(number, bool):
+            return
+        for operand in self.names.of_signal(part.subject):
+            value = operand.value
+            is_whole = value is not None and value.type.kind is Kind.INTEGER
+            own = operand.bit or (value if is_whole else None)
+            if own is not None and not own.low <= number <= own.high:
+                text = f"{operand.path} carries {own.low}..{own.high}, and not {number}"
+                help = "state the number as it is sent, or another one that fits"
+                yield Diagnostic(_RESOLVES, text, part.place[key], help=help)
+                return
 
     def _mark(self, part: Part, name: str) -> Iterator[Diagnostic]:
         operands = self.names.of_signal(name)
