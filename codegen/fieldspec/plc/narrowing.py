@@ -44,8 +44,8 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> DeviceLayout:
     """
     if dialect.widest >= 8:
         return layout
-    records = {record.name: _record(record) for record in layout.records.values()}
-    split_records = {id(layout.records[name]): record for name, record in records.items()}
+    split_records: dict[int, RecordLayout] = {}
+    records = {record.name: _record(record, split_records) for record in layout.records.values()}
     messages = {
         message.name: MessageLayout(
             message.message,
@@ -135,13 +135,20 @@ def _is_split(field: FieldLayout) -> bool:
     return _wide(field.value) and not field.is_list and field.field.measures is None
 
 
-def _record(record: RecordLayout, split_records: dict[int, RecordLayout] | None = None) -> RecordLayout:
+def _record(record: RecordLayout, split_records: dict[int, RecordLayout]) -> RecordLayout:
+    """A record with halves, and those within it, each of which becomes the same in all places."""
+    if id(record) not in split_records:
+        split_records[id(record)] = _split(record, split_records)
+    return split_records[id(record)]
+
+
+def _split(record: RecordLayout, split_records: dict[int, RecordLayout]) -> RecordLayout:
     split = {field.name: list(_fields(field)) for field in record.fields if _is_split(field)}
     fields: list[FieldLayout] = []
     for field in record.fields:
         measure = field.field.measures
-        if field.record is not None and split_records:
-            fields.append(replace(field, record=split_records.get(id(field.record), field.record)))
+        if field.record is not None:
+            fields.append(replace(field, record=_record(field.record, split_records)))
         elif field.name in split:
             fields += split[field.name]
         elif measure is not None and measure.field in split:
