@@ -302,16 +302,16 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
         yield from _of_mark(link, direction)
     whole = not escape.first and not escape.last
     for end in dict.fromkeys((link.end, link.response_end)):
-        # A mark of several bytes, and one that is doubled within frames, differ from what is written for a byte.
+        # A mark of several bytes, and one that is doubled within frames, differ from what is sent for a byte.
         pairs = [pair for pair in escape.pairs if len(set(pair)) > 1] if len(end) == 1 else []
-        written = {byte for _, *sent in pairs for byte in sent}
-        bounded = {"replace": bool(end) and end[0] in {byte for byte, _, _ in escape.pairs} - written}
+        escape_bytes = {byte for _, *sent in pairs for byte in sent}
+        bounded = {"replace": bool(end) and end[0] in {byte for byte, _, _ in escape.pairs} - escape_bytes}
         bounded |= {"cobs": end[:1] == b"\0", "insert": True, "add": False}
         if whole and end and not bounded[escape.method]:
             mark = end.hex(" ").upper()
             text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"
             help = "escape the first byte of the mark, or name the escaped parts by `from` and `to`"
-            if end[0] in written:
+            if end[0] in escape_bytes:
                 text = (
                     f"the end mark {mark} of {link.name} may occur within a frame, because the escape writes this byte"
                 )
