@@ -45,11 +45,9 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         ([*LIVE, "--pause", "-0.5"], "argument --pause: -0.5 is less than 0"),
         ([*WATCH, "--count", "0"], "argument --count: 0 is no whole number from 1 on"),
         ([*WATCH, "--every", "x"], "argument --every: x is no number"),
-        (
-            [*LIVE, "--table", "points"],
-            "--table has no effect on read, only on points download, points",
-        ),
+        ([*LIVE, "--table", "points"], "--table has no effect on read, only on points download, points"),
         ([*LIVE, "--every", "0.5"], "--every has no effect on read, only on watch"),
+        ([*LIVE, "--every", "0"], "--every has no effect on read, only on watch"),
         ([*WATCH, "--dry-run"], "--dry-run has no effect on watch, only on write, points upload and restore"),
         (["live", "tc100", "points", "download", "x.csv", "--yes"], "--yes has no effect on points download"),
         (["live", "tc100", "backup", "x.csv", "--any-version"], "--any-version has no effect on backup"),
@@ -91,3 +89,9 @@ def test_a_number_that_may_be_an_address_or_a_printed_one_names_no_register(
     number = int(name)
     expected = f"{name} may be the address 0x{number:04X} or the number that the manual prints for 0x{number - 1:04X}"
     assert expected in capsys.readouterr().err
+
+
+def test_a_number_beyond_the_space_of_coils_is_no_number_of_a_coil(capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["live", "station", "write", "258=1", "--port", "tcp://127.0.0.1:9", "--link", "tcp", "--dry-run"]
+    assert main([*command, "--specs", str(TEST_SPECS)]) == 2
+    assert "there is no register 258;" in capsys.readouterr().err

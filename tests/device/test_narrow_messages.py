@@ -81,9 +81,9 @@ def test_a_register_that_no_request_reads_whole_is_read_by_several(
 
 
 @pytest.fixture
-def client(device: SimulatedDevice, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
+def client(device: SimulatedDevice, tmp_path: Path) -> Iterator[Any]:
     """The generated client; its requests name 7 as their sender."""
-    name = f"gauges_{len(sys.modules)}"
+    name = f"{tmp_path.name}_devices"
     text = (tmp_path / "gauge/device.yaml").read_bytes()
     versions = layouts(load({"gauge/device.yaml": text}).devices["gauge"])
     outputs = shared() | files(versions)

@@ -97,7 +97,7 @@ class Names:
     def _has_name(self, enum: str, member: str) -> bool:
         """Whether an enum has a member; one that is not there is a finding at the fact that names it."""
         own = self.device.enums.get(enum)
-        return own is None or own.named(member) is not None if enum else False
+        return bool(enum) and (own is None or own.named(member) is not None)
 
     def _records(self) -> list[Record]:
         """The records of tables and collections."""

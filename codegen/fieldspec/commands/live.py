@@ -51,7 +51,8 @@ def _refuse_options(arguments: argparse.Namespace) -> None:
     verb = _verb(arguments)
     for option, verbs in _OPTIONS.items():
         value = getattr(arguments, option)
-        if value not in (None, False, "text") and verb not in verbs and verb != "points":
+        is_default = value is None or value is False or value == "text"
+        if not is_default and verb not in verbs and verb != "points":
             *others, last = verbs
             own = f"{', '.join(others)} and {last}" if others else last
             raise UsageError(f"--{option.replace('_', '-')} has no effect on {verb}, only on {own}; leave it out")

@@ -93,9 +93,12 @@ class RegisterAccess:
 
     def _space_of_doubt(self, text: str) -> AddressSpace | None:
         """The space in which a decimal number may be an address, or the manual prints it for another one."""
+        if not text.isdecimal():
+            return None
+        number = int(text)
         spaces = (self.layout.device.space(name) for name in dict.fromkeys(name for name, _ in self._items))
         doubtful = (space for space in spaces if space.first_number and not space.has_numbers_apart)
-        return next(doubtful, None) if text.isdecimal() else None
+        return next((own for own in doubtful if number in own.bounds or number - own.first_number in own.bounds), None)
 
     def harmless(self) -> list[Placed]:
         """Everything that the read plan reads."""

@@ -32,6 +32,7 @@ SILENCE: Final = 0.05
 class Link:
     """What a client needs to know of a link: its codec, and how requests and responses belong together.
 
+    Requests have a unit address where it is `addressed`, and responses too unless `answers_addressed` is false.
     `counters` are the parts of a request that number it, each with its lowest and highest number, and `parts` those
     whose values users choose. `echoes` has the parts of the response that repeat parts of the request; those that
     number it have the same names unless it says otherwise.

@@ -168,13 +168,18 @@ def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
     inner = replace(
         holder,
         access=narrowed(holder.access, field.field.access),
-        restart=holder.restart if field.field.restart is None else field.field.restart,
+        restart=_restart(holder, field),
         offset=holder.offset + field.offset,
         path=f"{holder.path}{_named(holder, field)}.",
         steps=(*holder.steps, field.size) if field.is_list else holder.steps,
     )
     for own in field.record.fields:
         yield from _table_rows(inner, own)
+
+
+def _restart(holder: _Holder, field: FieldLayout) -> bool | None:
+    """Whether a change takes effect after a restart, as the field or else its holder states it."""
+    return holder.restart if field.field.restart is None else field.field.restart
 
 
 def _letter(holder: _Holder) -> str:
@@ -192,7 +197,7 @@ def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
     many = elements_text(field, _letter(holder)) if field.is_list else ""
     path = f"{holder.path}{_named(holder, field)}"
     access = narrowed(holder.access, field.field.access)
-    restart = holder.restart if field.field.restart is None else field.field.restart
+    restart = _restart(holder, field)
     name, kind, unit, bounds, meaning, source = field_cells(context, field, path, many, marks)
     return TableRow(
         (
