@@ -68,3 +68,15 @@ def test_a_port_in_use_is_reported(specs: Path, tmp_path: Path, capsys: pytest.C
         out = str(tmp_path / "out")
         assert main(["docs", "--specs", str(specs), "--out", out, "--port", str(port), "--no-open"]) == 2
     assert f"cannot serve pages on port {port}: " in capsys.readouterr().err
+
+
+def test_a_folder_of_pages_that_leads_elsewhere_is_refused(
+    specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, elsewhere = tmp_path / "out", tmp_path / "elsewhere"
+    assert main(["build", "--specs", str(specs), "--out", str(out), "--to", "docs"]) == 0
+    (out / "docs").rename(elsewhere)
+    (out / "docs").symlink_to(elsewhere)
+    capsys.readouterr()
+    assert main(["docs", "--specs", str(specs), "--out", str(out), "--port", "0", "--no-open"]) == 2
+    assert "leads out of" in capsys.readouterr().err
