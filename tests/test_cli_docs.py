@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING
 from command_line import SPECS
 from fieldspec.cli import main
 
@@ -26,7 +27,7 @@ def specs(tmp_path: Path) -> Path:
 
 
 def answer(address: str, path: str, host: str = "") -> tuple[int, bytes]:
-    connection = HTTPConnection(address, timeout=10)
+    connection = HTTPConnection(address, timeout=HANGING)
     connection.request("GET", path, headers={"Host": host or address})
     response = connection.getresponse()
     return response.status, response.read()
@@ -48,7 +49,7 @@ def test_pages_are_built_and_served_until_an_interrupt(specs: Path, tmp_path: Pa
         finally:
             process.send_signal(signal.SIGINT)
             try:
-                code = process.wait(20)
+                code = process.wait(HANGING)
             finally:
                 process.kill()
         assert code == 0

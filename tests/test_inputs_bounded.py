@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import os
-import resource
 import socket
 import subprocess
 import sys
@@ -14,31 +13,29 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING, limits
+
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 DEVICE = (SPECS.parent / "tests/cases/file_regular/passing/gadget/device.yaml").read_bytes()
 MEMORY = 1 << 30
 """Bytes of address space for a run."""
 SECONDS = 60
-"""Far above the usual one to five seconds."""
+"""Seconds of a processor, far above the usual one to five."""
 
 BOOK = '<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"/>'
 SHEET = '<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">'
 CELL = '<c r="A1"><v>1</v></c>'
 
 
-def limited() -> None:
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-
-
-def run(*arguments: str, timeout: float = SECONDS) -> subprocess.CompletedProcess[str]:
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     """Runs the command line in bounded memory and time, and checks that it prints no traceback."""
     ran = subprocess.run(
         [sys.executable, "-m", "fieldspec", *arguments],
-        preexec_fn=limited,
+        preexec_fn=limits(SECONDS, MEMORY),
         capture_output=True,
         text=True,
         encoding="utf-8",
-        timeout=timeout,
+        timeout=HANGING,
         check=False,
     )
     assert "Traceback" not in ran.stderr
@@ -206,7 +203,7 @@ def test_a_spec_that_is_no_regular_file_is_refused_and_not_quoted(kind: str, pla
     out = tmp_path / "out"
     builds = (("build", "--out", str(out)), ("build", "--check", "--out", str(out)))
     for words in (("check",), *(builds if place == "gadget/device.yaml" else ())):
-        ran = run(*words, "--specs", str(specs), timeout=20)
+        ran = run(*words, "--specs", str(specs))
         assert ran.returncode == 1
         assert text in ran.stdout + ran.stderr
         assert "secret:0" not in ran.stdout + ran.stderr
@@ -230,7 +227,7 @@ def test_a_list_or_manual_that_is_no_regular_file_is_wrong_use(
     path = tmp_path / "file"
     IRREGULAR[kind][0](path)
     specs = () if words[0] == "import" else ("--specs", str(SPECS))
-    ran = run(*(str(path) if word == "FILE" else word for word in words), *specs, timeout=20)
+    ran = run(*(str(path) if word == "FILE" else word for word in words), *specs)
     assert (ran.returncode, ran.stdout) == (2, "")
     assert len(ran.stderr.splitlines()) == 1
 
@@ -242,7 +239,7 @@ def test_an_index_of_a_manual_that_is_no_regular_file_is_refused(kind: str, tmp_
     (specs / "gadget/device.yaml").write_bytes(DEVICE)
     IRREGULAR[kind][0](specs / "gadget/manual.index")
     for words in (("audit", "gadget"), ("build", "--out", str(tmp_path / "out"))):
-        ran = run(*words, "--specs", str(specs), timeout=20)
+        ran = run(*words, "--specs", str(specs))
         assert ran.returncode == 2
         assert "manual.index" in ran.stderr
 
@@ -258,7 +255,7 @@ def test_an_output_that_is_no_regular_file_is_replaced(kind: str, tmp_path: Path
         before = path.read_bytes()
         path.unlink()
         IRREGULAR[kind][0](path)
-        assert run(*words, timeout=20).returncode == 0
+        assert run(*words).returncode == 0
         assert path.read_bytes() == before
 
 

@@ -56,6 +56,9 @@ def rtu(text: str) -> bytes:
     return data + checksum("crc16_modbus", data, "little").to_bytes(2, "little")
 
 
+READ = rtu("01 03 10 00 00 01")
+
+
 def answers(device: str, arrivals: Sequence[tuple[float, bytes]], keeps_pauses: bool = False) -> list[bytes]:
     """What a device answers."""
     carrier = ScriptedCarrier(arrivals, keeps_pauses)
@@ -109,6 +112,13 @@ def test_a_frame_half_a_second_after_a_damaged_one_is_answered_over_a_network() 
     assert answers("ck10", [(1.0, damaged), (1.5, read), (3.0, b"")]) == [rtu("01 03 02 00 00")]
 
 
-def test_a_frame_that_is_slow_and_not_damaged_is_waited_for_over_a_network() -> None:
-    read = rtu("01 03 10 00 00 01")
-    assert answers("tc100", [(1.0, read[:3]), (5.0, read[3:]), (7.0, b"")]) == [rtu("01 03 02 00 00")]
+@pytest.mark.parametrize(
+    "arrivals",
+    [
+        [(1.0, READ[:3]), (5.0, READ[3:]), (7.0, b"")],
+        [(1.0, READ[:3]), (6.5, READ), (8.0, b"")],
+    ],
+    ids=["slow", "broken off"],
+)
+def test_the_rest_of_a_frame_is_waited_for_over_a_network_for_five_seconds(arrivals: list[tuple[float, bytes]]) -> None:
+    assert answers("tc100", arrivals) == [rtu("01 03 02 00 00")]

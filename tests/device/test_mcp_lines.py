@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from bounded import HANGING
 from fieldspec.testing import SimulatedDevice, simulation
 from simulators import SPECS
 
@@ -60,7 +61,7 @@ class Client:
 
     def end(self) -> str:
         """Ends the server, and returns what it has printed beside answers."""
-        _, errors = self.process.communicate(timeout=60)
+        _, errors = self.process.communicate(timeout=HANGING)
         self.deadline.cancel()
         return errors.decode()
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import socket
 import struct
 import threading
-import time
 from collections.abc import Iterator
 from http.client import HTTPConnection
 from pathlib import Path
 
 import pytest
 
+from bounded import wait_until
 from fieldspec.carriers.pages import PageServer
 
 SECRET = b"of somebody else"
@@ -109,9 +109,6 @@ def test_nothing_is_said_of_clients_that_leave(folder: Path, port: int, capfd: p
             if request.endswith(b"\r\n\r\n"):
                 assert connection.recv(1)
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))  # leaves at once
-    deadline = time.monotonic() + 60
-    while threading.active_count() > threads:
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
+    wait_until(lambda: threading.active_count() <= threads)
     assert capfd.readouterr().err == ""
     assert answer(port, "/") == (200, b"all devices")
