@@ -23,9 +23,9 @@ from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
+from fieldspec.line_text import visible_text
 from fieldspec.model.quantity import count_of
 from fieldspec.model.record import Message, RegisterAccess
-from fieldspec.render.blocks import visible_text
 
 _MOST = 20
 

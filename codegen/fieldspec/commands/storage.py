@@ -59,11 +59,7 @@ def exclusive_folder(folder: Path) -> Iterator[None]:
     absent = missing_folders(folder)
     number = None
     try:
-        while True:
-            with suppress(FileNotFoundError):
-                folder.mkdir(parents=True, exist_ok=True)
-                number = lock(folder)
-                break
+        number = locked_folder(folder)
         for entry in [*os.scandir(folder)]:
             if LEFT_OVER.fullmatch(entry.name) and entry.is_file(follow_symlinks=False):
                 with suppress(OSError):  # it may belong to another user
@@ -135,6 +131,17 @@ def lock(folder: str | os.PathLike[str], shared: bool = False, patient: bool = T
             os.close(number)
             raise
         os.close(number)  # the folder was removed and created again
+
+
+def locked_folder(folder: Path, attempts: int = 100) -> int | None:
+    """Creates a folder and waits for its lock, as `lock` does. Raises OSError where the folder cannot exist."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return lock(folder)
+    except FileNotFoundError:  # another process has removed the folder again, or nobody can create it
+        if not attempts:
+            raise
+    return locked_folder(folder, attempts - 1)
 
 
 def unlock(number: int | None) -> None:

@@ -9,7 +9,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fieldspec.backends.templates import fill
 from fieldspec.changes.change import Change, Effect
 from fieldspec.classes import dataclass
-from fieldspec.render.blocks import Block, Line, visible_text
+from fieldspec.line_text import visible_text
+from fieldspec.render.blocks import Block, Line
 from fieldspec.render.changes import AcceptedChange, Difference, Group, groups, places, remark, summary, title
 from fieldspec.source import Span
 

@@ -8,7 +8,7 @@ from urllib.parse import quote
 from xml.sax.saxutils import escape, quoteattr
 
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.render.blocks import visible_text
+from fieldspec.line_text import visible_text
 from fieldspec.render.finding_text import concise, place
 from fieldspec.rules import rule
 from fieldspec.source import Span

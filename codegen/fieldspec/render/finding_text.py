@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from fieldspec.diagnostics import Diagnostic, Severity
-from fieldspec.render.blocks import visible_text, width
+from fieldspec.line_text import visible_text
+from fieldspec.render.blocks import width
 from fieldspec.source import Span
 
 _Paint: TypeAlias = Callable[[str, str], str]
