@@ -92,8 +92,14 @@ HOMES = ("fieldspec.model.", "fieldspec.layout.", "fieldspec.names:")
 
 
 def to_json(root: object) -> bytes:
-    """An object, and all objects in it, as lines of JSON. Of source files, only paths are stored."""
-    return _Freezing().lines(root)
+    """An object, and all objects in it, as lines of JSON behind their seal. Of source files, only paths are stored."""
+    lines = _Freezing().lines(root)
+    return _seal(lines) + b"\n" + lines
+
+
+def _seal(lines: bytes) -> bytes:
+    """What only `to_json` writes before lines, so that none are of a wrong shape when they are read, one by one."""
+    return cache_folder.checksum(b"layout", lines).encode()
 
 
 def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
@@ -101,7 +107,10 @@ def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
 
     Raises ValueError for other content, and for a class that does not belong to a layout.
     """
-    head, *lines = content.decode().split("\n")
+    seal, _, sealed_lines = content.partition(b"\n")
+    if seal != _seal(sealed_lines):
+        raise ValueError("the lines are not those of a layout")
+    head, *lines = sealed_lines.decode().split("\n")
     classes, files = _parse_line(head)
     if not all(name.startswith(HOMES) for name in classes):
         raise ValueError("the classes do not belong to a layout")
