@@ -64,7 +64,7 @@ def files(folder: Path) -> dict[Path, bytes]:
 
 def test_a_new_cache_carries_the_tag_that_backups_know(cache: Path, tmp_path: Path) -> None:
     run_verbs(tmp_path / "out")
-    assert (cache / "CACHEDIR.TAG").read_text("ascii").splitlines()[0] == SIGNATURE
+    assert (cache / "CACHEDIR.TAG").read_text("utf-8").splitlines()[0] == SIGNATURE
     assert sorted(path.name for path in cache.iterdir() if path.is_dir()) == [*KINDS]
 
 
@@ -84,7 +84,7 @@ def test_a_project_that_is_named_as_the_cache_stays_as_it_is(
 
 def test_the_tag_of_another_program_is_not_that_of_the_cache(cache: Path, tmp_path: Path) -> None:
     cache.mkdir()
-    (cache / "CACHEDIR.TAG").write_text(f"{SIGNATURE}\n# a folder of another program\n", "ascii")
+    (cache / "CACHEDIR.TAG").write_text(f"{SIGNATURE}\n# a folder of another program\n", "utf-8")
     before = letters(cache / "devices") | files(cache)
     run_verbs(tmp_path / "out")
     assert files(cache) == before

@@ -7,6 +7,7 @@ stored as lines of JSON, and an object is rebuilt when it is first accessed.
 from __future__ import annotations
 
 import json
+import os
 from enum import Enum
 from importlib import import_module
 
@@ -63,8 +64,8 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
 def _key(text: str, files: dict[str, bytes]) -> str:
     """The key of a layout; empty where the files of the compiler cannot be read."""
     try:
-        named = [part for path, content in files.items() for part in (path.encode(), content)]
-        return cache_folder.checksum(cache_folder.state().encode(), text.encode(), *named)
+        named = [part for path, content in files.items() for part in (os.fsencode(path), content)]
+        return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named)
     except OSError:
         return ""
 

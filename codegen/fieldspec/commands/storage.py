@@ -5,11 +5,11 @@ from __future__ import annotations
 import errno
 import os
 import re
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from fieldspec.commands.streams import print_error
 from fieldspec.commands.usage import UsageError
 
 BESIDE = ".fieldspec-"
@@ -158,7 +158,7 @@ def _locked(number: int, shared: bool, patient: bool, folder: str | os.PathLike[
     except BlockingIOError:
         if not patient:
             raise
-        print(f"fieldspec: waiting for another process that uses {os.fspath(folder)}", file=sys.stderr, flush=True)
+        print_error(f"waiting for another process that uses {os.fspath(folder)}")
         fcntl.flock(number, kind)
     except OSError:
         return False

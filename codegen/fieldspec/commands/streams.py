@@ -8,8 +8,13 @@ import sys
 from contextlib import suppress
 from io import TextIOWrapper
 
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.usage import WRONG_USE
-from fieldspec.line_text import visible_text
+from fieldspec.line_text import visible_json, visible_lines, visible_text
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from typing import TextIO
 
 UNREAD = 141
 """The exit code where the reader ended before another code was known: as a shell reports SIGPIPE."""
@@ -25,9 +30,37 @@ def prepare() -> None:
             stream.reconfigure(encoding="utf-8", errors="replace", newline="\n")
 
 
+def print_line(text: str) -> None:
+    """Prints a line to standard output. Nothing in it acts on a terminal or a log, whatever names it has."""
+    print(visible_text(text))
+
+
+def print_note(text: str) -> None:
+    """Prints a line to standard error, as `print_line` does to standard output."""
+    print(visible_text(text), file=sys.stderr, flush=True)
+
+
 def print_error(reason: object) -> None:
-    """Says in one line why a verb ends."""
-    print(f"fieldspec: {visible_text(str(reason))}", file=sys.stderr, flush=True)
+    """Says in one line why a verb ends, or what it leaves out."""
+    print_note(f"fieldspec: {reason}")
+
+
+def print_json(data: object, indent: int | None = None, default: Callable[[object], object] | None = None) -> None:
+    """Prints data as JSON."""
+    print(visible_json(data, indent, default))
+
+
+def print_rows(rows: Iterable[Iterable[object]]) -> None:
+    """Prints rows as CSV, exact in all but what cannot be seen."""
+    import csv
+
+    texts = ([visible_lines(cell) if isinstance(cell, str) else cell for cell in row] for row in rows)
+    csv.writer(sys.stdout, lineterminator="\n").writerows(texts)
+
+
+def print_document(text: str, stream: TextIO | None = None) -> None:
+    """Prints the text of a format that has its own escapes, to standard output or to another stream."""
+    print(text, end="", file=stream, flush=stream is not None)
 
 
 def finished(code: int) -> int:

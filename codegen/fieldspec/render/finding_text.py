@@ -84,7 +84,7 @@ def _marked_lines(span: Span, mark: str, paint: _Paint, style: str) -> list[str]
 def place(span: Span) -> str:
     """`gadget/points.yaml:12:7`"""
     line, column = span.position()
-    return f"{span.file.path}:{line}:{column}"
+    return visible_text(f"{span.file.path}:{line}:{column}")
 
 
 def concise(findings: Sequence[Diagnostic]) -> str:
