@@ -24,6 +24,7 @@ from fieldspec.plc.routines.expressions import (
     Whole,
     compared,
     converted,
+    either,
     every,
     number,
     plus,
@@ -132,9 +133,11 @@ class _Client:
         none = compared(self.reason, "=", Whole(0, UINT))
         request = self._of_frames("request")
         asked = [counted_up(request), Assignment(self.request, request), Assignment(state, number(ASKED)), go(_WAIT)]
+        room = world.words.high + 1
+        beyond = either([compared(count, "<", number(1)), compared(count, ">", number(room))])
         asking: list[Statement] = [
             no_reason,
-            chain(builds, last_build),
+            chain([(beyond, [self._fail("request")]), *builds], last_build),
             when(none, asked, [go(_ANSWER)]),
         ]
         error = self._of_frames("error")
