@@ -83,12 +83,12 @@ def message_block(world: World, exchange: Exchange) -> Routine:
         if declared.variable.name != FRAME
     }
 
-    def given(declared: Declared) -> Variable:
+    def output(declared: Declared) -> Variable:
         name = declared.variable.name
         text = f"{name}Answered" if name in asked else name
         return block.declare(text, declared.variable.type, declared.role, declared.remark)
 
-    answer = received(world, exchange.link, exchange.message, exchange.parse, block, given)
+    answer = received(world, exchange.link, exchange.message, exchange.parse, block, output)
     add_exchange(block, exchange, asked, answer.answered, [*answer.taken, block.go(2)], answer.refused)
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()

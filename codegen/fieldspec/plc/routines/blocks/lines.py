@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE, counted_up, member
+from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE, increment, member
 from fieldspec.plc.routines.blocks.standard import BlockDraft, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -67,7 +67,7 @@ class LineDraft(BlockDraft):
         number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
         takes = self.selected([step.take for step in self.steps])
         asks = self.selected([step.ask for step in self.steps])
-        asking = [counted_up(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
+        asking = [increment(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
         working = chain(
             [
                 (Negation(self.busy), begin),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.plc.routines.blocks.ports import counted_up
+from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.exchanges import ERRORS as EXCHANGE_ERRORS
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -135,7 +135,7 @@ class BlockDraft(Variables):
     def take_over(self, count: Expression) -> None:
         """Ends the motion of every other block with the same count, and this one when another takes over."""
         owner = self.declare("udiOwner", UDINT, "local")
-        self.claim = [when(self.unharmed(), [counted_up(count)]), Assignment(owner, count)]
+        self.claim = [when(self.unharmed(), [increment(count)]), Assignment(owner, count)]
         self.displaced = compared(owner, "<>", count)
 
     displaced: Expression | None = None
