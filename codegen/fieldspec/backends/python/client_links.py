@@ -93,10 +93,10 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
             repeated.append(f"{request}: {tuple_of(names_of)}")
         if access is None or layout.device.bit_access(message.message) is not None:
             continue
-        counted = (asked.get(access.count), answer.get(access.values))
+        slots = (asked.get(access.count), answer.get(access.values))
         if access.operation == "write" and access.count not in asked:
-            counted = (asked.get(access.values), answer.get(access.count))
-        own_slot, other_slot = counted
+            slots = (asked.get(access.values), answer.get(access.count))
+        own_slot, other_slot = slots
         if own_slot is not None and other_slot is not None:
             value_counts.append(f"{request}: ({literal(own_slot.name)}, {literal(other_slot.name)})")
     arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
@@ -131,7 +131,7 @@ def _response_names(link: LinkLayout, view: LinkView) -> dict[str, str]:
 
 
 def _parts(link: LinkLayout, view: LinkView, parts: list[tuple[PartView, OpenPart]]) -> list[str]:
-    """The arguments with the parts of requests that are counted, that users choose, and that responses repeat."""
+    """The arguments with the parts of requests that are slots, that users choose, and that responses repeat."""
     answered = _response_names(link, view)
     counters = [
         f"({literal(own.name)}, {part.numbering[0]}, {part.numbering[1]})" for own, part in parts if part.numbering
