@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
 from functools import cache
@@ -12,7 +13,12 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from adapter_stands import Adapter, Stand
+from adapter_texts import PROGRAMS, standard
+from compiled import Block, Compiled
 from loaded import programs
+from st_syntax import parsed
+from standard_text import named
+from vendor_blocks import ALL
 from vendor_codes import CAA_SERIAL_COM, COM_ERROR, PORT_CONFIG, RECEIVE_P2P, SEND_P2P
 
 LINE = ("array", 0, 254, "byte")
@@ -206,6 +212,12 @@ def test_a_buffer_that_stays_full_is_an_error_of_the_port(folder: Path) -> None:
     assert Line("twincat", folder).put(fbSend__Full=True).ask() == 7
 
 
+def test_a_long_answer_takes_no_longer_than_on_the_line(folder: Path) -> None:
+    line = Line("twincat", folder, packet(244), 400)
+    line.ask()
+    assert line.waited <= 400 + 244 / line.rate + 5 * line.stand.adapter.milliseconds
+
+
 def test_a_long_request_is_sent_in_one_cycle(folder: Path) -> None:
     line = Line("twincat", folder, packet(4), 50)
     line.ask(packet(244))
@@ -256,3 +268,46 @@ def test_a_request_of_frames_that_is_abandoned_frees_the_port(name: str, folder:
     line = Line(name, folder)
     line.stand.put(send=4)
     line.stand.abandoned()
+
+
+# The program that opens the port of CODESYS
+
+
+@cache
+def opening(folder: Path) -> Compiled:
+    """PRG_SerialPort; what it gives to the walk is its own."""
+    program = standard(PROGRAMS["PRG_SerialPort"])
+    program = re.sub(r"PRG_Tc100Axis\.(\w+)", r"\1", program)
+    program = program.replace("\nVAR\n", "\nVAR\n    xOpen : BOOL;\n    hPort : UDINT;\n", 1)
+    parameter = "TYPE Parameter : STRUCT udiParameterId : UDINT; udiValue : UDINT; END_STRUCT; END_TYPE\n"
+    program = program.replace("OF COM.PARAMETER", "OF Parameter")
+    outputs = (("xOpen", "bool"), ("hPort", "udint"), ("xError", "bool"), ("eError", "uint"))
+    block = Block("PRG_SerialPort", (("fbOpen.Answer", "uint"),), (*outputs, ("fbOpen.Requests", "int")))
+    return Compiled(named(parameter + ALL + program), folder, block, parsed(parameter))
+
+
+def opened(folder: Path, answer: int, scans: int) -> list[object]:
+    """The outputs of the program some cycles of 5 ms after the controller was switched on."""
+    program = opening(folder)
+    program.restart()
+    return [program.scan(5, [answer]) for _ in range(scans)][-1]
+
+
+def test_a_port_that_opens_is_given_to_the_walk(folder: Path) -> None:
+    assert opened(folder, 0, 5) == [True, 7, False, 0, 1]
+
+
+@pytest.mark.parametrize("code", [5001, *CAA_SERIAL_COM])
+def test_a_port_that_does_not_open_is_an_error_with_its_reason(code: int, folder: Path) -> None:
+    is_open, _, error, reason, _ = opened(folder, code, 5)
+    assert (is_open, error, reason) == (False, True, code)
+
+
+def test_a_port_that_does_not_open_is_tried_again_each_second(folder: Path) -> None:
+    assert opened(folder, 5003, 650)[-1] == 4
+
+
+def test_a_port_that_opens_later_is_no_error_any_more(folder: Path) -> None:
+    opened(folder, 5003, 5)
+    program = opening(folder)
+    assert [program.scan(5, [0]) for _ in range(210)][-1] == [True, 7, False, 0, 2]

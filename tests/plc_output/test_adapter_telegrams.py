@@ -22,14 +22,27 @@ from vendor_codes import DPRD_DAT, DPWR_DAT
 from layouts import SPECS, newest
 
 INPUTS = {
-    **{name: "bool" for name in ("servoOn", "homeAxis", "moveAxis", "stopAxis")},
-    **{"target": "dint", "speed": "lreal", "input.returned": "int", "output.returned": "int"},
-    **{"input.bytes": ("array", 0, 23, "byte"), "axis/request.velocityOverride": "uint"},
+    **dict.fromkeys(("servoOn", "homeAxis", "moveAxis", "stopAxis"), "bool"),
+    "target": "dint",
+    "speed": "lreal",
+    "input.returned": "int",
+    "output.returned": "int",
+    "input.bytes": ("array", 0, 23, "byte"),
+    "axis/request.velocityOverride": "uint",
 }
 OUTPUTS = {
-    **{"ready": "bool", "errorId": "uint", "status": "word", "diagnostics": "int", "axis/valid": "bool"},
-    **{"input.error": "bool", "input.readResult": "int", "input.lastFault": "int", "output.error": "bool"},
-    **{"output.writeResult": "int", "output.packStatus": "uint", "output.lastFault": "int"},
+    "ready": "bool",
+    "errorId": "uint",
+    "status": "word",
+    "diagnostics": "int",
+    "axis/valid": "bool",
+    "input.error": "bool",
+    "input.readResult": "int",
+    "input.lastFault": "int",
+    "output.error": "bool",
+    "output.writeResult": "int",
+    "output.packStatus": "uint",
+    "output.lastFault": "int",
 }
 
 

@@ -21,6 +21,7 @@ from fieldspec.backends.iec.backend import source, text
 from layouts import SPECS, newest
 from matiec import matiec
 
+
 @pytest.mark.parametrize("block", [*STRUCTURED.values(), *map(of_siemens, SIEMENS.values())])
 def test_an_adapter_parses(block: str) -> None:
     result = parse_source_code(block)
@@ -71,12 +72,14 @@ def test_the_walk_compiles_with_what_the_page_replaces_for_a_ck10(tmp_path: Path
     page = (DOCS / "plc.md").read_text("utf-8")
     rows = re.findall(r"^\| `(uiSpeed [^`]+)`[^|]* \| `([^`]+)` \|$", page, re.MULTILINE)
     assert len(rows) == 2
-    for before, after in [("Tc100", "Ck10"), *rows]:
-        assert before in walk
-        adapter, walk = adapter.replace(before, after), walk.replace(before, after)
+    longest = re.findall(r"^\| `(\d+)` in the adapter[^|]* \| `(\d+)` \|$", page, re.MULTILINE)
+    stands = ALL
+    for before, after in [("Tc100", "Ck10"), *rows, *longest]:
+        assert before in adapter + walk
+        adapter, walk, stands = (content.replace(before, after) for content in (adapter, walk, stands))
     adapter, walk = standard(adapter), standard(walk)
     functions = needed(text(source(newest(SPECS, "ck10"))), called_in(walk))
-    translated(named(without_comments(functions) + ALL + adapter + walk), tmp_path)
+    translated(named(without_comments(functions) + stands + adapter + walk), tmp_path)
 
 
 def test_the_walk_for_tia_portal_compiles_with_its_adapters(tmp_path: Path) -> None:

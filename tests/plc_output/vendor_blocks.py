@@ -219,6 +219,6 @@ ELSIF Arrived > Taken THEN
 END_IF;
 END_FUNCTION_BLOCK
 """
-"""A frame is whole when it `Arrived`. Outputs are valid in one call only; STATUS 0096 is the end by the character gap."""
+"""A frame is whole when it `Arrived`. Outputs are valid in one call only; STATUS 0096 is an end by a character gap."""
 
 ALL = REQUEST + RTU_MASTER + COMM_LOAD + S7_MASTER + CAA + SERIAL + POINT_TO_POINT
