@@ -111,17 +111,22 @@ class Stand:
     def answered(self, scans: int = 400) -> int:
         """Asks, waits for the answer, takes it, and gives its error."""
         assert self.of("state") == FREE
-        self.put(state=ASKED)
+        self.ask()
         for _ in range(scans):
             self.scan()
             if self.of("state") == ANSWERED:
+                assert self.of("answered") == self.of("request")
                 self.put(state=FREE)
                 return int(self.of("error"))
         raise AssertionError("there is no answer")
 
+    def ask(self) -> None:
+        """Asks, with the next number."""
+        self.put(state=ASKED, request=self.of("request") + 1)
+
     def abandoned(self, scans: int = 400) -> None:
         """Asks, gives up in the next scan, and waits until the port is free again."""
-        self.put(state=ASKED)
+        self.ask()
         self.run(2)
         assert self.of("state") == ASKED
         self.put(state=ABANDONED)

@@ -142,6 +142,15 @@ def test_a_request_that_is_abandoned_frees_the_port(block: str, folder: Path) ->
     assert stand.ask_words(write=False) == 0
 
 
+def test_an_answer_to_a_request_that_another_has_replaced_is_not_its_answer(block: str, folder: Path) -> None:
+    stand = begun(block, folder)
+    stand.put(write=True, address=ADDRESS, count=1)
+    stand.ask()
+    stand.run(4)
+    stand.put(state=0)
+    assert (stand.ask_words(write=True), requests(stand, block)) == (0, 2)
+
+
 # The port of an S7
 
 

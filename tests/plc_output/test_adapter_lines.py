@@ -102,10 +102,12 @@ class Line:
     def ask(self, request: bytes = bytes.fromhex("04 00 4E 52"), until: Callable[[], bool] | None = None) -> int:
         """Sends a request as a block does; gives the error of the answer."""
         stand = self.stand
-        stand.put(send=len(request), frame=[*request, *stand.of("frame")[len(request) :]], state=1, received=0)
+        stand.put(send=len(request), frame=[*request, *stand.of("frame")[len(request) :]], received=0)
+        stand.ask()
         for _ in range(600):
             self.scan()
             if stand.of("state") == 2 or (until is not None and until()):
+                assert stand.of("answered") == stand.of("request")
                 stand.put(state=0)
                 return int(stand.of("error"))
         raise AssertionError("there is no answer")
@@ -146,6 +148,20 @@ def test_the_next_request_works_after_a_silence(name: str, folder: Path) -> None
     line.answer, line.waited = packet(5), 0
     line.put(**{f"{line.receiver}__Taken": 0})
     assert (line.ask(), line.received) == (0, packet(5))
+
+
+@pytest.mark.parametrize(
+    ("name", "sent", "count"),
+    [("codesys", "fbWrite.Requests", 2), ("twincat", "fbSend.Requests", 8), ("siemens", "send.Requests", 2)],
+)
+def test_a_frame_that_replaces_another_is_sent_itself(name: str, sent: str, count: int, folder: Path) -> None:
+    line = Line(name, folder)
+    line.stand.put(send=4)
+    line.stand.ask()
+    line.stand.run(4)
+    line.stand.put(state=0)
+    line.ask()
+    assert line.stand.get(sent) == count
 
 
 # CODESYS
