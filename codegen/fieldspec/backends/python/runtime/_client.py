@@ -102,12 +102,10 @@ class Link:
             if getattr(reply.message, answered) != getattr(request, asked):
                 return False
         counts = self.value_counts.get(kind)
-        return counts is None or _count(getattr(reply.message, counts[1])) == _count(getattr(request, counts[0]))
-
-
-def _count(value: Any) -> int:
-    """How many a number says, or how many values there are."""
-    return value if isinstance(value, int) else len(value)
+        if counts is None:
+            return True
+        values = (getattr(request, counts[0]), getattr(reply.message, counts[1]))
+        return len({value if isinstance(value, int) else len(value) for value in values}) == 1
 
 
 def _response_code(request: Any) -> int | None:
