@@ -120,7 +120,10 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_tables(tmp_path: Path) -> N
     assert {table: rows(again / "out", table) for table in ("frames", "values")} == whole
 
 
-def stopped_after_first_part(folder: Path, content: bytes) -> str:
+STOP_BATCH = 40_000
+
+
+def stopped_after_first_part(folder: Path, content: bytes, part_frames: str = "500") -> str:
     """Runs until the first part is noted, as a kill would end it."""
     from fieldspec.captures import capture_files
     from fieldspec.commands import bulk_decoding
@@ -135,9 +138,9 @@ def stopped_after_first_part(folder: Path, content: bytes) -> str:
         raise Stop
 
     bulk_decoding._Job._note = stop  # type: ignore[method-assign]
-    capture_files.BATCH = 40_000
+    capture_files.BATCH = STOP_BATCH
     try:
-        decode(folder, content, "--part-frames", "500")
+        decode(folder, content, "--part-frames", part_frames)
     except Stop:
         return "stopped"
     finally:

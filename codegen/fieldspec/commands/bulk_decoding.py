@@ -197,6 +197,8 @@ class _Job:
                         conversion.forget_texts()
                         self._note(parts.number, number, conversion.state(), conversion.counters())
                 self.totals.counters += conversion.counters()
+                if conversion.is_left_out:
+                    self.sources[name] = "nothing in it is a frame of the device; the counts say what is left out"
         except CaptureError as error:
             self.sources[name] = str(error)
         except OSError as error:
@@ -234,7 +236,7 @@ class _Job:
 
     def _is_flawed(self) -> bool:
         valid, every = self.totals.whole
-        lost = [what for what in self.totals.counters if what.startswith("bytes lost")]
+        lost = [what for what in self.totals.counters if what.startswith(("bytes lost", "damage"))]
         return valid < every or bool(lost) or bool(self.sources)
 
     def _summary(self) -> dict[str, Any]:
