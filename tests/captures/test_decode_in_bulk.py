@@ -287,6 +287,18 @@ def test_the_folder_of_another_task_is_refused(tmp_path: Path) -> None:
     assert "another task" in error
 
 
+def test_the_journal_of_another_version_is_refused(tmp_path: Path) -> None:
+    decode(tmp_path, pcap([READ, ANSWER], USER_0))
+    journal = tmp_path / "out" / "journal.json"
+    content = json.loads(journal.read_text(encoding="utf-8"))
+    del content["format"]
+    journal.write_text(json.dumps(content), encoding="utf-8")
+    files = [str(path) for path in tmp_path.iterdir() if path.is_file()]
+    code, _, error = run("decode", "wattmeter@1", *files, "--to", "parquet", "--out", str(tmp_path / "out"))
+    assert code == 2
+    assert "a journal of another version of fieldspec" in error
+
+
 def test_options_of_tables_need_a_format(tmp_path: Path) -> None:
     code, _, error = run("decode", "wattmeter@1", "01", "--units", "1")
     assert code == 2

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from fieldspec.captures.decoding import Choices
 
 JOURNAL, SUMMARY = "journal.json", "summary.json"
+JOURNAL_FORMAT = 2
+"""The number of what a journal holds: a run goes on from journals of this form alone."""
 PART = 1_000_000
 """The frames of a part, unless --part-frames says another number."""
 
@@ -214,8 +216,11 @@ class _Job:
         try:
             journal = json.loads(path.read_bytes())
             same = journal["task"] == json.loads(_json(self.task))
-        except (ValueError, KeyError, TypeError):
+            known = journal.get("format") == JOURNAL_FORMAT
+        except (ValueError, KeyError, TypeError, AttributeError):
             raise UsageError(f"{path} is no journal of this command; name a new folder") from None
+        if not known:
+            raise UsageError(f"{path} is a journal of another version of fieldspec; name a new folder")
         if not same:
             raise UsageError(f"{self.out} has the tables of another task; name a new folder, or repeat that task")
         return journal
@@ -225,6 +230,7 @@ class _Job:
         totals = self.totals.as_data()
         totals["counters"] = dict(Counter(totals["counters"]) + counters)
         content = {
+            "format": JOURNAL_FORMAT,
             "task": self.task,
             "part": part,
             "source": source,
