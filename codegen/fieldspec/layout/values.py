@@ -13,7 +13,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.quantity import count_of, number_of
+from fieldspec.model.quantity import count_of, number_of, point_text
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Sentinel, Value
 
@@ -161,8 +161,10 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         return number
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
-    if isinstance(entered, str) or (isinstance(entered, float) and value.scaled and not value.unit):
-        return _text(device, path, value, str(entered))
+    if isinstance(entered, float | Decimal) and value.scaled and not value.unit:
+        entered = point_text(entered)
+    if isinstance(entered, str):
+        return _text(device, path, value, entered)
     unit = "; with its unit it may be a fraction" if value.unit else ""
     raise MeaningError(path, f"`{entered}` is no whole number of counts{unit}")
 
@@ -201,15 +203,9 @@ def _near(value: Value, quantity: Fraction) -> str:
     if not isinstance(value.scale, Decimal):
         return f"; the nearest counts are {floor(count)} and {ceil(count)}"
     quantities = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
-    below, above = (f"{near:f}{value.unit}" if value.unit else _with_point(near) for near in quantities)
+    below, above = (f"{near:f}{value.unit}" if value.unit else point_text(near) for near in quantities)
     offset = f"; it has the offset {value.offset:f} {value.unit}".rstrip() if value.offset else ""
     return f"; the nearest ones are {below} and {above}{offset}"
-
-
-def _with_point(number: Decimal) -> str:
-    """A number with a decimal point, without which it would be a count."""
-    text = f"{number:f}"
-    return text if "." in text else f"{text}.0"
 
 
 def _example(value: Value) -> str:

@@ -33,6 +33,13 @@ def decimal_of(text: str) -> Decimal | None:
     return Decimal(text) if _POINT.fullmatch(text) else None
 
 
+def point_text(number: float | Decimal) -> str:
+    """A number with a decimal point and without an exponent: `2.0`, and `0.0000001` for 1e-07."""
+    exact = number if isinstance(number, Decimal) else Decimal(repr(number))
+    text = f"{exact:f}"
+    return text if "." in text or not exact.is_finite() else f"{text}.0"
+
+
 def quantity_of(text: str) -> tuple[Decimal, str] | None:
     """The number and the unit of a text such as `20.00 mm` or `50%`; None where it is no quantity."""
     match = _QUANTITY.fullmatch(text)
