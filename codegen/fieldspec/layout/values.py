@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterable, Mapping
-from decimal import Decimal
+from decimal import Context, Decimal
 from math import ceil, floor
 
 from fieldspec.classes import TYPE_CHECKING
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
 
+_EXACT = Context(prec=200)
 _DIGITS = re.compile("[-+]?(?:0x[0-9A-Fa-f]+|[1-9][0-9]*)")
 
 
@@ -202,7 +203,7 @@ def _near(value: Value, quantity: Fraction) -> str:
     count = (quantity - Fraction(value.offset)) / Fraction(value.scale)
     if not isinstance(value.scale, Decimal):
         return f"; the nearest counts are {floor(count)} and {ceil(count)}"
-    quantities = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
+    quantities = sorted(value.in_unit(whole).normalize(_EXACT) for whole in (floor(count), ceil(count)))
     below, above = (f"{near:f}{value.unit}" if value.unit else point_text(near) for near in quantities)
     offset = f"; it has the offset {value.offset:f} {value.unit}".rstrip() if value.offset else ""
     return f"; the nearest ones are {below} and {above}{offset}"

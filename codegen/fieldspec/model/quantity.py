@@ -16,6 +16,8 @@ _NUMBER = re.compile(rf"[-+]?(?:{_WHOLE})(?:\.[0-9]{{1,30}})?(?:[eE][-+]?[0-9]{{
 _POINT = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,29})\.[0-9]{1,30}")
 _QUANTITY = re.compile(r"([-+]?(?:0|[1-9][0-9]{0,29})(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
+_FIFTEEN_DIGITS = 1e15
+
 
 def count_of(text: str) -> int | None:
     """The whole number that a text is, in decimal or hexadecimal; None where it is none."""
@@ -38,6 +40,11 @@ def point_text(number: float | Decimal) -> str:
     exact = number if isinstance(number, Decimal) else Decimal(repr(number))
     text = f"{exact:f}"
     return text if "." in text or not exact.is_finite() else f"{text}.0"
+
+
+def real_text(number: float) -> str:
+    """A computed number: `25` for 25.0, `0.3` for 0.30000000000000004, with the fifteen digits that a double holds."""
+    return f"{number:.15g}" if abs(number) < _FIFTEEN_DIGITS else repr(number)
 
 
 def quantity_of(text: str) -> tuple[Decimal, str] | None:
