@@ -252,19 +252,29 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
 
 
 def _word(device: Device, path: str, value: Value, entered: list[object] | str) -> int:
-    """The word with the named bits set. `name=member` or `name=number` sets a field of several bits."""
+    """The word with the named bits set. `name=member` or `name=number` sets a field of several bits.
+
+    Fields that are not named have their defaults, else 0. Raises MeaningError where 0 would mean something.
+    """
     flags = device.flags[value.flags]
-    word = 0
+    word, names = flags.initial, set()
     for item in entered if isinstance(entered, list) else [piece for piece in re.split(r"[, ]+", entered) if piece]:
         name, _, setting = str(item).partition("=")
         bit = flags.named(name)
         if bit is None:
-            names = ", ".join(other.name for other in flags.bits if not other.reserved)
-            raise MeaningError(path, f"`{name}` is no bit of {value.flags}: {names}")
+            known = ", ".join(other.name for other in flags.bits if not other.reserved)
+            raise MeaningError(path, f"`{name}` is no bit of {value.flags}: {known}")
+        if name in names:
+            raise MeaningError(path, f"`{name}` has two values")
+        names.add(name)
         number = 1
         if setting:
             number = _text(device, f"{path}.{name}", bit.as_value, setting)
         if not bit.low <= number <= bit.high:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
-        word |= (number << bit.first) & bit.mask
+        word = word & ~bit.mask | (number << bit.first) & bit.mask
+    missing = next((needed for needed in flags.needed(device.enums) if names.isdisjoint(needed.names)), None)
+    if missing is not None:
+        own = missing.bit.name
+        raise MeaningError(path, f"`{own}` is not given, and its {missing.reason}; give `{own}=`, or the whole word")
     return word

@@ -34,9 +34,9 @@ class RefusedError(Exception):
     or a part of it, before it failed.
     """
 
-    def __init__(self, number: int, name: str, is_listed: bool = True) -> None:
+    def __init__(self, number: int, name: str, is_known: bool = True) -> None:
         super().__init__(f"exception {number}" + (f", {name}" if name else ""))
-        self.number, self.name, self.is_listed = number, name, is_listed
+        self.number, self.name, self.is_known = number, name, is_known
 
 
 @dataclass(frozen=True, slots=True)

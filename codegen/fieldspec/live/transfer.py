@@ -84,7 +84,7 @@ def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> No
     except NoAnswerError as error:
         lost = str(error)
     except RefusedError as error:
-        if error.is_listed:
+        if error.is_known:
             raise
         lost = f"{error}, which the spec does not list"
     now = access.read_back(client, change.chosen)

@@ -10,6 +10,7 @@ from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.model.value import PRIMITIVES, Handling, Primitive, Value
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from fractions import Fraction
 
 
@@ -67,7 +68,8 @@ class Bit(Fact):
     """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant.
 
     A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the
-    unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold.
+    unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold, and
+    `default` is the count that is sent where nobody gives another one, None where the spec states none.
     """
 
     first: int
@@ -86,6 +88,7 @@ class Bit(Fact):
     offset: Decimal = Decimal(0)
     unit: str = ""
     ranges: Ranges | None = None
+    default: int | None = None
 
     @property
     def as_value(self) -> Value:
@@ -100,7 +103,7 @@ class Bit(Fact):
             offset=self.offset,
             unit=self.unit,
             ranges=self.ranges or Ranges(((self.low, self.high),)),
-            default=None,
+            default=self.default,
             const=None,
             enum=self.enum,
             flags="",
@@ -144,6 +147,16 @@ class Bit(Fact):
         number = (word & self.mask) >> self.first
         return number - (1 << self.width) if self.signed and number >> (self.width - 1) else number
 
+    def reason_to_give(self, enum: Enum | None) -> str:
+        """Why a word cannot have 0 here without a word: what 0 is; empty where it is 0, and for what has a default."""
+        if self.reserved or self.default is not None:
+            return ""
+        if self.ranges is not None and 0 not in self.ranges:
+            return f"0 is not in {self.ranges.text()}"
+        if enum is not None and not enum.open and ((zero := enum.member(0)) is None or zero.unavailable):
+            return f"0 is no member of {enum.name}"
+        return f"0 is {self.offset:f} {self.unit}".rstrip() if self.offset else ""
+
     @property
     def width(self) -> int:
         """The number of bits."""
@@ -160,6 +173,20 @@ def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:
     if low >= 0 or high < 0:
         return [(low % turn, high % turn)]
     return [(0, high), (low % turn, turn - 1)]
+
+
+@dataclass(frozen=True, slots=True)
+class NeededBit:
+    """A field of bits that has to be given, and why. Any of `bits` gives it: itself, and other meanings of its bits."""
+
+    bit: Bit
+    reason: str
+    bits: tuple[Bit, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of which one has to be given."""
+        return tuple(bit.name for bit in self.bits)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -179,6 +206,20 @@ class Flags(Fact):
     bits: tuple[Bit, ...]
     states: tuple[State, ...]
     bit_0: str = "least"
+
+    @property
+    def initial(self) -> int:
+        """The word of which nothing is given: the defaults of its fields of bits, else 0."""
+        return sum((bit.default << bit.first) & bit.mask for bit in self.bits if bit.default is not None)
+
+    def needed(self, enums: Mapping[str, Enum]) -> tuple[NeededBit, ...]:
+        """The fields of bits that have to be given whenever a word is put together from its bits."""
+        reasons = ((bit, bit.reason_to_give(enums.get(bit.enum))) for bit in self.bits)
+        return tuple(
+            NeededBit(bit, reason, tuple(other for other in self.bits if other.mask & bit.mask and not other.reserved))
+            for bit, reason in reasons
+            if reason
+        )
 
     @property
     def bounded(self) -> tuple[Bit, ...]:

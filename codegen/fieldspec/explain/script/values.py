@@ -141,7 +141,7 @@ def _member(member: Member) -> dict[str, Data]:
     }
 
 
-def word_data(word: Flags) -> dict[str, Data]:
+def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
     """A word with its bits and states."""
     return stated(
         {
@@ -150,6 +150,7 @@ def word_data(word: Flags) -> dict[str, Data]:
             "size": word.type.size,
             "countedFromMost": word.bit_0 == "most",
             "bits": [_bit(bit) for bit in word.bits],
+            "needed": [[needed.bit.name, needed.reason, list(needed.names)] for needed in word.needed(enums)],
             "states": [
                 stated(
                     {
@@ -180,6 +181,7 @@ def _bit(bit: Bit) -> dict[str, Data]:
                 "edge": bit.edge,
                 "reserved": bit.reserved,
                 "signed": bit.signed,
+                "default": bit.default,
                 "isNumber": bit.is_number,
                 "unit": bit.unit,
                 "ranges": intervals(bit.ranges if bit.is_bounded else None),
