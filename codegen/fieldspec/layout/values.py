@@ -10,6 +10,7 @@ from math import ceil, floor
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
@@ -273,7 +274,7 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
         if not bit.low <= number <= bit.high:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
         word = word & ~bit.mask | (number << bit.first) & bit.mask
-    missing = next((needed for needed in flags.needed(device.enums) if names.isdisjoint(needed.names)), None)
+    missing = next((needed for needed in needed_bits(flags, device.enums) if names.isdisjoint(needed.names)), None)
     if missing is not None:
         own = missing.bit.name
         raise MeaningError(path, f"`{own}` is not given, and its {missing.reason}; give `{own}=`, or the whole word")

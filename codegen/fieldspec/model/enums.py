@@ -10,7 +10,6 @@ from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.model.value import PRIMITIVES, Handling, Primitive, Value
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
     from fractions import Fraction
 
 
@@ -175,20 +174,6 @@ def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:
     return [(0, high), (low % turn, turn - 1)]
 
 
-@dataclass(frozen=True, slots=True)
-class NeededBit:
-    """A field of bits that has to be given, and why. Any of `bits` gives it: itself, and other meanings of its bits."""
-
-    bit: Bit
-    reason: str
-    bits: tuple[Bit, ...]
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The names of which one has to be given."""
-        return tuple(bit.name for bit in self.bits)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State(Fact):
     """A state that some bits show together: those of `set` are 1 in it, those of `clear` are 0."""
@@ -211,15 +196,6 @@ class Flags(Fact):
     def initial(self) -> int:
         """The word of which nothing is given: the defaults of its fields of bits, else 0."""
         return sum((bit.default << bit.first) & bit.mask for bit in self.bits if bit.default is not None)
-
-    def needed(self, enums: Mapping[str, Enum]) -> tuple[NeededBit, ...]:
-        """The fields of bits that have to be given whenever a word is put together from its bits."""
-        reasons = ((bit, bit.reason_to_give(enums.get(bit.enum))) for bit in self.bits)
-        return tuple(
-            NeededBit(bit, reason, tuple(other for other in self.bits if other.mask & bit.mask and not other.reserved))
-            for bit, reason in reasons
-            if reason
-        )
 
     @property
     def bounded(self) -> tuple[Bit, ...]:

@@ -36,6 +36,7 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.scales import define_fractions
 from fieldspec.backends.c.statements import If, Return, Variable
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.enums import Bit, Enum, Flags
 
 _WORD = Identifier("word")
@@ -58,7 +59,7 @@ def named_bits(word: Flags) -> list[tuple[str, Bit]]:
 def declare_flags(naming: Naming, word: Flags, enums: Mapping[str, Enum]) -> list[Declaration]:
     """Masks, shifts, and a function for each bit or bit field; then the states."""
     kind = Type(f"uint{8 * word.type.container}_t")
-    needed = [escape_comment(f"Set {each.bit.name}: its {each.reason}.") for each in word.needed(enums)]
+    needed = [escape_comment(f"Set {each.bit.name}: its {each.reason}.") for each in needed_bits(word, enums)]
     declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.", *needed)]
     declarations.append(Typedef(kind, naming.type("word", word.name)))
     if any(bit.default is not None for bit in word.bits):

@@ -9,6 +9,7 @@ from fieldspec.backends.js.declaration import Declaration
 from fieldspec.backends.js.naming import Scope, property_scope
 from fieldspec.backends.js.text import comment, literal
 from fieldspec.backends.js.units import unit_of
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.names import Name
 
@@ -73,7 +74,9 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
     code.append("  }),")
     arguments = f"{literal(flags.name)}, BITS_OF_{name}, bits, raw, {8 * flags.type.size}"
     keys = {id(bit): key for key, bit in bits}
-    needed = [(keys[id(own.bit)], own.reason, [keys[id(other)] for other in own.bits]) for own in flags.needed(enums)]
+    needed = [
+        (keys[id(own.bit)], own.reason, [keys[id(other)] for other in own.bits]) for own in needed_bits(flags, enums)
+    ]
     initial = f"{flags.initial}{'n' * wide}"
     if needed:
         rows = ", ".join(

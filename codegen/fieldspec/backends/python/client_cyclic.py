@@ -11,6 +11,7 @@ from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
@@ -102,7 +103,7 @@ def initial_bytes(device: Device, record: RecordLayout) -> bytes:
 
 def _initial_word(device: Device, field: FieldLayout, word: Flags) -> int:
     """The word of which nothing is given. Raises NoTask where something has to be."""
-    needed = next(iter(word.needed(device.enums)), None)
+    needed = next(iter(needed_bits(word, device.enums)), None)
     if needed is not None:
         raise NoTask(f"{needed.bit.name} of {field.name} has no default, and its {needed.reason}")
     return word.initial

@@ -9,6 +9,7 @@ from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
 from fieldspec.backends.python.scaling import in_unit, quantity, ratio
 from fieldspec.backends.python.text import docstring, filled, item_lines, literal
 from fieldspec.classes import dataclass, field, replace
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.names import Name
@@ -178,7 +179,7 @@ def flags_view(flags: Flags, device: Device, enums: Mapping[str, EnumView], scop
     units = [f'"{view.name}": ("{raw}", {ratio(bit.as_value)})' for bit, raw, view in scaled]
     in_unit_of = {id(bit): view.name for bit, _, view in scaled}
     keys = {id(bit): [key for key in (raw, in_unit_of.get(id(bit))) if key] for bit, raw in named}
-    needed = [(own, [key for bit in own.bits for key in keys[id(bit)]]) for own in flags.needed(device.enums)]
+    needed = [(own, [key for bit in own.bits for key in keys[id(bit)]]) for own in needed_bits(flags, device.enums)]
     is_preset = bool(needed) or flags.initial != 0
     entries = [
         f"{literal(keys[id(own.bit)][0])}: ({literal(own.reason)}, ({', '.join(map(literal, names))},))"

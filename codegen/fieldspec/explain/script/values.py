@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.row import citations
 from fieldspec.explain.script.literals import Data
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.digits import digits_text, has_sign, is_complement
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact
@@ -150,7 +151,7 @@ def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
             "size": word.type.size,
             "countedFromMost": word.bit_0 == "most",
             "bits": [_bit(bit) for bit in word.bits],
-            "needed": [[needed.bit.name, needed.reason, list(needed.names)] for needed in word.needed(enums)],
+            "needed": [[needed.bit.name, needed.reason, list(needed.names)] for needed in needed_bits(word, enums)],
             "states": [
                 stated(
                     {
