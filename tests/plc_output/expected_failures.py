@@ -1,7 +1,9 @@
-"""The scenes of test_blocks_against_models.py that fail today, by test, with the item that mends them."""
+"""What fails of test_blocks_against_models.py and of test_blocks_at_random.py until the blocks are mended."""
 
 from __future__ import annotations
 
+BROKEN: dict[str, frozenset[int]] = {}
+"""The rules that the blocks of each device break at random. A number goes when no block breaks the rule any more."""
 EXPECTED: dict[str, tuple[str, tuple[str, ...]]] = {
     "a_block_that_reads_recovers_while_it_is_enabled": (
         "1.9",
@@ -116,13 +118,9 @@ EXPECTED: dict[str, tuple[str, tuple[str, ...]]] = {
             "0-quick_stop-hiwin-e 9",
             "0-stop-hiwin-e 111",
             "0-stop-hiwin-e 9",
-            "1-power_off-hiwin-e 111",
-            "1-power_off-hiwin-e 9",
             "1-quick_stop-hiwin-e 9",
             "1-stop-hiwin-e 111",
             "1-stop-hiwin-e 9",
-            "2-power_off-hiwin-e 111",
-            "2-power_off-hiwin-e 9",
             "2-quick_stop-hiwin-e 9",
             "2-stop-hiwin-e 111",
             "2-stop-hiwin-e 9",
@@ -204,3 +202,4 @@ EXPECTED: dict[str, tuple[str, tuple[str, ...]]] = {
         ),
     ),
 }
+"""The scenes that fail, by test: the item that mends them, and which of them."""
