@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from fieldspec.captures.decoding import Choices
 
 JOURNAL, SUMMARY = "journal.json", "summary.json"
+JOURNAL_FORMAT = 2
+"""The number of what a journal holds: a run goes on from journals of this form alone."""
 PART = 1_000_000
 """The frames of a part, unless --part-frames says another number."""
 
@@ -197,6 +199,8 @@ class _Job:
                         conversion.forget_texts()
                         self._note(parts.number, number, conversion.state(), conversion.counters())
                 self.totals.counters += conversion.counters()
+                if conversion.is_left_out:
+                    self.sources[name] = "nothing in it is a frame of the device; the counts say what is left out"
         except CaptureError as error:
             self.sources[name] = str(error)
         except OSError as error:
@@ -212,8 +216,11 @@ class _Job:
         try:
             journal = json.loads(path.read_bytes())
             same = journal["task"] == json.loads(_json(self.task))
-        except (ValueError, KeyError, TypeError):
+            known = journal.get("format") == JOURNAL_FORMAT
+        except (ValueError, KeyError, TypeError, AttributeError):
             raise UsageError(f"{path} is no journal of this command; name a new folder") from None
+        if not known:
+            raise UsageError(f"{path} is a journal of another version of fieldspec; name a new folder")
         if not same:
             raise UsageError(f"{self.out} has the tables of another task; name a new folder, or repeat that task")
         return journal
@@ -223,6 +230,7 @@ class _Job:
         totals = self.totals.as_data()
         totals["counters"] = dict(Counter(totals["counters"]) + counters)
         content = {
+            "format": JOURNAL_FORMAT,
             "task": self.task,
             "part": part,
             "source": source,
@@ -234,7 +242,7 @@ class _Job:
 
     def _is_flawed(self) -> bool:
         valid, every = self.totals.whole
-        lost = [what for what in self.totals.counters if what.startswith("bytes lost")]
+        lost = [what for what in self.totals.counters if what.startswith(("bytes lost", "damage"))]
         return valid < every or bool(lost) or bool(self.sources)
 
     def _summary(self) -> dict[str, Any]:

@@ -11,21 +11,18 @@ from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task
 from fieldspec.model.watches import LASTING, REFUSAL, before_effect, watches
 from fieldspec.names import Name
+from fieldspec.plc.routines.answers import judged, received
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, outputs_of
 from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, member, own_links
 from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
 from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
 from fieldspec.plc.routines.blocks.words import opposite, value_of
-from fieldspec.plc.routines.exchanges import compare_answer
 from fieldspec.plc.routines.expressions import (
     Expression,
-    Negation,
     Variable,
-    compared,
-    either,
 )
-from fieldspec.plc.routines.frames import head_members
+from fieldspec.plc.routines.parameters import FRAME, parameters_of
 from fieldspec.plc.routines.routine import Assignment, Declared, Routine, Statement
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import LENGTH, link_words
@@ -53,23 +50,22 @@ def add_exchange(
     asked: Mapping[str, Expression],
     answered: Mapping[str, Expression],
     then: Sequence[Statement],
+    refused: Sequence[Statement] = (),
 ) -> int:
-    """Adds a step that sends a request and parses the response into variables; `then` follows where it is right."""
-    frame = block.of_port("frame")
-    lent = {"aFrame": frame}
+    """Adds a step that sends a request and parses the response into variables.
+
+    `then` follows where it is right, and `refused` where the device refuses.
+    """
+    lent = {FRAME: block.of_port("frame")}
     built = exchange.build.called(**{**lent, **asked, LENGTH: block.of_port("send")})
     parsed = exchange.parse.called(**{**lent, **answered, LENGTH: block.of_port("received")})
     fill = block.attempt(built, tuple(block.ask()), "request")
-    status = block.status
-    refused = compared(block.result, "=", status.of("refused"))
-    wrong = compare_answer(block.world, exchange.link, exchange.message, asked, answered)
-    branches: list[tuple[Expression, Sequence[Statement]]] = [
-        (Negation(either([block.good, refused])), [block.fail("damaged")]),
-        *((either(wrong[reason]), [block.fail(reason)]) for reason in ("station",) if wrong[reason]),
-        (refused, [block.fail("exception")]),
-        *((either(wrong[reason]), [block.fail(reason)]) for reason in ("other",) if wrong[reason]),
-    ]
-    take: list[Statement] = [Assignment(block.result, parsed), chain(branches, then)]
+
+    def fail(reason: str) -> list[Statement]:
+        return [*(refused if reason == "exception" else ()), block.fail(reason)]
+
+    judgement = judged(block.world, exchange.link, exchange.message, block.result, asked, answered, block, fail, then)
+    take: list[Statement] = [Assignment(block.result, parsed), *judgement]
     return block.request(fill, take)
 
 
@@ -79,20 +75,21 @@ def message_block(world: World, exchange: Exchange) -> Routine:
     name = world.block(*several, "send", exchange.message.name)
     block = LineDraft(world, name, f"messages of {exchange.link.name}", FRAMES)
     block.limit()
-    asked: dict[str, Variable] = {}
-    for declared in (*exchange.build.of_role("input"), *exchange.build.of_role("in_out")):
-        if declared.variable.name != "aFrame":
-            asked[declared.variable.name] = _lent(block, declared)
-    answered: dict[str, Expression] = {}
-    for declared in (*exchange.parse.of_role("output"), *exchange.parse.of_role("in_out")):
-        text = declared.variable.name
-        if text != "aFrame":
-            lent = asked.get(text)
-            if lent is not None and declared.role == "in_out" and lent.type == declared.variable.type:
-                answered[text] = lent
-            else:
-                answered[text] = _answer(block, declared, lent is not None)
-    add_exchange(block, exchange, asked, answered, [block.go(2)])
+    asked = {
+        declared.variable.name: block.declare(
+            declared.variable.name, declared.variable.type, declared.role, declared.remark
+        )
+        for declared in (*exchange.build.of_role("input"), *exchange.build.of_role("in_out"))
+        if declared.variable.name != FRAME
+    }
+
+    def output(declared: Declared) -> Variable:
+        name = declared.variable.name
+        text = f"{name}Answered" if name in asked else name
+        return block.declare(text, declared.variable.type, declared.role, declared.remark)
+
+    answer = received(world, exchange.link, exchange.message, exchange.parse, block, output)
+    add_exchange(block, exchange, asked, answer.answered, [*answer.taken, block.go(2)], answer.refused)
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()
     block.remarks += [
@@ -101,16 +98,6 @@ def message_block(world: World, exchange: Exchange) -> Routine:
         meanings(ERRORS),
     ]
     return block.block()
-
-
-def _lent(block: LineDraft, declared: Declared) -> Variable:
-    return block.declared_once(declared.variable.name, declared.variable.type, declared.role, declared.remark)
-
-
-def _answer(block: LineDraft, declared: Declared, repeated: bool) -> Variable:
-    name = f"{declared.variable.name}Answered" if repeated else declared.variable.name
-    role = "local" if repeated and declared.role == "output" else declared.role
-    return block.declared_once(name, declared.variable.type, role, declared.remark)
 
 
 def message_task(world: World, operands: Operands, by_name: Mapping[str, Routine], task: Task) -> Routine:
@@ -174,7 +161,7 @@ class _Sending:
         answered = {
             declared.variable.name: _local(self.block, declared)
             for declared in exchange.parse.declared
-            if declared.role == "output" and declared.variable.name != "aFrame"
+            if declared.role == "output" and declared.variable.name != FRAME
         }
         if len(answered) + 1 < sum(declared.role in ("output", "in_out") for declared in exchange.parse.declared):
             raise NoBlock(f"the response of {exchange.message.name} has more than single values")
@@ -223,23 +210,13 @@ class _Sending:
 
     def _request_arguments(self, step: Step, exchange: Exchange) -> dict[str, Expression]:
         """The arguments of the function that builds the request."""
-        heads = {
-            self.world.variable(part.name, self.world.type_of(part.value))
-            for part in head_members(exchange.link.request)
-            if part.value is not None
-        }
         asked: dict[str, Expression] = {}
-        by_variable = {
-            self.world.variable(field.name, self.world.type_of(field.value)): field.name
-            for field in exchange.message.request.fields
-            if field.value is not None
-        }
-        for declared in exchange.build.of_role("input"):
-            variable = declared.variable
-            if variable.name in heads:
-                asked[variable.name] = self.block.declared_once(variable.name, variable.type, "input", declared.remark)
-                continue
-            name = by_variable.get(variable.name, "")
+        asks, _ = parameters_of(self.world, exchange.link, exchange.message)
+        remarks = {declared.variable.name: declared.remark for declared in exchange.build.declared}
+        for variable in asks.head.values():
+            remark = remarks[variable.name]
+            asked[variable.name] = self.block.declared_once(variable.name, variable.type, "input", remark)
+        for name, variable in asks.fields.variables.items():
             operand = self.operands.by_path.get(f"messages/{exchange.message.name}/request/{name}")
             if operand is None:
                 raise NoBlock(f"the request of {exchange.message.name} has more than single values")
@@ -252,18 +229,20 @@ class _Sending:
                 asked[variable.name] = constant(self.world, operand, operand.value, value, variable.type)
             else:
                 raise NoBlock(f"the task does not say what {name} of {exchange.message.name} is")
-        if any(declared.variable.name != "aFrame" for declared in exchange.build.of_role("in_out")):
+        if asks.fields.count or any(item.variable.name != FRAME for item in exchange.build.of_role("in_out")):
             raise NoBlock(f"the request of {exchange.message.name} has more than single values")
         return asked
 
     def _seen(self, operand: Operand, exchange: Exchange, answered: Mapping[str, Variable]) -> Expression | None:
         """The variable of what a response has, where an operand is in it."""
-        in_message = operand.scope == f"messages/{exchange.message.name}"
-        in_head = operand.path.startswith(f"links/{exchange.link.name}/")
-        content = operand.value if operand.bit is None else getattr(operand.holder, "value", None)
-        if not (in_message or in_head) or content is None:
-            return None
-        return answered.get(self.world.variable(operand.holder.name, self.world.type_of(content)))
+        _, answers = parameters_of(self.world, exchange.link, exchange.message)
+        variables: Mapping[str, Variable] = {}
+        if operand.scope == f"messages/{exchange.message.name}":
+            variables = answers.fields.variables
+        elif operand.path.startswith(f"links/{exchange.link.name}/"):
+            variables = answers.head
+        variable = variables.get(operand.holder.name)
+        return answered.get(variable.name) if variable is not None else None
 
 
 def _local(block: LineDraft, declared: Declared) -> Variable:

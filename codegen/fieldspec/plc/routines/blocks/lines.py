@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE, member
+from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE, increment, member
 from fieldspec.plc.routines.blocks.standard import BlockDraft, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
     INT,
+    UDINT,
     UINT,
     Expression,
     Member,
@@ -63,8 +64,10 @@ class LineDraft(BlockDraft):
         answered = every([self.asked, compared(state, "=", number(ANSWERED))])
         free = every([Negation(self.asked), compared(state, "=", number(FREE))])
         error = self.of_port("error")
+        number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
         takes = self.selected([step.take for step in self.steps])
         asks = self.selected([step.ask for step in self.steps])
+        asking = [increment(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
         working = chain(
             [
                 (Negation(self.busy), begin),
@@ -73,14 +76,16 @@ class LineDraft(BlockDraft):
                     [
                         Assignment(self.asked, Truth(False)),
                         Assignment(state, number(FREE)),
-                        when(
-                            compared(error, "<>", Whole(0, UINT)),
-                            [Assignment(self.reason, error)],
+                        chain(
+                            [
+                                (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
+                                (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
+                            ],
                             takes,
                         ),
                     ],
                 ),
-                (free, [*asks, when(self.asked, [Assignment(state, number(ASKED))])]),
+                (free, [*asks, when(self.asked, asking)]),
             ]
         )
         tail = [self.again(self._dropped())] if self.levelled else self._tail()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.classes import dataclass
+from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.exchanges import ERRORS as EXCHANGE_ERRORS
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -16,10 +17,8 @@ from fieldspec.plc.routines.expressions import (
     Expression,
     Member,
     Negation,
-    Operation,
     StructType,
     Truth,
-    Type,
     Variable,
     Whole,
     compared,
@@ -31,12 +30,11 @@ from fieldspec.plc.routines.routine import (
     Assignment,
     Body,
     Condition,
-    Declared,
     Routine,
     Selection,
     Statement,
     Timing,
-    used,
+    Variables,
     when,
 )
 from fieldspec.plc.routines.world import World
@@ -65,7 +63,7 @@ class Section:
     take: tuple[Statement, ...] = ()
 
 
-class BlockDraft:
+class BlockDraft(Variables):
     """A block while it is being made. `levelled` blocks work while Enable is TRUE; the others start by an edge.
 
     `port` is the struct through which it asks; its `steps` are numbered from 1 on, and a block that has the number
@@ -73,13 +71,12 @@ class BlockDraft:
     """
 
     def __init__(self, world: World, name: str, group: str, levelled: bool = False) -> None:
+        super().__init__()
         self.world, self.name, self.group, self.levelled = world, name, group, levelled
         self.remarks: list[str] = []
-        self.declared: list[Declared] = []
         self.steps: list[Section] = []
         self.at_start: list[Statement] = []
         self.settling: list[int] = []
-        self._names: set[str] = set()
         self.status = world.status
         start = "reads while it is TRUE" if levelled else "a rising edge starts"
         self.start = self.declare("Enable" if levelled else "Execute", BOOL, "input", start)
@@ -93,24 +90,6 @@ class BlockDraft:
         self.step = self.declare("iStep", INT, "local")
         self.reason = self.declare("uiReason", UINT, "local")
         self.good = compared(self.result, "=", self.status.of("ok"))
-
-    def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A new variable; where its name is taken, a number stands behind it."""
-        which, tried = 1, name
-        while tried.lower() in self._names:
-            which += 1
-            tried = f"{name}{which}"
-        self._names.add(tried.lower())
-        variable = Variable(tried, kind)
-        self.declared.append(Declared(variable, role, remark, initial))
-        return variable
-
-    def declared_once(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A variable that several steps share."""
-        for declared in self.declared:
-            if declared.variable == Variable(name, kind):
-                return declared.variable
-        return self.declare(name, kind, role, remark, initial)
 
     def struct(self, name: str, key: str, remark: str = "") -> Variable:
         """A struct that the block is lent, by its key."""
@@ -155,11 +134,8 @@ class BlockDraft:
 
     def take_over(self, count: Expression) -> None:
         """Ends the motion of every other block with the same count, and this one when another takes over."""
-        owner = self.declared_once("udiOwner", UDINT, "local")
-        more = Operation("+", (count, Whole(1, UDINT)), UDINT)
-        most = compared(count, "=", Whole(UDINT.high, UDINT))
-        increment = when(most, [Assignment(count, Whole(0, UDINT))], [Assignment(count, more)])
-        self.claim = [when(self.unharmed(), [increment]), Assignment(owner, count)]
+        owner = self.declare("udiOwner", UDINT, "local")
+        self.claim = [when(self.unharmed(), [increment(count)]), Assignment(owner, count)]
         self.displaced = compared(owner, "<>", count)
 
     displaced: Expression | None = None
@@ -246,11 +222,8 @@ class BlockDraft:
 
     def finished(self, body: Sequence[Statement]) -> Routine:
         """The block; local variables that no statement uses are left out."""
-        names = used(tuple(body))
-        ordered = [
-            declared for declared in self.declared if declared.role != "local" or declared.variable.name in names
-        ]
-        return Routine(self.name, self.group, None, tuple(ordered), tuple(body), tuple(filter(None, self.remarks)))
+        declared = self.needed(tuple(body))
+        return Routine(self.name, self.group, None, declared, tuple(body), tuple(filter(None, self.remarks)))
 
     def unharmed(self) -> Expression:
         """Whether there is no reason to end with an error."""
