@@ -171,10 +171,13 @@ class FrameRig(ModelRig):
 
     def __init__(self, device: str, folder: Path, draws: Draws, twice: bool = False) -> None:
         super().__init__(device, folder, draws, twice=twice)
-        self.line = Line(draws, self.model.answer, self.model.foreign, self.model.latency, TIMEOUT)
+        model = self.model
+        self.line = Line(draws, model.answer, model.foreign, model.alike, model.latency, TIMEOUT)
         self.exchange: Exchange | None = None
         self.variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
-        self._names = {name: self.bench.port(FRAMES, name) for name in ("state", "error", "send", "received", "frame")}
+        members = ("state", "error", "request", "answered", "send", "received", "frame")
+        self._names = {name: self.bench.port(FRAMES, name) for name in members}
+        self.number = 0
         for (block, name), of in self.bench.inputs.items():
             if of != "bool" and ("tation" in name or "ddress" in name):
                 self.set(block, **{name: self.model.STATION})
@@ -194,6 +197,7 @@ class FrameRig(ModelRig):
             answer = self.exchange.answer
             self.fates.append(self.exchange.fate)
             self.exchange = None
+            port[names["answered"]] = self.number
             port[names["error"]] = NO_ANSWER if answer is None else 0
             if answer is not None:
                 port[names["frame"]][: len(answer)] = list(answer)
@@ -202,6 +206,7 @@ class FrameRig(ModelRig):
         elif state == ABANDONED:
             port[names["state"]] = FREE
         elif state == ASKED:
+            self.number = port[names["request"]]
             frame = bytes(port[names["frame"]][: port[names["send"]]])
             self.asked.append(self.model.meaning(frame))
             self.exchange = self.line.send(frame)
