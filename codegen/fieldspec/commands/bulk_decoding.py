@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, Any
 from fieldspec.commands import specs
 from fieldspec.commands.frame_options import frame_options
 from fieldspec.commands.storage import exclusive_folder, replace
+from fieldspec.commands.streams import print_note
 from fieldspec.commands.table_parts import TableParts
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.line_text import visible_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -107,7 +109,7 @@ def source_files(names: list[str]) -> list[tuple[str, Path]]:
             raise UsageError(f"there is no file {name}")
     if not files:
         raise UsageError(f"there are no files in {' and '.join(names)}")
-    return list(files.items())
+    return [(visible_text(name), path) for name, path in files.items()]  # tables cannot have what is not UTF-8
 
 
 class _Job:
@@ -156,7 +158,7 @@ class _Job:
             self.totals, first, state = Totals.of_data(journal["totals"]), journal["source"], journal["state"]
             self.sources, part = journal["faults"], journal["part"]
             where = f"going on in file {first + 1} of {len(self.files)}"
-            print(where if first < len(self.files) else "all files are decoded already", file=sys.stderr)
+            print_note(where if first < len(self.files) else "all files are decoded already")
         parts = TableParts(self.out, self.form, part)
         try:
             with _progress(sum(path.stat().st_size for _, path in self.files)) as advance:
@@ -255,7 +257,7 @@ class _Job:
 
 
 def _json(content: Any) -> bytes:
-    return (json.dumps(content, ensure_ascii=False, sort_keys=True) + "\n").encode()
+    return (json.dumps(content, sort_keys=True) + "\n").encode()
 
 
 @contextmanager

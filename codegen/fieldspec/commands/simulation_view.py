@@ -10,8 +10,8 @@ from textual.containers import Horizontal
 from textual.widgets import DataTable, Footer, Header, RichLog, Static
 
 from fieldspec.behaviour.part import AXIS_PROPERTIES
+from fieldspec.line_text import visible_text
 from fieldspec.model.operand import Operand
-from fieldspec.render.blocks import visible_text
 from fieldspec.simulator.simulation import Simulation
 
 _PERIOD = 0.2

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Sequence
 from decimal import Decimal
 from typing import TypeAlias
 
+from fieldspec.line_text import visible_json
 from fieldspec.lists.item import Item, exact_number
 from fieldspec.lists.packing import workbook
 from fieldspec.model.value import Value
@@ -94,7 +94,7 @@ def as_csv(items: Sequence[Item]) -> str:
 
 def as_json(items: Sequence[Item]) -> str:
     """A JSON list of objects with all columns. Numbers are numbers, empty cells are null."""
-    return json.dumps([row(item) for item in items], ensure_ascii=False, indent=1, default=_number) + "\n"
+    return visible_json([row(item) for item in items], 1, _number) + "\n"
 
 
 def as_xlsx(items: Sequence[Item], title: str) -> bytes:
