@@ -94,7 +94,9 @@ def _outcome(client: Client, access: Access, item: Assignment, is_sent: bool) ->
         if not is_sent:
             access.write(client, item)
     except RefusedError as error:
-        return f"is not written: {error}", False
+        if error.is_known:
+            return f"is not written: {error}", False
+        return f"may be written or not: {error}, which the spec does not list", False
     except (NoAnswerError, CarrierError) as error:
         return f"may be written or not: {error}", False
     try:

@@ -31,6 +31,7 @@ COLUMNS = (
     "min",
     "max",
     "default",
+    "const",
     "count",
     "stride",
     "first",
@@ -54,7 +55,6 @@ def row(item: Item) -> dict[str, Cell]:
     """The cells of an item by column; None is empty."""
     value, source = item.value, item.source
     many = item.count > 1
-    default = None if value is None else value.default if value.const is None else value.const
     ranges = None if value is None else value.writable_ranges
     return {
         "space": item.space,
@@ -70,7 +70,8 @@ def row(item: Item) -> dict[str, Cell]:
         "offset": exact_number(value.offset) if value and value.offset else None,
         "min": ranges.low if ranges else None,
         "max": ranges.high if ranges else None,
-        "default": default,
+        "default": value.default if value else None,
+        "const": value.const if value else None,
         "count": item.count if many else None,
         "stride": item.stride if many and item.stride else None,
         "first": item.first if many and item.stride else None,

@@ -6,7 +6,7 @@ import unicodedata
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.explain.values import range_in_unit
+from fieldspec.explain.values import in_unit, range_in_unit
 from fieldspec.line_text import visible_text
 from fieldspec.model.enums import Bit, Flags
 
@@ -136,6 +136,7 @@ def _bit_text(bit: Bit) -> str:
     details = (
         states or bit.doc.removesuffix("."),
         f"range {range_in_unit(bit.as_value, bit.ranges)}" if bit.ranges is not None else "",
+        f"default {in_unit(bit.as_value, bit.default) or bit.default}" if bit.default is not None else "",
         f"values {bit.enum}" if bit.enum else "",
         f"at its {bit.edge} edge" if bit.edge else "",
         "active low" if bit.active == "low" else "",
