@@ -13,6 +13,8 @@ import time
 from collections import Counter
 from pathlib import Path
 
+from bounded import wait_until
+
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 OUTPUTS = "c,vectors"
 SECONDS = 20
@@ -78,10 +80,7 @@ def kill(place: Place, number: int, after: float) -> str:
     except subprocess.TimeoutExpired:
         building.send_signal(signal.SIGKILL)
         building.wait()
-    end = time.monotonic() + SECONDS
-    while alive(building.pid) and time.monotonic() < end:
-        time.sleep(0.01)
-    assert not alive(building.pid), "a worker outlives its parent"
+    wait_until(lambda: not alive(building.pid))  # a worker that outlives its parent hangs
     before = place.files()
     state = "whole" if before in place.states else "mixed"
     if place.left_over():

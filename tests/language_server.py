@@ -9,6 +9,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+from bounded import HANGING
+
 Json = dict[str, Any]
 
 LONGEST = 120
@@ -38,7 +40,7 @@ class LanguageServer:
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         self._request("shutdown", None)
         self._notify("exit", None)
-        self._process.communicate(timeout=20)
+        self._process.communicate(timeout=HANGING)
         self._watchdog.cancel()
 
     def opened(self, path: Path, text: str) -> list[Json]:
@@ -95,7 +97,8 @@ class LanguageServer:
         assert self._process.stdout is not None
         length = 0
         while (line := self._process.stdout.readline().strip()) or not length:
-            assert line or self._process.poll() is None, "the server has ended"
+            if not line:
+                assert self._process.poll() is None, "the server has ended"
             name, _, value = line.partition(b":")
             if name.lower() == b"content-length":
                 length = int(value)

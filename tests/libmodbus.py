@@ -10,6 +10,7 @@ from ctypes.util import find_library
 from functools import cache
 from typing import Any
 
+from bounded import HANGING
 from external_tools import without
 
 EXCEPTIONS = 112345678
@@ -112,5 +113,5 @@ def server(path: str, station: int) -> Iterator[None]:
             yield
         finally:
             ended.set()
-            thread.join(5)
+            thread.join(HANGING)
             functions.modbus_mapping_free(words)

@@ -9,7 +9,7 @@ import tty
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-SECONDS = 5.0
+SECONDS = 60.0
 """How long a peer may take."""
 
 

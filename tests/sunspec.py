@@ -16,7 +16,7 @@ LAYOUT = newest(TEST_SPECS, "inverter")
 INVERTER = module_of(LAYOUT)
 CLIENT = importlib.import_module(f"{INVERTER.__name__.rpartition('.')[0]}.client")
 OCCUPANTS = {own.path: own for own in occupants(LAYOUT, Span("", 0, 0x10000, 0, b""))}
-SECONDS = 5
+SECONDS = 60
 
 
 @contextmanager

@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING
+
 SPECS = Path(__file__).resolve().parent / "specs"
 WAITING = "waiting for a spec to change"
 
@@ -94,10 +96,10 @@ def test_the_watch_waits_for_specs_that_are_gone(watch: Watch) -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no such signal")
 def test_an_interrupt_ends_the_watch(watch: Watch) -> None:
     watch.process.send_signal(signal.SIGINT)
-    assert watch.process.wait(20) == 130
+    assert watch.process.wait(HANGING) == 130
 
 
 def test_wrong_use_ends_the_watch_at_once(watch: Watch) -> None:
-    ran = subprocess.run([*watch.command, "--to", "pascal"], capture_output=True, text=True, timeout=60)
+    ran = subprocess.run([*watch.command, "--to", "pascal"], capture_output=True, text=True, timeout=HANGING)
     assert ran.returncode == 2
     assert "there is no output pascal" in ran.stderr

@@ -341,3 +341,8 @@ def test_a_rule_of_changes_is_explained(capsys: pytest.CaptureFixture[str]) -> N
     assert "Class: wire" in out
     assert main(["rule"]) == 0
     assert "register_moved" in capsys.readouterr().out
+
+
+def test_what_stands_behind_two_dashes_is_no_option(run: Run) -> None:
+    assert run("--specs", str(SPECS), "--", "tc100", "--help") == 2
+    assert "no git revision --help" in run.err

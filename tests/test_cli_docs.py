@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING
 from command_line import SPECS
 from fieldspec.cli import main
 
@@ -26,7 +27,7 @@ def specs(tmp_path: Path) -> Path:
 
 
 def answer(address: str, path: str, host: str = "") -> tuple[int, bytes]:
-    connection = HTTPConnection(address, timeout=10)
+    connection = HTTPConnection(address, timeout=HANGING)
     connection.request("GET", path, headers={"Host": host or address})
     response = connection.getresponse()
     return response.status, response.read()
@@ -48,7 +49,7 @@ def test_pages_are_built_and_served_until_an_interrupt(specs: Path, tmp_path: Pa
         finally:
             process.send_signal(signal.SIGINT)
             try:
-                code = process.wait(20)
+                code = process.wait(HANGING)
             finally:
                 process.kill()
         assert code == 0
@@ -68,3 +69,15 @@ def test_a_port_in_use_is_reported(specs: Path, tmp_path: Path, capsys: pytest.C
         out = str(tmp_path / "out")
         assert main(["docs", "--specs", str(specs), "--out", out, "--port", str(port), "--no-open"]) == 2
     assert f"cannot serve pages on port {port}: " in capsys.readouterr().err
+
+
+def test_a_folder_of_pages_that_leads_elsewhere_is_refused(
+    specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, elsewhere = tmp_path / "out", tmp_path / "elsewhere"
+    assert main(["build", "--specs", str(specs), "--out", str(out), "--to", "docs"]) == 0
+    (out / "docs").rename(elsewhere)
+    (out / "docs").symlink_to(elsewhere)
+    capsys.readouterr()
+    assert main(["docs", "--specs", str(specs), "--out", str(out), "--port", "0", "--no-open"]) == 2
+    assert "leads out of" in capsys.readouterr().err

@@ -59,7 +59,10 @@ def test_a_wheel_holds_the_compiler_the_specs_and_their_package_alone(
         names = file.namelist()
     assert {name.partition("/")[0].partition("-")[0] for name in names} == {"fieldspec", "fieldspec_devices"}
     assert {Path(name).suffix for name in names if "fieldspec_devices" in name} <= {".py", ".typed"}
-    assert "fieldspec/_specs/protocols/modbus.yaml" in names or any("_specs/protocols/" in name for name in names)
+    specs = ROOT / "specs"
+    assert {name.removeprefix("fieldspec/_specs/") for name in names if name.startswith("fieldspec/_specs/")} == {
+        path.relative_to(specs).as_posix() for path in specs.rglob("*") if path.is_file()
+    }
     assert not any("__pycache__" in name or name.endswith((".pyc", ".whl")) for name in names)
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 import libmodbus
+from bounded import HANGING
 from layouts import SPECS, newest
 from libmodbus import ModbusError
 from python_package import module_of
@@ -98,7 +99,7 @@ def exchange(values: dict[str, Any], length: int, response: bytes, seconds: floa
             sent += data
         if response:
             line.send(response)
-        thread.join(10)
+        thread.join(HANGING)
         sent += line.receive(0)
     return sent, results[0]
 

@@ -30,7 +30,7 @@ from js_output.explanations import explained_by_node, explained_by_python
 from pymodbus_server import free_port, running
 from recorder import FOLDER, LAYOUT, module, output_folder
 
-SECONDS = 5
+SECONDS = 60
 RECORDER = module("recorder.v1")
 EVENTS = [(1000, -1, 3, 815), (2000, 0, 1, -7), (70000, 2, 255, 12)]
 """Time, exponent, channel and level of each event."""

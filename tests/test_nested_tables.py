@@ -24,7 +24,7 @@ from oven import DATA, FOLDER, LAYOUT, RAW, module, output_folder, read_frames
 from wireshark_output.expectations import Case, expect, results
 
 BASE = LAYOUT.tables["programs"].table.base
-SECONDS = 5
+SECONDS = 60
 TIME = "programs[0].steps[0].begin"
 
 
@@ -76,7 +76,7 @@ def test_the_explainer_in_javascript_has_the_same_rows(first: int, start: int, e
     job = {"module": path, "frame": response.hex(), "request": request.hex(), "options": options}
     (have,) = explained_by_node([job])[0]
     assert have == explained_by_python(LAYOUT, job)
-    assert any(row["path"].startswith("programs[0].") for row in have["registers"] if row["path"]) or first < 0
+    assert any(row["path"].startswith("programs[0].") for row in have["registers"] if row["path"])
 
 
 def test_a_dissector_shows_them() -> None:

@@ -64,7 +64,8 @@ def test_random_bytes_are_the_telegram_that_the_reference_finds(
     actual = outcome(lambda: getattr(spoken, f"decode_{direction}")(frame, message_layout.name))
     expected = outcome(lambda: reference.decode(frame, direction, message_layout.name))
     assert actual[0] == expected[0]
-    assert not actual[0] or actual == expected
+    if actual[0]:
+        assert actual == expected
 
 
 def test_a_message_is_only_on_its_links() -> None:

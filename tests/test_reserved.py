@@ -34,7 +34,7 @@ def test_escaped_words_are_no_names_of_specs(target: str) -> None:
         assert not legal.search(TARGETS[target].legal_name(word))
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", [name for name, target in TARGETS.items() if target.folds])
 def test_words_of_a_target_that_folds_case_are_in_lower_case(target: str) -> None:
     words = TARGETS[target].words
-    assert not TARGETS[target].folds or {word.lower() for word in words} == words
+    assert {word.lower() for word in words} == words

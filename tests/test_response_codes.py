@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from bounded import HANGING
 from captures.bulk import Sent, decoded, values, verdicts
 from external_tools import require_tool
 from fieldspec.backends.c.backend import files as c_files
@@ -310,7 +311,7 @@ def test_javascript_has_the_code_of_the_response() -> None:
         "console.log(JSON.stringify(messages.map((own) => [own.name, own.code, own.responseCode])));"
     )
     command = [require_tool("node"), "--input-type=module", "-e", script]
-    run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=HANGING)
     codes = {name: (code, answered) for name, code, answered in json.loads(run.stdout)}
     assert codes == {name: (own.message.code, own.message.code_of("response")) for name, own in ECU.messages.items()}
 

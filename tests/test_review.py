@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import json
 import os
 import re
@@ -9,6 +10,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -27,9 +29,10 @@ REVIEW = (ROOT / ".ci" / "review").read_text("utf-8")
 @pytest.mark.parametrize("hook", HOOKS, ids=lambda hook: hook["id"])
 def test_a_hook_calls_a_verb_with_options_that_it_has(hook: dict[str, Any]) -> None:
     program, *words = [*shlex.split(hook["entry"]), *hook.get("args", ())]
-    assert program == "fieldspec"
+    assert (ROOT / program).name == "hook"
+    assert os.access(ROOT / program, os.X_OK)
     assert parser().parse_args(words).verb == words[0]
-    assert hook["language"] == "python"
+    assert hook["language"] == "script"
     assert not hook["pass_filenames"]
 
 
@@ -56,7 +59,7 @@ def test_the_script_calls_verbs_with_options_that_they_have() -> None:
     lines = [line.strip().partition(" >")[0] for line in REVIEW.splitlines() if line.strip().startswith("fieldspec ")]
     assert len(lines) == 5
     for line in lines:
-        words = shlex.split(line.replace('"${limit[@]}"', "--fail-on breaking"))
+        words = shlex.split(line.replace('"${limit[@]}"', "--fail-on=breaking"))
         assert parser().parse_args(words[1:]).verb in ("check", "diff")
 
 
@@ -140,3 +143,97 @@ def test_a_base_that_does_not_exist_is_reported_and_fails(repository: Repository
     done = repository.review(BASE="nowhere")
     assert done.returncode == 2
     assert "nowhere" in done.stderr
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        {"BASE": "--upload-pack=touch planted;"},
+        {"BASE": "+HEAD:refs/heads/planted"},
+        {"BASE": "HEAD:refs/heads/planted"},
+        {"BASE": "--help"},
+        {"BASE": "HEAD", "HEAD": "--help"},
+        {"BASE": "HEAD", "HEAD": "--no-cache"},
+        {"BASE": "HEAD", "SPECS": "--help"},
+        {"BASE": "HEAD", "FAIL_ON": "--help"},
+    ],
+    ids=lambda inputs: " ".join(inputs.values()),
+)
+def test_no_input_is_an_option_or_writes_a_reference(
+    repository: Repository, tmp_path_factory: pytest.TempPathFactory, inputs: dict[str, str]
+) -> None:
+    origin = tmp_path_factory.mktemp("origin")
+    subprocess.run([require_tool("git"), "clone", "--quiet", repository.folder, origin], check=True)
+    repository.git("remote", "add", "origin", str(origin))
+    done = repository.review(**inputs)
+    assert done.returncode == 2, (done.stdout, done.stderr)
+    assert "usage:" not in done.stdout
+    assert not (repository.folder / "planted").exists()
+    assert not (repository.folder / ".git" / "refs" / "heads" / "planted").exists()
+
+
+def test_a_folder_for_findings_may_begin_with_a_dash(repository: Repository) -> None:
+    assert repository.review(BASE="HEAD", SARIF="-out").returncode == 0
+    assert (repository.folder / "-out" / "diff.sarif").is_file()
+
+
+def test_a_base_that_only_the_origin_has_is_fetched(
+    repository: Repository, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    origin = Repository(tmp_path_factory.mktemp("origin"))
+    origin.git("-c", "user.name=n", "-c", "user.email=e@e", "commit", "--quiet", "--allow-empty", "--message", "more")
+    commit = subprocess.run(
+        [require_tool("git"), "rev-parse", "HEAD"], cwd=origin.folder, check=True, capture_output=True, text=True
+    ).stdout.strip()
+    repository.git("remote", "add", "origin", str(origin.folder))
+    assert repository.review(BASE=commit).returncode == 0
+
+
+PINS = (ROOT / "requirements" / "run.txt").read_text("utf-8")
+PINNED = dict(re.findall(r"^([\w.-]+)==([\w.]+)", PINS, re.MULTILINE))
+
+
+def test_what_reviews_and_hooks_install_is_pinned_as_for_development() -> None:
+    development = dict(
+        re.findall(r"^([\w.-]+)==([\w.]+)", (ROOT / "requirements" / "dev.txt").read_text("utf-8"), re.MULTILINE)
+    )
+    assert PINNED.items() <= development.items()
+    wanted = [text for text in importlib.metadata.requires("fieldspec") or () if "extra" not in text]
+    assert len(wanted) > 5
+    assert {re.split(r"[<>=~;]", text)[0].lower() for text in [*wanted, "hatchling"]} <= PINNED.keys()
+
+
+def wheel(folder: Path, name: str, version: str) -> None:
+    """Writes a wheel with the name of another, as a registry that was broken into would have it."""
+    stem = f"{name.replace('-', '_')}-{version}"
+    with zipfile.ZipFile(folder / f"{stem}-py3-none-any.whl", "w") as file:
+        file.writestr(f"{stem}.dist-info/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
+        file.writestr(f"{stem}.dist-info/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        file.writestr(f"{stem}.dist-info/RECORD", "")
+
+
+ACTION_INSTALLS = ["-c", ACTION["runs"]["steps"][0]["run"]]
+
+
+@pytest.mark.parametrize("arguments", [ACTION_INSTALLS, [".ci/hook", "devices"]], ids=["action", "hook"])
+def test_nothing_is_installed_that_has_another_hash(arguments: list[str], tmp_path: Path) -> None:
+    packages, checkout = tmp_path / "packages", tmp_path / "checkout"
+    packages.mkdir()
+    for folder in (".ci", "requirements"):
+        shutil.copytree(ROOT / folder, checkout / folder)
+    for name, version in PINNED.items():
+        wheel(packages, name, version)
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("PIP_")}
+    places = {"ACTION": str(checkout), "RUNNER_TEMP": str(tmp_path)}
+    index = {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(packages), "PIP_CONFIG_FILE": os.devnull}
+    done = subprocess.run(
+        [require_tool("bash"), *arguments],
+        cwd=checkout,
+        env={**clean, **places, **index, "PYTHON": sys.executable},
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+    )
+    assert done.returncode != 0
+    assert "DO NOT MATCH THE HASHES" in done.stderr, done.stderr
+    assert not list(tmp_path.rglob("fieldspec*.dist-info"))

@@ -183,5 +183,5 @@ def test_two_libraries_find_nothing_in_a_spec_and_the_same_in_mutated_ones(path:
         rejected = rust(wrong)
         assert rejected == python(validator, wrong)
         refused += bool(rejected)
-    # A few mutations of one file may all be harmless; of the many of a night, some are not.
-    assert refused > MUTATIONS / 10 or FACTOR == 1
+    if FACTOR > 1:  # a few mutations of one file may all be harmless; of the many of a night, some are not
+        assert refused > MUTATIONS / 10

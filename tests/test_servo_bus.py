@@ -89,7 +89,7 @@ def test_the_library_pings_writes_and_reads(line: tuple[float, Servo, Any]) -> N
     packets = sdk.PacketHandler(protocol)
     model, result, error = packets.ping(port, 1)
     assert (result, error) == (sdk.COMM_SUCCESS, 0)
-    assert protocol == 1.0 or model == 1030
+    assert model == (1030 if protocol == 2.0 else 0)
     assert packets.write4ByteTxRx(port, 1, MEMORY, 0x01020304) == (sdk.COMM_SUCCESS, 0)
     assert packets.read4ByteTxRx(port, 1, MEMORY) == (0x01020304, sdk.COMM_SUCCESS, 0)
     for number in (0xFDFFFF, 0xFDFFFFFD):

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING
 from fieldspec.render.blocks import Table, split, width
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -58,7 +59,7 @@ def on_terminal(words: list[str], columns: int) -> list[str]:
             if not data:
                 break
             received += data
-        assert process.wait(60) == 0
+        assert process.wait(HANGING) == 0
     os.close(parent)
     return re.sub(r"\x1b\[[0-9;]*m", "", received.decode("utf-8")).splitlines()
 

@@ -86,6 +86,8 @@ class _Verb(_Parser):
     """The module and function that add the arguments; imported when the verb is called."""
 
     _mixing = False
+    _tail: Sequence[str] | None = None
+    """What stands from `--` on. argparse would look for options in it where positional arguments come in between."""
 
     def __init__(self, **options: Any) -> None:
         self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] | None = []
@@ -118,6 +120,11 @@ class _Verb(_Parser):
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         if self._mixing:
+            if self._tail is None:  # the options alone come first
+                end = [*args, "--"].index("--")
+                args, self._tail = args[:end], args[end:]
+            else:
+                args = [*args, *self._tail]
             return super().parse_known_args(args, namespace)
         self.settle()
         self._mixing = True
@@ -129,7 +136,7 @@ class _Verb(_Parser):
         try:
             known, others = self.parse_known_intermixed_args(args, namespace)
         finally:
-            self._mixing = False
+            self._mixing, self._tail = False, None
         if others:
             self.error(f"unrecognized arguments: {' '.join(others)}")
         return known, others

@@ -69,7 +69,7 @@ def test_any_bytes_are_a_manual_or_refused(data: bytes) -> None:
 @given(LINES)
 def test_any_line_is_reduced_to_one_line_that_stays_as_it_is(line: str) -> None:
     text = index_line(line)
-    assert all(" " <= char <= "~" or char == "…" for char in text)
+    assert set(text) <= {"…", *map(chr, range(ord(" "), ord("~") + 1))}
     assert digest(line) == digest(f" {line} ")
     numbers(text)
     words(text)

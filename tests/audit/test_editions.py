@@ -137,7 +137,7 @@ def test_long_manuals_are_aligned_soon() -> None:
     rows = [f"{chosen.randrange(400):04X} H | row" for _ in range(6000)]
     moved = [row for row in rows if chosen.random() > 0.02]
     old, new = (index_of("m", "\n".join(text).encode()) for text in (rows, ["cover", *moved]))
-    before = time.perf_counter()
+    before = time.process_time()
     manual = aligned(old, new)
-    assert time.perf_counter() - before < 10
+    assert time.process_time() - before < 10
     assert manual.same > 0.9 * len(moved)

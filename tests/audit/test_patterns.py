@@ -89,10 +89,10 @@ HOSTILE = "*".join("{name:text}" for _ in range(18))
 @pytest.mark.parametrize("line", ["a" * 4000, "1" * 4000, "1 " * 2000, "a b " * 1000 + "|"])
 def test_no_pattern_takes_long(pattern: str, line: str) -> None:
     compiled = template(pattern)
-    before = time.perf_counter()
+    before = time.process_time()
     compiled.whole(line)
     list(compiled.each(line)) if compiled.pieces else None
-    assert time.perf_counter() - before < 3
+    assert time.process_time() - before < 3
 
 
 def test_the_language_describes_every_column_and_form() -> None:

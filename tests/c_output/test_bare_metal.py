@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING
+
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import STRICT, require_tool
@@ -79,7 +81,7 @@ def run_again(machine: Machine, folder: Path, source: Path, *more: str) -> subpr
     linked = [*compiler, "-nostdlib", *machine.linking, *objects, "-lgcc", "-o", program]
     subprocess.run(linked, check=True, capture_output=True)
     emulator = [require_tool(machine.emulator[0]), *machine.emulator[1:], program]
-    return subprocess.run(emulator, capture_output=True, text=True, check=False, timeout=60)
+    return subprocess.run(emulator, capture_output=True, text=True, check=False, timeout=HANGING)
 
 
 # Made-up devices have features that real ones lack: floats, swapped words, choices. One machine is enough for them; it

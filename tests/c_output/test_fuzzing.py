@@ -37,10 +37,12 @@ def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "",
     """The last output of a fuzzer; before it runs, a text of its header may be replaced."""
     tool, layout = clang(), newest(root, device)
     name = stem(device, layout.device.version)
-    for path, text in files([layout]).items():
-        changed = re.sub(re.escape(right), wrong, text, count=1) if path == f"{name}.h" and right else text
-        assert changed != text or not right or path != f"{name}.h"
-        (folder / path).write_text(changed, encoding="utf-8", newline="\n")
+    texts = files([layout])
+    if right:
+        assert right in texts[f"{name}.h"]
+        texts[f"{name}.h"] = texts[f"{name}.h"].replace(right, wrong, 1)
+    for path, text in texts.items():
+        (folder / path).write_text(text, encoding="utf-8", newline="\n")
     program = built(tool, folder, folder / f"{name}_fuzz.c", *([] if right else STRICT))
     call = command(program, seconds, folder / "corpus")
     result = subprocess.run(call, capture_output=True, text=True, check=False, errors="replace")

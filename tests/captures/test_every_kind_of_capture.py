@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from bounded import HANGING
 from captures.network_captures import (
     FORMS,
     NETWORKS,
@@ -113,7 +114,7 @@ def dissected(path: Path) -> set[Frame]:
     """The frames that tshark sees."""
     options = ["-o", "tcp.reassemble_out_of_order:TRUE", "-T", "pdml", "-J", "tcp mbtcp modbus"]
     command = [require_tool("tshark"), "-n", "-2", "-r", str(path), *options]
-    text = subprocess.run(command, capture_output=True, check=True, timeout=120).stdout
+    text = subprocess.run(command, capture_output=True, check=True, timeout=HANGING).stdout
     result = set()
     for packet in ElementTree.fromstring(text).iter("packet"):
         fields: dict[str, list[str]] = {}

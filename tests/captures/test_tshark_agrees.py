@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+from bounded import HANGING
 from captures.conversations import Segment, ethernet, pcap
 from captures.test_decode_in_bulk import decode
 from external_tools import require_tool
@@ -49,7 +50,7 @@ def dissected(path: Path) -> list[dict[str, list[str]]]:
     """The fields of each packet, as tshark prints them."""
     options = [option for field in FIELDS for option in ("-e", field)]
     command = [require_tool("tshark"), "-n", "-r", str(path), "-T", "fields", "-E", "separator=;", *options]
-    text = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120).stdout
+    text = subprocess.run(command, capture_output=True, text=True, check=True, timeout=HANGING).stdout
     return [
         dict(zip(FIELDS, (cell.split(",") if cell else [] for cell in line.split(";")), strict=True))
         for line in text.splitlines()

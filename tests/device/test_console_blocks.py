@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+from bounded import HANGING
 from external_tools import require_tool
 from fieldspec.cli import main
 from simulators import SPECS
@@ -73,7 +74,7 @@ class Session:
         ]
         if words[0] != "fieldspec":
             command = [require_tool(words[0]), *words[1:]]
-            return subprocess.run(command, capture_output=True, text=True, check=True, timeout=30).stdout
+            return subprocess.run(command, capture_output=True, text=True, check=True, timeout=HANGING).stdout
         if "watch" in words:
             return self.interrupted([*words[1:], "--specs", SPECS])
         if "<" in words:
@@ -105,7 +106,7 @@ class Session:
         assert process.stdout is not None
         first = process.stdout.readline() + process.stdout.readline()
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=20)
+        process.communicate(timeout=HANGING)
         return first
 
     def end(self) -> None:

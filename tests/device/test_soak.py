@@ -158,9 +158,9 @@ def test_a_device_stands_random_requests_and_faults(device: str, link: str, mess
     halfway = 0
     longest, begun = 0.0, time.process_time()
     while soak.clock.now() < HOURS * 3600:
-        before = time.perf_counter()
+        before = time.process_time()
         soak.step()
-        longest = max(longest, time.perf_counter() - before)
+        longest = max(longest, time.process_time() - before)
         if not halfway and soak.clock.now() > HOURS * 1800:
             halfway = sys.getallocatedblocks()
         assert len(soak.wrong) < 20, soak.wrong

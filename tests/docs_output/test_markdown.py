@@ -55,7 +55,8 @@ def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
         page, _, anchor = str(token.attrGet("href") or "").partition("#") if token.type == "link_open" else ("", "", "")
         target = resolved(path, page) if page else path
         assert target in documentation(), page
-        assert not anchor or f'<a id="{anchor}">' in documentation()[target], anchor
+        if anchor:
+            assert f'<a id="{anchor}">' in documentation()[target], anchor
 
 
 @pytest.mark.parametrize("path", PAGES, scope="module")

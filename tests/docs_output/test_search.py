@@ -211,4 +211,5 @@ def test_every_link_of_the_search_leads_to_an_anchor(path: str) -> None:
         for end, names, _, _, versions in ((*row, *("", "", 0)[len(row) - 2 :]) for row in rows):
             anchor = "/".join(part for part in (start, names.partition("\n")[0] if end == 0 else end) if part)
             for bit, page in enumerate(anchors):
-                assert not (versions or every) >> bit & 1 or anchor in anchors[page], (page, anchor)
+                if (versions or every) >> bit & 1:
+                    assert anchor in anchors[page], (page, anchor)

@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+from bounded import HANGING
+
 sys.path.insert(0, str(Path(__file__).parent))
 
 import noise
@@ -91,7 +93,7 @@ def test_a_frame_behind_a_damaged_one_and_silence_is_returned(device: str) -> No
 def test_random_bytes_take_no_more_memory_than_a_frame_and_a_piece(device: str) -> None:
     # A process of its own: what other threads of the tests allocate counts too.
     call = [sys.executable, "-c", PEAKS, device]
-    run = subprocess.run(call, capture_output=True, text=True, check=True, cwd=Path(__file__).parent, timeout=120)
+    run = subprocess.run(call, capture_output=True, text=True, check=True, cwd=Path(__file__).parent, timeout=HANGING)
     peaks: dict[str, int] = json.loads(run.stdout)
     assert peaks
     assert [name for name, peak in peaks.items() if peak >= 8 * noise.PIECE] == []
@@ -101,7 +103,7 @@ def test_random_bytes_take_no_more_memory_than_a_frame_and_a_piece(device: str) 
 def test_javascript_gives_values_or_the_documented_error(device: str) -> None:
     script = Path(__file__).with_name("noise.mjs")
     call = [require_tool("node"), "--expose-gc", str(script), str(GENERATED), device, "40000"]
-    run = subprocess.run(call, capture_output=True, text=True, check=False, timeout=120)
+    run = subprocess.run(call, capture_output=True, text=True, check=False, timeout=HANGING)
     assert run.returncode == 0, run.stdout + run.stderr
     outcome: dict[str, Any] = json.loads(run.stdout)
     assert outcome["refused"] < outcome["inputs"]

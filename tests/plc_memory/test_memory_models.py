@@ -84,7 +84,10 @@ def compared(placed_member: Placed, data: bytes, values: Any) -> int:
                 )
                 if value.type.kind is Kind.TEXT:
                     raw = raw.rstrip(b"\0").decode("ascii")
-                assert raw == single or (raw != raw and single != single), (path, element, number)
+                if single == single:
+                    assert raw == single, (path, element, number)
+                else:  # one NaN is like another
+                    assert raw != raw, (path, element, number)
                 count += 1
     return count
 
@@ -104,17 +107,15 @@ def test_the_bytes_of_every_example_hold_its_values_where_the_model_has_them(
         placed_member = image(layout, record, memory)
         if any(True for _ in misfits(placed_member)):
             wire = [field.offset for field in record.fields]
-            assert (
-                [placed_member.at for placed_member in placed_member.members] != wire
-                or placed_member.size != record.size
-                or shifted(placed_member)
-            )
+            offsets = [member.at for member in placed_member.members]
+            assert (offsets, placed_member.size, shifted(placed_member)) != (wire, record.size, False)
             seen["refused"] += 1
             continue
         values = reference.links[example.link].decode(example.frame, example.direction, example.message)
         seen["exact"] += 1
         seen["numbers"] += compared(placed_member, data, values.values)
-    assert seen["refused"] == 0 or memory.name != "tc3:1"
+    if memory.name == "tc3:1":
+        assert seen["refused"] == 0
     assert seen["numbers"] >= seen["exact"] - empty(layout)
 
 

@@ -290,7 +290,8 @@ def test_no_request_is_sent_without_an_edge_whatever_happens(line: Line) -> None
         allowed = allowed or (line.now["Execute"] and not before)
         before, sent = line.now["Execute"], len(line.requests)
         line.scan()
-        assert allowed or len(line.requests) == sent
+        if not allowed:
+            assert len(line.requests) == sent
         if line.ended in ("Done", "Error", "CommandAborted"):
             allowed, done = False, done + (line.ended == "Done")
     assert done > 100

@@ -12,6 +12,7 @@ from pathlib import Path
 import polars
 import pytest
 
+from bounded import HANGING
 from fieldspec.reference.records import decoded
 from layouts import SPECS, newest
 from queries_output.engines import engine_of
@@ -54,7 +55,7 @@ def test_processes_of_dask_decode_the_files_of_a_folder_as_the_reference_does(tm
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated" / "queries"), "POLARS_MAX_THREADS": "1"}
     command = [sys.executable, str(script), str(source), str(target)]
     run = subprocess.run(
-        command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120
+        command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=HANGING
     )
     assert run.stdout.strip() == str(PARTS * TELEGRAMS), run.stderr
     for place, data in enumerate(payloads):

@@ -214,7 +214,8 @@ class Access(Python):
             names = [(Name.of(name) + Name.of(s.name)).upper() for name, value in values for s in value.sentinels]
             missing = [name for name in names if not hasattr(own, name)]
             assert not missing, f"{record.name} has no {missing}"
-            assert not names or hasattr(own, f"{field.name}_state"), f"{record.name} has no {field.name}_state"
+            if names:
+                assert hasattr(own, f"{field.name}_state"), f"{record.name} has no {field.name}_state"
 
     def _assert_quantities(self, record: RecordLayout) -> None:
         """A count of a field is exact in its unit, by an exponent in a field beside it or in a register."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
+from bounded import HANGING
 from external_tools import require_tool
 from fieldspec.backends.c.backend import files
 from fieldspec.layout.device import DeviceLayout
@@ -24,14 +25,14 @@ class C:
         source.write_text(Driver(layout).source(), encoding="utf-8")
         tool, *flags = command
         command = [require_tool(tool), *flags, "-o", str(self.program), str(source)]
-        compiled = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+        compiled = subprocess.run(command, capture_output=True, text=True, check=False, timeout=HANGING)
         assert compiled.returncode == 0, f"{tool} does not compile the header: {compiled.stderr[:1000]}"
 
     def answers(self, queries: list[Query]) -> list[Answer]:
         """The answer to each query; values to encode are not asked for, as C takes them from what it has decoded."""
         lines = [f"{_name(query)} {query.data.hex()}\n" for query in queries if query.values is None]
         result = subprocess.run(
-            [*self.runner, str(self.program)], input="".join(lines), capture_output=True, text=True, timeout=120
+            [*self.runner, str(self.program)], input="".join(lines), capture_output=True, text=True, timeout=HANGING
         )
         assert result.returncode == 0, f"the C program ends with {result.returncode}: {result.stderr[-2000:]}"
         outputs = iter(result.stdout.splitlines())

@@ -80,7 +80,8 @@ class Framers:
             else:
                 frames.append(framer.feed(piece))
             end = next((end for end in stream.ends if end > place), None)
-            assert end is None or framer.missing <= end - place, f"{framer.missing} missing at {place}: {_text(stream)}"
+            if end is not None:
+                assert framer.missing <= end - place, f"{framer.missing} missing at {place}: {_text(stream)}"
         return Cut(tuple(map(tuple, frames)), framer.dropped)
 
     def _javascript(self, drawn: list[Stream]) -> list[Cut | None]:

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from bounded import HANGING
+
 sys.path.insert(0, str(Path(__file__).parent.parent / "c_output"))
 
 from compilers import STRICT
@@ -32,7 +34,7 @@ class Selftest:
         self._run(pedantic, "g++ does not compile the self-test")
 
     def _run(self, command: list[str], what: str) -> None:
-        result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+        result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=HANGING)
         assert result.returncode == 0, f"{what}: {(result.stdout + result.stderr)[:1200]}"
 
     def answers(self, queries: list[Query]) -> list[Answer]:

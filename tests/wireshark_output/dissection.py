@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
+from bounded import HANGING
 from external_tools import require_tool
 from fieldspec.backends.wireshark.backend import dissector
 from fieldspec.layout.device import DeviceLayout
@@ -72,7 +73,7 @@ def tshark(layouts: Sequence[DeviceLayout], capture: bytes, *options: str) -> su
             capture_output=True,
             text=True,
             check=False,
-            timeout=120,
+            timeout=HANGING,
             env={"HOME": folder, "PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"},
         )
     errors = [line for line in run.stderr.splitlines() if line and not line.startswith("Running as user")]

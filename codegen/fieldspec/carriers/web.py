@@ -13,7 +13,7 @@ import threading
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from http import HTTPStatus
-from urllib.parse import parse_qs, quote, unquote, urlsplit
+from urllib.parse import parse_qs, quote, unquote
 
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
@@ -35,13 +35,19 @@ MOST_BYTES = 65536
 
 
 class WebSocket:
-    """One connection of a browser. Each message of bytes is a piece of a stream, or a datagram."""
+    """One connection of a browser. Each message of bytes is a piece of a stream, or a datagram.
+
+    Raises CarrierError where the browser has left already.
+    """
 
     keeps_pauses = False
 
     def __init__(self, connection: ServerConnection, datagrams: bool) -> None:
         self._connection, self.datagrams = connection, datagrams
-        self.name = f"ws://{connection.remote_address[0]}:{connection.remote_address[1]}"
+        try:
+            self.name = "ws://{}:{}".format(*connection.remote_address)
+        except OSError as error:
+            raise CarrierError(f"the browser has left: {error.strerror}") from None
 
     def read(self, seconds: float) -> bytes:
         """The bytes that come within some seconds. Raises CarrierError at the end, and for a message of text."""
@@ -67,6 +73,11 @@ class WebSocket:
         """Ends it."""
         with suppress(OSError):
             self._connection.close()
+
+
+def _link(request: Request) -> str:
+    """The link that a request names, without the key behind it."""
+    return unquote(request.path.partition("?")[0].removeprefix("/"))
 
 
 class WebServer:
@@ -105,18 +116,20 @@ class WebServer:
 
     def _refusal(self, connection: ServerConnection, request: Request) -> Response | None:
         """The answer to a request for something else; None for one that may go on."""
-        parts = urlsplit(request.path)
-        key = parse_qs(parts.query).get("key", [""])[0]
-        if not hmac.compare_digest(key.encode(), self._key.encode()):
+        key = parse_qs(request.path.partition("?")[2]).get("key", [""])[0]
+        if not hmac.compare_digest(key.encode(errors="surrogateescape"), self._key.encode()):
             return connection.respond(HTTPStatus.FORBIDDEN, "The address has no key, or that of another start.\n")
-        if unquote(parts.path[1:]) not in self._datagrams:
+        if _link(request) not in self._datagrams:
             return connection.respond(HTTPStatus.NOT_FOUND, f"The links are {', '.join(self._datagrams)}.\n")
         return None
 
     def _handle(self, connection: ServerConnection) -> None:
         assert connection.request is not None
-        link = unquote(urlsplit(connection.request.path).path[1:])
-        carrier = WebSocket(connection, self._datagrams[link])
+        link = _link(connection.request)
+        try:
+            carrier = WebSocket(connection, self._datagrams[link])
+        except CarrierError:
+            return
         self._connections.add(carrier)
         try:
             self._run(link, carrier)

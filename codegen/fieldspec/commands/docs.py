@@ -10,6 +10,7 @@ from pathlib import Path
 from fieldspec.carriers.carrier import CarrierError
 from fieldspec.carriers.pages import PageServer
 from fieldspec.commands.build import build
+from fieldspec.commands.placement import JournalError, inside
 from fieldspec.commands.streams import print_line
 from fieldspec.commands.usage import UsageError
 
@@ -30,7 +31,10 @@ def run(arguments: argparse.Namespace) -> int:
     if not (folder / "index.html").is_file():
         raise UsageError("there is no device, so there are no pages")
     try:
+        inside(folder.parent, [f"{OUTPUT}/index.html"])
         server = PageServer(folder, arguments.port)
+    except JournalError as error:
+        raise UsageError(str(error)) from None
     except CarrierError as error:
         raise UsageError(f"{error}; choose another one with --port, or 0 for one that is free") from None
     try:

@@ -17,8 +17,7 @@ from fieldspec.live.parameter_access import ParameterAccess
 from fieldspec.live.register_access import RegisterAccess
 
 if TYPE_CHECKING:
-    from mcp.server.mcpserver import MCPServer
-
+    from fieldspec.commands.mcp_server import Server
     from fieldspec.model.fact import Fact
 
 
@@ -42,7 +41,7 @@ class Places:
 def run(arguments: argparse.Namespace) -> int:
     """Serves the tools on standard input and output until the client ends. Raises UsageError."""
     try:
-        from mcp.server.mcpserver import MCPServer
+        from fieldspec.commands.mcp_server import Server
     except ImportError:
         raise UsageError("the server needs the SDK of the protocol: pip install 'fieldspec[mcp]'") from None
     ports: dict[str, str] = {}
@@ -55,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.allow_writes and not ports:
         raise UsageError("--allow-writes needs a device to write to: --port DEVICE=WHERE")
     options = ("--specs", arguments.specs) if arguments.specs else ()
-    server: MCPServer[None] = MCPServer("fieldspec", instructions=INSTRUCTIONS, log_level="ERROR")
+    server = Server("fieldspec", instructions=INSTRUCTIONS, log_level="ERROR")
     _add_explanations(server, options)
     if ports:
         _add_reads(server, Places(ports, options))
@@ -65,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _add_explanations(server: MCPServer[None], options: tuple[str, ...]) -> None:
+def _add_explanations(server: Server, options: tuple[str, ...]) -> None:
     """Adds the tools that only read specs."""
     from mcp.types import ToolAnnotations
 
@@ -93,7 +92,7 @@ def _add_explanations(server: MCPServer[None], options: tuple[str, ...]) -> None
         return _verb("audit", (device,), options)
 
 
-def _add_reads(server: MCPServer[None], places: Places) -> None:
+def _add_reads(server: Server, places: Places) -> None:
     """Adds the tool that reads devices."""
     from mcp.types import ToolAnnotations
 
@@ -113,7 +112,7 @@ def _add_reads(server: MCPServer[None], places: Places) -> None:
         return list(places.ports)
 
 
-def _add_writes(server: MCPServer[None], places: Places) -> None:
+def _add_writes(server: Server, places: Places) -> None:
     """Adds the tool that writes to devices."""
     from mcp.types import ToolAnnotations
 
@@ -164,15 +163,25 @@ def _verb(verb: str, words: Sequence[str], options: Sequence[str]) -> str:
     from mcp.server.mcpserver.exceptions import ToolError
 
     for word in words:
-        if word.startswith("-") or "\0" in word:
+        if word.startswith("-"):
             raise ToolError(f"`{word}` is no name and no value here")
+    if any("\0" in text for text in (*words, *options)):
+        raise ToolError("a text has a zero byte, which no name and no value has")
     command = [sys.executable, "-m", "fieldspec", verb, *options, *words]
     try:
         done = subprocess.run(
-            command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", timeout=SECONDS, check=False
+            command,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            encoding="utf-8",
+            errors="backslashreplace",
+            timeout=SECONDS,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         raise ToolError(f"{verb} takes longer than {SECONDS} seconds") from None
+    except OSError as error:
+        raise ToolError(f"{verb} cannot be started: {error.strerror}") from None
     if done.returncode:
         raise ToolError("\n".join(text for text in (done.stdout.strip(), done.stderr.strip()) if text))
     return done.stdout + done.stderr

@@ -42,21 +42,21 @@ class Line:
         self.message = message
         self._recent = bytearray()
         """The bytes since the last frame or silence."""
-        self._dropped = 0
-        """How many bytes the framer had dropped before these."""
+        self._unframed = 0
+        """How many bytes the framer has taken that were no part of a frame, with those that it has dropped."""
 
     def feed(self, now: float, data: bytes) -> Iterator[Sending]:
         """What to send after some bytes have come: the answers to the frames that they complete."""
         if self.framer is None:
             yield from self._answered(now, data)
             return
-        if not self._recent:
-            self._dropped = self.framer.dropped
         self._recent += data
         del self._recent[:-_MOST_RECENT]
+        self._unframed += len(data)
         frames = self.framer.feed(data)
         if frames:
-            self._recent.clear()
+            self._recent = self._recent.rpartition(frames[-1])[2]
+            self._unframed -= sum(map(len, frames))
         for frame in frames:
             yield from self._answered(now, frame)
 
@@ -67,6 +67,7 @@ class Line:
         whole = bytes(self._recent)
         self._recent.clear()
         frames = self.framer.idle()
+        self._unframed -= sum(map(len, frames))
         if not frames and self.server.codecs[self.link].has_right_checksum(whole, "request"):
             frames = [whole]  # a request with a code that no message has
         for frame in frames:
@@ -83,10 +84,10 @@ class Line:
         if self.framer is None or not self._recent:
             return
         whole = bytes(self._recent)
-        is_foreign = self.framer.dropped != self._dropped
-        if is_foreign and self.server.codecs[self.link].has_right_checksum(whole, "request"):
+        if self.is_damaged and self.server.codecs[self.link].has_right_checksum(whole, "request"):
             self.framer.reset()
-        elif is_foreign or self.framer.pause() != [whole]:
+            self._unframed = self.framer.dropped
+        elif self.is_damaged or self.framer.pause() != [whole]:
             return
         yield from self.idle(now)
 
@@ -94,6 +95,11 @@ class Line:
     def waiting(self) -> bool:
         """Whether bytes have come that are no frame yet."""
         return bool(self._recent)
+
+    @property
+    def is_damaged(self) -> bool:
+        """Whether some of the bytes since the last frame or silence cannot belong to a frame."""
+        return self.framer is not None and len(self._recent) > self._unframed - self.framer.dropped
 
     def _answered(self, now: float, frame: bytes) -> Iterator[Sending]:
         engine = self.server.engine

@@ -29,6 +29,9 @@ LEAST_SILENCE = 0.02
 PATIENCE = 5.0
 """The seconds without a byte after which a part of a frame is dropped on a network, which may be slow."""
 
+NETWORK_PAUSE = 0.3
+"""The seconds that a network may take to send lost bytes again. Shorter pauses over a network prove nothing."""
+
 TrafficListener = Callable[[float, str, str, bytes, str], None]
 
 
@@ -165,7 +168,8 @@ class Simulation:
                 seconds = silence if line.waiting else 0.2
                 data = carrier.read(seconds)
                 waited = 0.0 if data else waited + seconds
-                silent = line.idle if carrier.keeps_pauses or waited >= PATIENCE else line.pause
+                ended = carrier.keeps_pauses or waited >= self._patience(line, silence)
+                silent = line.idle if ended else line.pause
                 with self.lock:
                     sendings = list(line.feed(self.now(), data) if data else silent(self.now()))
                 for sending in sendings:
@@ -174,6 +178,14 @@ class Simulation:
             pass
         finally:
             carrier.close()
+
+    def _patience(self, line: Line, silence: float) -> float:
+        """The seconds without a byte after which the bytes so far are dropped on a network.
+
+        A pause that the behaviour states is kept there too, and nobody waits for the rest of a damaged frame.
+        """
+        is_known = line.is_damaged or timing(self.server, "receive_gap")
+        return max(silence, NETWORK_PAUSE) if is_known else PATIENCE
 
     def _send(self, carrier: Carrier, sending: Sending) -> None:
         if sending.hang_up:
