@@ -155,10 +155,10 @@ def condition(
 
 
 def wait_value(step: Step) -> ScalarValue:
-    """What a step waits for. Raises NoTask where that is an argument."""
-    if step.value is None:
-        raise NoTask(f"what `{step.target}` is waited for is an argument")
-    return step.value
+    """What a step waits for. Raises NoTask where that is an argument, or one of several values."""
+    if len(step.wanted) != 1:
+        raise NoTask(f"what `{step.target}` is waited for is no single value")
+    return step.wanted[0]
 
 
 def ends(task: Task) -> tuple[int, int] | None:

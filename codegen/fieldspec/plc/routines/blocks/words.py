@@ -302,10 +302,10 @@ class _Maker:
 
 
 def value_of(step: Step) -> ScalarValue:
-    """What a step waits for. Raises NoBlock where that is an argument."""
-    if step.value is None:
-        raise NoBlock(f"what `{step.target}` is waited for is an argument")
-    return step.value
+    """What a step waits for. Raises NoBlock where that is an argument, or one of several values."""
+    if len(step.wanted) != 1:
+        raise NoBlock(f"what `{step.target}` is waited for is no single value")
+    return step.wanted[0]
 
 
 _OPPOSITES = {"=": "<>", "<>": "="}
