@@ -39,8 +39,13 @@ class Port:
 def ports(world: World) -> Iterator[Port]:
     """The ports of a device, as far as the structs in them are declared."""
     layout = world.layout
-    motion = ("motion", UDINT, "counts the blocks that have taken over the motion")
-    handshake = (("state", INT, STATE_REMARK), ("error", UINT, "0, or why there is no answer: an ErrorID"))
+    mover = (
+        ("motion", UDINT, "counts the commands that were accepted: their block has the axis"),
+        ("claims", UDINT, "counts the commands that were begun: the last one is sent"),
+        ("stops", UDINT, "how many stops lock the axis"),
+    )
+    turns = ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan")
+    handshake = (("state", INT, STATE_REMARK), ("error", UINT, "0, or why there is no answer: an ErrorID"), turns)
     if layout.registers:
         asked = (
             ("write", BOOL, "whether the words are to be written"),
@@ -48,9 +53,9 @@ def ports(world: World) -> Iterator[Port]:
             ("count", INT, "how many words"),
             ("words", world.words, "what is written, or was read"),
         )
-        yield Port(AXIS, "axis", "A device, and the access to its registers", (*handshake, *asked, motion))
+        yield Port(AXIS, "axis", "A device, and the access to its registers", (*handshake, *asked, *mover))
     elif sends(layout):
-        yield Port(AXIS, "axis", "A device, and who moves it", (motion,))
+        yield Port(AXIS, "axis", "A device, and who moves it", mover)
     if own_links(layout):
         frame = (
             ("send", INT, "how many bytes of the frame are to be sent"),
@@ -67,7 +72,7 @@ def ports(world: World) -> Iterator[Port]:
                 ("valid", BOOL, "whether the response has come in this cycle"),
                 ("request", StructType(world.names.structs[message.request.name]), ""),
                 ("response", StructType(world.names.structs[message.response.name]), ""),
-                motion,
+                *mover,
             ),
         )
 
