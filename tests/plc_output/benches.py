@@ -22,6 +22,7 @@ from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.world import World
 from layouts import newest
 
+ORDER = "aOrder"
 ENDS = ("Done", "CommandAborted", "Error", "Busy")
 
 
@@ -29,7 +30,8 @@ class Bench:
     """Some blocks of a device, called in their order. `ports` are the structs and arrays that they are lent.
 
     Blocks share what has one name and one type. `lent` has the variable for each parameter of each block. A `program`
-    has more blocks than are called, so that several benches have one program, which is compiled once.
+    has more blocks than are called, so that several benches have one program, which is compiled once. One that is
+    `ordered` calls them in an order that each scan states.
     """
 
     def __init__(
@@ -40,6 +42,7 @@ class Bench:
         folder: Path,
         dialect: str = "iec",
         program: Sequence[str] = (),
+        ordered: bool = False,
     ) -> None:
         self.world, routines, spelling, content = _generated(root, device, dialect)
         by_name = {routine.name: routine for routine in routines}
@@ -72,8 +75,14 @@ class Bench:
             arguments += [
                 f"{item.variable.name} := {self.lent[name, item.variable.name]}" for item in block.of_role("in_out")
             ]
-            calls.append(f"IF b{number}_called THEN b{number}({', '.join(arguments)}); END_IF;")
+            label = f"{number}: " if ordered else ""
+            calls.append(f"{label}IF b{number}_called THEN b{number}({', '.join(arguments)}); END_IF;")
         lines += [f"{name} : {_unquoted(type_text(kind, spelling))};" for name, (kind, _) in shared.items()]
+        order = ((ORDER, ("array", 0, len(blocks) - 1, "int")),) if ordered else ()
+        if ordered:
+            lines += [f"{ORDER} : ARRAY [0..{len(blocks) - 1}] OF INT;", "iCall : INT;"]
+            head = f"FOR iCall := 0 TO {len(blocks) - 1} DO CASE {ORDER}[iCall] OF"
+            calls = [head, *calls, "END_CASE; END_FOR;"]
         program = "\n".join([*lines, "END_VAR", *calls, "END_PROGRAM", ""])
         content = needed(content, [block.name for block in blocks.values()])
         # Nothing is called but the program, so the types are all that the process is asked for.
@@ -83,10 +92,11 @@ class Bench:
         called = tuple((f"b{number}_called", "bool") for number in numbers.values())
         lent = tuple((name, _kind(kind)) for name, (kind, _) in shared.items())
         self._called = [name in self.blocks for name in blocks]
+        self._numbers, self._ordered = numbers, ordered
         self._lent = [name for name, _ in lent]
         inputs = ((f"b{numbers[name]}_{variable}", kind) for (name, variable), kind in self.inputs.items())
         outputs = ((f"b{numbers[name]}.{variable}", kind) for (name, variable), kind in self.outputs.items())
-        block = Block("PRG_Bench", (*inputs, *called, *lent), (*outputs, *lent))
+        block = Block("PRG_Bench", (*inputs, *called, *order, *lent), (*outputs, *lent))
         self.program = Compiled(whole, folder, block, unit)
         self._kinds = dict(lent)
         self.now: dict[tuple[str, str], Any] = {}
@@ -106,10 +116,14 @@ class Bench:
             assert (block, name) in self.inputs, (block, name, [key for key in self.inputs if key[0] == block])
             self.now[block, name] = value
 
-    def scan(self, milliseconds: int = 10) -> None:
-        """Calls all blocks once."""
+    def scan(self, milliseconds: int = 10, order: Sequence[str] | None = None) -> None:
+        """Calls all blocks once; or those of an order, where the program is ordered."""
         ports = [self.ports[name] for name in self._lent]
-        values = self.program.scan(milliseconds, [*self.now.values(), *self._called, *ports])
+        called: list[Any] = self._called
+        if self._ordered:
+            places = list(self._numbers.values() if order is None else map(self._numbers.__getitem__, order))
+            called = [*called, places + [-1] * (len(self._numbers) - len(places))]
+        values = self.program.scan(milliseconds, [*self.now.values(), *called, *ports])
         self.out = dict(zip(self.outputs, values, strict=False))
         self.ports = dict(zip(self._lent, values[len(self.outputs) :], strict=True))
 

@@ -1,0 +1,286 @@
+"""Monitors of who is responsible, and of Done: rules 15 to 21, 32 to 34 and 37 to 39."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from device_models.axis import Event
+from device_models.history import JOGS, MOTIONS, MOVES, STOPS, Calls, History, Violation, starts
+
+SHORT = 5000
+"""Milliseconds in which a sound line carries the few exchanges that a rule means."""
+ALARM = 8
+LOST = ("lost request", "lost answer", "late")
+
+
+def somebody_is_responsible(history: History) -> Iterator[Violation]:
+    """Rule 15: while the axis moves by a command a block is Busy with it, or an Error says that it may be moving."""
+    responsible = history.of_kind(*MOTIONS, *STOPS)
+    judged: set[int] = set()
+    for scan, entry in enumerate(history.scans):
+        number = entry.state.number
+        if not number or number in judged or not entry.state.velocity:
+            continue
+        if any(calls.busy_at(scan) for calls in responsible):
+            continue
+        judged.add(number)
+        begin = next((when for when, event in history.events if event.number == number), 0)
+        if not _disclaimed(history, begin, scan) and not any(begin < restart <= scan for restart in history.restarts):
+            yield Violation(15, scan, "axis", f"it moves by command {number}, and no block is responsible")
+
+
+def who_is_aborted_has_a_successor(history: History) -> Iterator[Violation]:
+    """Rules 16, 19 and 20: CommandAborted while its motion goes on needs a command of another that was accepted."""
+    for calls, index, scan, number in _ends_in_motion(history, "CommandAborted"):
+        if calls.abort[index] or not history.scans[scan].state.velocity:
+            continue
+        if _has_successor(history, number, scan):
+            continue
+        others = [other for other in history.of_kind(*MOTIONS, *STOPS) if other is not calls]
+        begun = any(other.edge_before(scan) >= 0 and other.busy_at(scan) for other in others)
+        text = "before the device has accepted another command" if begun else "although nobody else has the axis"
+        yield Violation(16 if begun else 20, scan, calls.name, f"CommandAborted {text}, and its motion goes on")
+
+
+def _has_successor(history: History, number: int, scan: int) -> bool:
+    """Whether the device has accepted a later command, or a stop, since a motion was accepted."""
+    accepted = next(when for when, event in history.events if event.number == number)
+    return any(
+        (event.kind == "accepted" and event.number > number) or (event.kind == "stop" and event.about != "outside")
+        for when, event in history.events
+        if accepted <= when <= scan
+    )
+
+
+def who_is_refused_ends_with_an_error(history: History) -> Iterator[Violation]:
+    """Rule 17: a block whose command the device refuses ends with Error, and never with Done."""
+    for scan, event in history.events:
+        if event.kind != "refused":
+            continue
+        for calls in history.of_kind(*MOTIONS):
+            if not starts(calls.kind, event.about) or not calls.busy_at(scan):
+                continue
+            ending = _end_after(calls, scan)
+            if ending is None:
+                if _is_clear(history, scan, SHORT):
+                    yield Violation(17, scan, calls.name, "the device refuses, and it stays Busy")
+            elif ending[1] == "Done" and not history.accepted(calls, scan + 1, ending[0]):
+                yield Violation(17, ending[0], calls.name, f"Done of a command that was refused in scan {scan}")
+
+
+def two_edges_start_once(history: History) -> Iterator[Violation]:
+    """Rule 18: of two edges in one scan one starts at most, and the other block does not stay Busy."""
+    blocks = history.of_kind(*MOTIONS)
+    together: dict[int, list[tuple[Calls, int]]] = {}
+    for calls in blocks:
+        for index, scan in enumerate(calls.scans):
+            if calls.edges[index] and calls.busy[index]:
+                together.setdefault(scan, []).append((calls, index))
+    for scan, edges in together.items():
+        if len(edges) < 2:
+            continue
+        last = min(_last_before_edge(history, calls, index) for calls, index in edges)
+        kinds = [calls.kind for calls, _ in edges]
+        asked = [text for text in history.asked_between(scan, last) if text.startswith("start ")]
+        number = sum(any(starts(kind, text[6:]) for kind in kinds) for text in asked)
+        if number > 1:
+            yield Violation(18, scan, ", ".join(calls.name for calls, _ in edges), f"{number} starts for two edges")
+
+
+def who_fails_stops_or_says_so(history: History) -> Iterator[Violation]:
+    """Rule 21: after Abort or an error a stop is among the next two requests, or ErrorID says that it may be moving."""
+    for end in ("CommandAborted", "Error"):
+        for calls, index, scan, number in _ends_in_motion(history, end):
+            if (
+                calls.kind in JOGS
+                or calls.error[index] in history.may_move
+                or (end != "Error" and not calls.abort[index])
+            ):
+                continue
+            if not _stopped(history, number, scan):
+                how = f"Error {calls.error[index]}" if end == "Error" else "Abort"
+                yield Violation(21, scan, calls.name, f"{how}, and its motion goes on without a stop")
+
+
+def nothing_is_done_without_power(history: History) -> Iterator[Violation]:
+    """Rule 32: with the servo off, or with an alarm, a motion ends with Error and never with Done."""
+    for calls in history.of_kind(*MOTIONS):
+        if calls.kind == "velocity":
+            continue
+        for index, scan in enumerate(calls.scans):
+            if not calls.edges[index] or not scan:
+                continue
+            last = _last_before_edge(history, calls, index)
+            states = [history.scans[when].state for when in range(scan - 1, last + 1)]
+            if any(state.servo and not state.alarm for state in states):
+                continue
+            if any("Done" in calls.ends[following] for following in range(index, calls.edge_after(index))):
+                yield Violation(32, scan, calls.name, "Done without power, or with an alarm")
+            elif (
+                _is_clear(history, scan, SHORT)
+                and history.after(scan, SHORT) <= last
+                and calls.busy_at(history.after(scan, SHORT))
+            ):
+                yield Violation(32, scan, calls.name, "without power, or with an alarm, it stays Busy")
+
+
+def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
+    """Rule 33: an alarm while it moves is Error 8 within one poll."""
+    for scan, event in history.events:
+        if event.kind != "alarm" or not scan or not history.scans[scan - 1].state.number:
+            continue
+        number = history.scans[scan - 1].state.number
+        for calls in history.of_kind(*MOTIONS):
+            if not calls.busy_at(scan) or _owner_number(history, calls, scan) != number:
+                continue
+            ending = _end_after(calls, scan)
+            if ending is None:
+                if _is_clear(history, scan + 1, SHORT) and history.scans[scan].clear:
+                    yield Violation(33, scan, calls.name, "an alarm, and it stays Busy")
+            elif ending[1] == "Done" and not _was_reached(history, number, ending[0]):
+                yield Violation(33, ending[0], calls.name, f"Done after the alarm of scan {scan}")
+            elif ending[1] == "Error" and ending[2] != ALARM and ending[2] not in history.may_move:
+                text = f"the alarm of scan {scan} is Error {ending[2]}"
+                yield Violation(33, ending[0], calls.name, text)
+
+
+def home_is_done_by_this_run(history: History) -> Iterator[Violation]:
+    """Rule 34: Home is done where its own run has set the home."""
+    yield from _done_is_reached(history, ("home",), 34)
+
+
+def done_is_at_the_target(history: History) -> Iterator[Violation]:
+    """Rule 37: a move is done where the device has accepted it, and has reached the target since."""
+    yield from _done_is_reached(history, MOVES, 37)
+
+
+def silence_is_an_error(history: History) -> Iterator[Violation]:
+    """Rule 38: where no answer comes any more, a move ends with Error within a bounded time."""
+    for calls in history.of_kind(*MOVES, "home"):
+        for index, scan in enumerate(calls.scans):
+            if not calls.edges[index] or not calls.busy[index]:
+                continue
+            end = history.after(scan, 4 * SHORT)
+            last = _last_before_edge(history, calls, index)
+            fates = [fate for entry in history.scans[scan:end] for fate in entry.fates]
+            if end <= last and len(fates) > 5 and set(fates) <= set(LOST) and calls.busy_at(end):
+                yield Violation(38, scan, calls.name, "it stays Busy although nothing answers")
+
+
+def a_valid_position_is_true(history: History) -> Iterator[Violation]:
+    """Rules 39 and 40: a valid position is one that the device had lately; that of another station is none."""
+    for calls in history.of_kind("read"):
+        for index, scan in enumerate(calls.scans):
+            entry = history.scans[scan]
+            if not entry.outputs.get((calls.name, "Valid")) or (index and not _changes(history, calls, index)):
+                continue
+            position = history.position_of(calls.name, entry.outputs)
+            if position is None:
+                continue
+            first = scan
+            while first and history.times[scan] - history.times[first] < SHORT:
+                first -= 1
+            places = [history.scans[when].state.position for when in range(first, scan + 1)]
+            if not min(places) - 5 <= position <= max(places) + 5:
+                yield Violation(
+                    39, scan, calls.name, f"the position {position:g} is valid, and the axis never was there"
+                )
+
+
+def _changes(history: History, calls: Calls, index: int) -> bool:
+    """Whether what a reading block shows differs from its last call, or the line is disturbed."""
+    before, now = (history.scans[calls.scans[place]].outputs for place in (index - 1, index))
+    return any(now.get(key) != before.get(key) for key in now if key[0] == calls.name)
+
+
+def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Iterator[Violation]:
+    for calls in history.of_kind(*kinds):
+        for index, scan in enumerate(calls.scans):
+            if not calls.rises(index, "Done"):
+                continue
+            edge = calls.edge_before(scan)
+            begun = history.accepted(calls, calls.scans[edge], scan) if edge >= 0 else []
+            if not begun:
+                yield Violation(rule, scan, calls.name, "Done, and the device has accepted no command for it")
+            elif not _was_reached(history, begun[-1][1].number, scan):
+                state = history.scans[scan].state
+                text = f"Done at {state.position:g}, and {begun[-1][1].value:g} is not reached"
+                yield Violation(rule, scan, calls.name, text)
+
+
+def _was_reached(history: History, number: int, last: int) -> bool:
+    """Whether a motion has come to its target by a scan."""
+    return any(event.kind == "reached" and event.number == number for scan, event in history.events if scan <= last)
+
+
+def _owner_number(history: History, calls: Calls, scan: int) -> int:
+    """The number of the last command of a block that was accepted since its edge; 0 where there is none."""
+    edge = calls.edge_before(scan)
+    begun: list[tuple[int, Event]] = history.accepted(calls, calls.scans[edge], scan) if edge >= 0 else []
+    return begun[-1][1].number if begun else 0
+
+
+def _ends_in_motion(history: History, end: str) -> Iterator[tuple[Calls, int, int, int]]:
+    """Where blocks end while the motion that they have asked for is on: with the call, the scan and the motion."""
+    for calls in history.of_kind(*MOTIONS):
+        for index, scan in enumerate(calls.scans):
+            if not calls.falls_busy(index) or end not in calls.ends[index]:
+                continue
+            number = _owner_number(history, calls, scan)
+            if history.is_on(number, scan):
+                yield calls, index, scan, number
+
+
+def _stopped(history: History, number: int, scan: int) -> bool:
+    """Whether a stop was on the wire since a motion was accepted, or is among the next two requests."""
+    accepted = next(when for when, event in history.events if event.number == number)
+    asked = history.asked_between(accepted, scan)
+    following = [text for when, text in history.requests if when > scan][:2]
+    begin = max((place for place, text in enumerate(asked) if text.startswith("start ")), default=0)
+    return any(text in ("stop", "off") for text in (*asked[begin:], *following)) or scan + 1 >= len(history.scans)
+
+
+def _disclaimed(history: History, begin: int, scan: int) -> bool:
+    """Whether a block has said since a motion began that the device may be moving."""
+    for calls in history.of_kind(*MOTIONS, *STOPS):
+        for index in range(max(calls.index_at(begin), 0), calls.index_at(scan) + 1):
+            if "Error" in calls.ends[index] and calls.error[index] in history.may_move:
+                return True
+    return False
+
+
+def _end_after(calls: Calls, scan: int) -> tuple[int, str, int] | None:
+    """How a block that is Busy after a scan ends before its next edge: the scan, the output and the ErrorID."""
+    for index in range(max(calls.index_at(scan), 0) + 1, len(calls.scans)):
+        if calls.edges[index] or calls.fresh[index]:
+            return calls.scans[index], "edge", 0
+        if calls.ends[index]:
+            return calls.scans[index], calls.ends[index], calls.error[index]
+    return None
+
+
+def _last_before_edge(history: History, calls: Calls, index: int) -> int:
+    """The last scan before the next edge of a block."""
+    end = calls.edge_after(index)
+    return calls.scans[end] - 1 if end < len(calls.scans) else len(history.scans) - 1
+
+
+def _is_clear(history: History, scan: int, milliseconds: int) -> bool:
+    """Whether nothing is disturbed for some time, and the record goes on so long."""
+    end = history.after(scan, milliseconds) if scan < len(history.scans) else len(history.scans)
+    return end < len(history.scans) and history.clear_until[scan] > end
+
+
+MOTION_RULES = (
+    somebody_is_responsible,
+    who_is_aborted_has_a_successor,
+    who_is_refused_ends_with_an_error,
+    two_edges_start_once,
+    who_fails_stops_or_says_so,
+    nothing_is_done_without_power,
+    an_alarm_ends_a_motion,
+    home_is_done_by_this_run,
+    done_is_at_the_target,
+    silence_is_an_error,
+    a_valid_position_is_true,
+)

@@ -1,0 +1,199 @@
+"""Monitors of edges and outputs, rules 1 to 14 and 40: what a block shows, whatever the device does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from device_models.history import ENDS, JOGS, LOCKS, MOTIONS, Calls, History, Violation, starts
+
+REFUSED = 1
+"""The ErrorID of a value that is refused."""
+
+
+def nothing_in_the_first_scan(history: History) -> Iterator[Violation]:
+    """Rule 1: an input that is TRUE in the first scan starts nothing, until it was FALSE."""
+    for calls in _edged(history):
+        waiting = False
+        for index, scan in enumerate(calls.scans):
+            waiting = calls.execute[index] if calls.fresh[index] else waiting and calls.execute[index]
+            if waiting and (calls.busy[index] or calls.ends[index]):
+                yield Violation(1, scan, calls.name, "it works although its input was TRUE in the first scan")
+                waiting = False
+
+
+def an_edge_is_answered_at_once(history: History) -> Iterator[Violation]:
+    """Rule 2: in the scan of an edge either Busy or Error is TRUE, and no ending output of before."""
+    for calls in _edged(history):
+        for index, scan in _edges(calls):
+            if index and calls.busy[index - 1]:
+                continue
+            if calls.busy[index] == ("Error" in calls.ends[index]) or calls.ends[index] not in ("", "Error"):
+                text = (
+                    f"in the scan of an edge Busy is {calls.busy[index]}, and it shows {calls.ends[index] or 'no end'}"
+                )
+                yield Violation(2, scan, calls.name, text)
+
+
+def outputs_exclude_each_other(history: History) -> Iterator[Violation]:
+    """Rule 3: of Busy, Done, Error and CommandAborted one at most is TRUE; a stop may be Done and Busy."""
+    for calls in history.blocks.values():
+        for index, scan in enumerate(calls.scans):
+            number = calls.busy[index] + sum(end in calls.ends[index] for end in ENDS)
+            if number > 1 and not (calls.kind in LOCKS and number == 2 and calls.ends[index] == "Done"):
+                busy = "Busy and " if calls.busy[index] else ""
+                yield Violation(3, scan, calls.name, f"{busy}{calls.ends[index]} are TRUE together")
+
+
+def an_error_has_a_number(history: History) -> Iterator[Violation]:
+    """Rule 4: ErrorID is not 0 exactly where Error is TRUE."""
+    for calls in history.blocks.values():
+        for index, scan in enumerate(calls.scans):
+            if ("Error" in calls.ends[index]) != (calls.error[index] != 0):
+                text = f"Error is {'Error' in calls.ends[index]} and ErrorID {calls.error[index]}"
+                yield Violation(4, scan, calls.name, text)
+
+
+def a_falling_edge_ends_nothing(history: History) -> Iterator[Violation]:
+    """Rule 5: where Execute falls while it is Busy, it stays Busy until it has ended."""
+    for calls in _edged(history):
+        if calls.kind in (*JOGS, "velocity"):
+            continue
+        for index, scan in enumerate(calls.scans):
+            if calls.falls_busy(index) and not calls.ends[index]:
+                yield Violation(5, scan, calls.name, "Busy falls and nothing says how it has ended")
+
+
+def an_end_is_seen_once(history: History) -> Iterator[Violation]:
+    """Rules 6 and 7: an end is seen in one call where Execute is FALSE, and until it falls where it is TRUE."""
+    for calls in _edged(history):
+        for index in range(len(calls.scans) - 1):
+            ending, following = calls.ends[index], index + 1
+            if not ending or calls.edges[following] or calls.fresh[following]:
+                continue
+            scan, remains = calls.scans[following], calls.ends[following]
+            if not calls.execute[index] and remains == ending:
+                yield Violation(6, scan, calls.name, f"{ending} stays although Execute is FALSE")
+            elif calls.execute[index] and not calls.execute[following] and remains == ending:
+                yield Violation(7, scan, calls.name, f"{ending} stays in the scan in which Execute falls")
+            elif calls.execute[index] and calls.execute[following] and remains != ending and calls.kind not in LOCKS:
+                yield Violation(7, scan, calls.name, f"{ending} vanishes while Execute is TRUE")
+
+
+def an_end_has_a_beginning(history: History) -> Iterator[Violation]:
+    """Rule 8: an end rises only in a scan before which the block was Busy, or in that of an edge."""
+    for calls in _edged(history):
+        for index, scan in enumerate(calls.scans):
+            new = [end for end in ENDS if calls.rises(index, end)]
+            before = index > 0 and not calls.fresh[index] and calls.busy[index - 1]
+            if new and not before and not calls.edges[index]:
+                yield Violation(8, scan, calls.name, f"{new[0]} rises although it was not Busy")
+
+
+def values_count_at_the_edge(history: History) -> Iterator[Violation]:
+    """Rules 9 and 10: what the device is asked for is what the inputs were at the last edge."""
+    for calls in history.of_kind("absolute", "relative", "point"):
+        for scan, event in history.accepted(calls, 0, len(history.scans)):
+            index = calls.edge_before(scan)
+            if index < 0:
+                continue
+            wanted = history.value_of(calls.name, history.scans[calls.scans[index]].inputs)
+            if wanted is not None and abs(wanted - event.value) > 0.5:
+                again = index > 0 and calls.busy[index - 1]
+                text = f"{event.value:g} is asked for, and the inputs were {wanted:g} at the edge"
+                yield Violation(10 if again else 9, scan, calls.name, text)
+
+
+def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
+    """Rules 10 and 11: after an edge, Done is for a command that was sent since; an edge is not swallowed."""
+    for calls in history.of_kind("absolute", "relative", "point", "home"):
+        for index, scan in _edges(calls):
+            if not index or not calls.busy[index - 1]:
+                continue
+            rule = 10 if calls.busy[index] else 11
+            if "CommandAborted" in calls.ends[index]:
+                yield Violation(11, scan, calls.name, "an edge in the scan of CommandAborted is swallowed")
+            for following in range(index, calls.edge_after(index)):
+                if "Done" not in calls.ends[following]:
+                    continue
+                if not history.accepted(calls, scan, calls.scans[following]):
+                    text = f"Done since scan {calls.scans[following]} is for what was asked before the edge"
+                    yield Violation(rule, scan, calls.name, text)
+                break
+
+
+def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
+    """Rule 12: a value out of range is Error 1 in the scan of the edge, and nothing is sent."""
+    for calls in _edged(history):
+        for index, scan in _edges(calls):
+            if calls.name not in history.scans[scan].invalid:
+                continue
+            locked = any(lock.busy_at(scan) or lock.execute[lock.index_at(scan)] for lock in history.of_kind(*LOCKS))
+            if "Error" not in calls.ends[index] or (calls.error[index] != REFUSED and not locked):
+                text = f"a value out of range has ErrorID {calls.error[index]}"
+                yield Violation(12, scan, calls.name, text)
+            end = calls.edge_after(index)
+            last = calls.scans[end] - 1 if end < len(calls.scans) else len(history.scans) - 1
+            if not (index and calls.busy[index - 1]) and history.accepted(calls, scan, last):
+                yield Violation(12, scan, calls.name, "it is sent although a value is out of range")
+
+
+def a_start_has_an_edge(history: History) -> Iterator[Violation]:
+    """Rules 13, 26, 33, 38 and 40: each start has an edge of its own since the controller was switched on."""
+    for asked in (True, False):
+        used: dict[str, int] = {}
+        for scan, about in _starts(history, asked):
+            owners = [calls for calls in history.of_kind(*MOTIONS) if starts(calls.kind, about)]
+            edges = {calls.name: calls.edge_before(scan) for calls in owners}
+            fresh = [name for name, index in edges.items() if index >= 0 and used.get(name, -1) < index]
+            names = ", ".join(edges) or "none"
+            if fresh:
+                used[fresh[0]] = edges[fresh[0]]
+            elif any(index >= 0 for index in edges.values()):
+                yield Violation(38, scan, names, f"a second {about} for one edge")
+            else:
+                yield Violation(13, scan, names, f"{about} without an edge")
+
+
+def the_first_telegram_starts_nothing(history: History) -> Iterator[Violation]:
+    """Rule 40: after a restart, the bits that switch on, enable and start are 0 in the first telegram."""
+    for scan in {0, *history.restarts} if history.scans else ():
+        word = history.scans[scan].word
+        if word is not None and word & 0x0B49:
+            yield Violation(40, scan, "telegram", f"the first control word is {word:04X}H")
+
+
+def _starts(history: History, asked: bool) -> Iterator[tuple[int, str]]:
+    """The starts that are on the wire, or those that the device accepts."""
+    if asked:
+        yield from ((scan, text[6:]) for scan, text in history.requests if text.startswith("start "))
+    else:
+        ignored = ("outside", "velocity")
+        for scan, event in history.events:
+            if event.kind == "accepted" and event.about not in ignored:
+                yield scan, event.about
+
+
+def _edged(history: History) -> list[Calls]:
+    """The blocks that work by an edge."""
+    return [calls for calls in history.blocks.values() if calls.kind not in ("read", "other")]
+
+
+def _edges(calls: Calls) -> list[tuple[int, int]]:
+    """The calls with an edge, and their scans."""
+    return [(index, scan) for index, scan in enumerate(calls.scans) if calls.edges[index]]
+
+
+OUTPUT_RULES = (
+    nothing_in_the_first_scan,
+    an_edge_is_answered_at_once,
+    outputs_exclude_each_other,
+    an_error_has_a_number,
+    a_falling_edge_ends_nothing,
+    an_end_is_seen_once,
+    an_end_has_a_beginning,
+    values_count_at_the_edge,
+    done_is_for_the_last_edge,
+    values_out_of_range_are_refused,
+    a_start_has_an_edge,
+    the_first_telegram_starts_nothing,
+)

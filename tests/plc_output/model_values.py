@@ -1,0 +1,113 @@
+"""Which block is of which kind, and what its inputs may be: read off its declared names, so that both may change."""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+from collections.abc import Iterable, Mapping
+
+KINDS = (
+    ("MoveAbsolute", "absolute"),
+    ("MoveRelative", "relative"),
+    ("MoveVelocity.*", "velocity"),
+    ("Home", "home"),
+    ("RunPoint", "point"),
+    ("JogPositive|JogOpen|JogForward", "jog_forward"),
+    ("JogNegative|JogClose|JogBackward", "jog_backward"),
+    ("Jog", "jog"),
+    ("Stop", "stop"),
+    ("Halt", "halt"),
+    ("QuickStop|EmergencyStop|ImmediateStop", "quick_stop"),
+    ("ServoOn|Power", "power_on"),
+    ("ServoOff", "power_off"),
+    ("ResetAlarm|Reset", "reset"),
+    ("ReadPosition", "read"),
+    ("RtuClient", "other"),
+)
+"""The kind of a block by its name, without the telegram in it. The names of all others are none of a model's."""
+SCALES = {"esc11": 100.0}
+"""Counts in the unit of an input that is a number with a point."""
+INVALID = {"tc100": 101, "esc11": 101, "hiwin-e": -1.0}
+"""A speed that a device does not take."""
+POSITION = re.compile(r"position|target(?!speed)", re.IGNORECASE)
+DISTANCE = re.compile(r"distance", re.IGNORECASE)
+SPEED = re.compile(r"speed|velocity", re.IGNORECASE)
+PERCENT = re.compile(r"override|acceleration|deceleration", re.IGNORECASE)
+
+
+def kinds(names: Iterable[str], telegram: int = 0) -> dict[str, str]:
+    """The blocks of one device, or of one of its telegrams, with their kinds."""
+    result = {}
+    for name in names:
+        bare = re.sub(r"Telegram(\d+)", "", name)
+        number = re.search(r"Telegram(\d+)", name)
+        if (int(number[1]) if number else 0) != telegram:
+            continue
+        for pattern, kind in KINDS:
+            if re.fullmatch(pattern, bare):
+                result[name] = kind
+                break
+    return result
+
+
+def fitting(device: str, kind: str, name: str, of: str, dice: random.Random) -> float | bool | None:
+    """A value of an input that the device takes; None where it is none of those that change."""
+    scale = SCALES.get(device, 1.0) if of == "lreal" else 1.0
+    if PERCENT.search(name):
+        return dice.choice([50.0, 100.0]) if of == "lreal" else 100
+    if SPEED.search(name):
+        return _speed(device, kind, of, dice)
+    if POSITION.search(name) and "point" not in name.lower():
+        return _number(dice.randrange(-15, 16) * 100 / scale, of)
+    if DISTANCE.search(name):
+        return _number(dice.choice([-300, -100, 50, 100, 300]) / scale, of)
+    if re.search(r"PointNumberBit\d|PointBit\d", name):
+        return dice.random() < 0.3
+    if re.search(r"point", name, re.IGNORECASE) and of != "bool":
+        return dice.randrange(1, 16)
+    if re.search(r"direction", name, re.IGNORECASE):
+        return dice.choice([0, 1])
+    return None
+
+
+def invalid(device: str, kind: str, name: str, of: str) -> float | None:
+    """A value of an input that the device does not take; None where each value of the type is taken."""
+    if PERCENT.search(name):
+        return None
+    if SPEED.search(name):
+        return 1e9 if kind == "velocity" else INVALID.get(device)
+    if of == "lreal" and (POSITION.search(name) or DISTANCE.search(name)):
+        return math.nan
+    return None
+
+
+def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
+    """The position or the distance that a block asks its device for, in counts."""
+    pattern = {"absolute": POSITION, "relative": DISTANCE}.get(kind)
+    for (owner, name), value in inputs.items():
+        if owner == block and pattern is not None and pattern.search(name):
+            return round(value * SCALES.get(device, 1.0) * 1e6) / 1e6 if name.startswith("lr") else float(value)
+    return None
+
+
+def position_of(device: str, block: str, outputs: Mapping[tuple[str, str], float]) -> float | None:
+    """The position that a block shows, in counts."""
+    places = {name: value for (owner, name), value in outputs.items() if owner == block and POSITION.search(name)}
+    raw = [value for name, value in places.items() if name.endswith("Raw")]
+    if raw:
+        return float(raw[0])
+    return next((value * SCALES.get(device, 1.0) for value in places.values()), None)
+
+
+def _speed(device: str, kind: str, of: str, dice: random.Random) -> float:
+    if kind == "velocity":
+        return dice.choice([-60.0, 10.0, 60.0])
+    if device == "hiwin-e":
+        # In units a minute.
+        return dice.choice([2000.0, 8000.0, 20000.0]) * 60
+    return dice.choice([2000, 8000, 20000]) if of == "udint" else dice.choice([10, 40, 100])
+
+
+def _number(value: float, of: str) -> float:
+    return value if of == "lreal" else round(value)
