@@ -9600,7 +9600,7 @@ local device = {
       title = "Parameter channel",
       is_coded = true,
       is_framed = true,
-      repeated = {},
+      repeated = { { asked = "request_reference", answered = "request_reference" } },
       messages = { "read_parameter", "write_parameter" },
       exception = { flag = 128, record = "parameter_error" },
       request = {

@@ -31,6 +31,7 @@ class Transport:
         self.left = 0
         self.error = 0
         self.asked: dict[str, Any] = {}
+        self.taken = 0
 
     def of(self, name: str) -> Any:
         """A member of the port."""
@@ -47,15 +48,17 @@ class Transport:
     def serve(self, carry: Callable[[Transport], int]) -> None:
         """What happens between two scans."""
         state = self.of("state")
+        self.put("urgent", max(0, self.of("urgent") - 1))
         if self.left:
             self.left -= 1
             if not self.left:
                 self.put("error", self.error)
+                self.put("answered", self.taken)
                 self.put("state", FREE if state == ABANDONED else ANSWERED)
         elif state == ABANDONED:
             self.put("state", FREE)
         elif state == ASKED:
-            self.left = self.delay
+            self.left, self.taken = self.delay, self.of("request")
             self.error = TIMEOUT if self.lost else carry(self)
             if self.swallowed:
                 self.error = TIMEOUT

@@ -169,8 +169,10 @@ class FrameRig(ModelRig):
         super().__init__(device, folder, draws)
         self.line = Line(draws, self.model.answer, self.model.foreign, self.model.latency, TIMEOUT)
         self.exchange: Exchange | None = None
+        self.number = 0
         self.variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
-        self._names = {name: self.bench.port(FRAMES, name) for name in ("state", "error", "send", "received", "frame")}
+        words = ("state", "error", "send", "received", "frame", "request", "answered", "urgent")
+        self._names = {name: self.bench.port(FRAMES, name) for name in words}
         for (block, name), of in self.bench.inputs.items():
             if of != "bool" and ("tation" in name or "ddress" in name):
                 self.set(block, **{name: self.model.STATION})
@@ -183,6 +185,7 @@ class FrameRig(ModelRig):
     def serve(self, seconds: float) -> None:
         port, names = self.bench.ports[self.variable], self._names
         state = port[names["state"]]
+        port[names["urgent"]] = max(0, port[names["urgent"]] - 1)
         if self.exchange is not None:
             self.exchange.remaining -= seconds
             if self.exchange.remaining > 0:
@@ -190,6 +193,7 @@ class FrameRig(ModelRig):
             answer = self.exchange.answer
             self.fates.append(self.exchange.fate)
             self.exchange = None
+            port[names["answered"]] = self.number
             port[names["error"]] = NO_ANSWER if answer is None else 0
             if answer is not None:
                 port[names["frame"]][: len(answer)] = list(answer)
@@ -199,6 +203,7 @@ class FrameRig(ModelRig):
             port[names["state"]] = FREE
         elif state == ASKED:
             frame = bytes(port[names["frame"]][: port[names["send"]]])
+            self.number = port[names["request"]]
             self.asked.append(self.model.meaning(frame))
             self.exchange = self.line.send(frame)
 

@@ -1,9 +1,11 @@
-"""The parts of a response by which it belongs to one of several open requests."""
+"""What a response repeats of its request: that by which it belongs to one of several open requests."""
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.open_parts import open_parts
 from fieldspec.layout.part import PartLayout
+from fieldspec.layout.record import FieldLayout
 
 
 def repeated_parts(link: LinkLayout) -> list[tuple[PartLayout, PartLayout]]:
@@ -14,5 +16,21 @@ def repeated_parts(link: LinkLayout) -> list[tuple[PartLayout, PartLayout]]:
     """
     pairs = [(link.request.role("unit_address"), link.response.role("unit_address"))]
     asked = {part.name: part for part in link.request.header}
-    pairs += [(asked.get(part.part.same_as), part) for part in link.response.header if part.role == "plain"]
+    named = {part.repeated.name: part.part for part in open_parts(link) if part.repeated is not None}
+    pairs += [
+        (named.get(part.name) or asked.get(part.part.same_as), part)
+        for part in link.response.header
+        if part.role == "plain"
+    ]
     return [(own, other) for own, other in pairs if own is not None and other is not None]
+
+
+def repeated_fields(message: MessageLayout) -> list[tuple[FieldLayout, FieldLayout]]:
+    """The fields of a request that its response repeats, each with its repetition.
+
+    The response to an access to registers repeats what has the same name, which no spec has to say.
+    """
+    by_name = message.message.accesses is not None
+    named = [(field.field.same_as or (field.name if by_name else ""), field) for field in message.response.fields]
+    pairs = [(message.request.named(name), field) for name, field in named if name]
+    return [(own, other) for own, other in pairs if own is not None and not own.field.reserved]

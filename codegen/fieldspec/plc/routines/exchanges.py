@@ -9,30 +9,36 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.plc.routines.answers import Received, judged, received
 from fieldspec.plc.routines.expressions import (
     BOOL,
     INT,
     TIME,
     TIMER,
     UINT,
-    Elementary,
     Expression,
     Member,
     Negation,
-    Operation,
     Truth,
-    Type,
     Variable,
     Whole,
     compared,
-    converted,
     either,
     every,
     number,
     plus,
 )
-from fieldspec.plc.routines.frames import head_members
-from fieldspec.plc.routines.routine import Assignment, Condition, Declared, Routine, Statement, Timing, when
+from fieldspec.plc.routines.parameters import FRAME
+from fieldspec.plc.routines.routine import (
+    Assignment,
+    Condition,
+    Declared,
+    Routine,
+    Statement,
+    Timing,
+    Variables,
+    when,
+)
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words
 
@@ -84,26 +90,14 @@ class _Exchange:
 
     def __init__(self, world: World, link: LinkLayout, message: MessageLayout, build: Routine, parse: Routine) -> None:
         self.world, self.link, self.message, self.build, self.parse = world, link, message, build, parse
-        self.declared: list[Declared] = []
         self.status = world.status
-        self.asked = {declared.variable.name: declared.variable for declared in build.of_role("input")}
-        self.answered: dict[str, Variable] = {}
-        self.taken = {
-            declared.variable.name.lower()
-            for declared in (*build.declared, *parse.declared)
-            if declared.role != "local"
-        }
-
-    def _declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A variable of the block itself; where a value of the message has its name, a number stands behind it."""
-        which, tried = 1, name
-        while tried.lower() in self.taken:
-            which += 1
-            tried = f"{name}{which}"
-        self.taken.add(tried.lower())
-        variable = Variable(tried, kind)
-        self.declared.append(Declared(variable, role, remark, initial))
-        return variable
+        given = (*build.of_role("input"), *build.of_role("in_out"))
+        self.asked = {declared.variable.name: declared.variable for declared in given}
+        messages = [
+            declared.variable.name for declared in (*build.declared, *parse.declared) if declared.role != "local"
+        ]
+        self.variables = Variables(*messages)
+        self.declared, self._declare = self.variables.declared, self.variables.declare
 
     def block(self, name: str) -> Routine:
         """The whole block."""
@@ -114,15 +108,14 @@ class _Exchange:
         self.declared += self.build.of_role("input")
         timeout = self._declare("tTimeout", TIME, "input", "for each try", "T#500ms")
         retries = self._declare("iRetries", INT, "input", "how often the request is sent again", "2")
-        received = self._declare("xReceived", BOOL, "input", "its rising edge says that aFrame holds iReceived bytes")
+        arrived = self._declare("xReceived", BOOL, "input", "its rising edge says that aFrame holds iReceived bytes")
         count = self._declare("iReceived", INT, "input", "how many bytes of aFrame were received")
         failed = self._declare("xFailed", BOOL, "input", "aFrame cannot be sent")
-        lent = {
-            declared.variable.name: declared
-            for declared in (*self.build.of_role("in_out"), *self.parse.of_role("in_out"))
-        }
-        remarks = {"aFrame": "what is sent, and then what was received"}
-        self.declared += [replace(declared, remark=remarks.get(key, declared.remark)) for key, declared in lent.items()]
+        frame = "what is sent, and then what was received"
+        self.declared += [
+            replace(declared, remark=frame if declared.variable.name == FRAME else declared.remark)
+            for declared in self.build.of_role("in_out")
+        ]
         done = self._declare("Done", BOOL, "output")
         busy = self._declare("Busy", BOOL, "output")
         aborted = self._declare("CommandAborted", BOOL, "output")
@@ -131,12 +124,12 @@ class _Exchange:
         send = self._declare("xSend", BOOL, "output", "its rising edge asks to send iSend bytes of aFrame")
         size = self._declare("iSend", INT, "output", "how many bytes of aFrame are to be sent")
         status = self._declare("eStatus", self.status.type, "output", "what the last function has returned")
-        self._answers()
+        answer = received(self.world, self.link, self.message, self.parse, self.variables, self._given)
         standard = _Standard(
-            *(execute, abort, timeout, retries, received, failed, done, busy, aborted, error, error_id, send)
+            *(execute, abort, timeout, retries, arrived, failed, done, busy, aborted, error, error_id, send)
         )
-        body = self._body(standard, count, size, status)
-        return Routine(name, self.build.group, None, tuple(self.declared), body, tuple(self._remarks()))
+        body = self._body(standard, count, size, status, answer)
+        return Routine(name, self.build.group, None, self.variables.needed(body), body, tuple(self._remarks()))
 
     def _remarks(self) -> Iterator[str]:
         title = self.message.message.title or self.message.name.replace("_", " ")
@@ -148,17 +141,17 @@ class _Exchange:
             "stay until Execute is FALSE, and at least one scan. Call the block in each scan."
         )
 
-    def _answers(self) -> None:
-        """Declares what the answer gives: as outputs, or apart where the request has a value of the same name."""
-        for declared in self.parse.of_role("output"):
-            name = declared.variable.name
-            if name in self.asked:
-                self.answered[name] = self._declare(f"{name}Answered", declared.variable.type, "local")
-            else:
-                self.declared.append(declared)
-                self.answered[name] = declared.variable
+    def _given(self, declared: Declared) -> Variable:
+        """Declares what the answer gives; the request may have another value of the same name."""
+        variable = declared.variable
+        if variable.name in self.asked:
+            return self._declare(f"{variable.name}Answered", variable.type, declared.role, declared.remark)
+        self.declared.append(declared)
+        return variable
 
-    def _body(self, standard: _Standard, count: Variable, size: Variable, status: Variable) -> tuple[Statement, ...]:
+    def _body(
+        self, standard: _Standard, count: Variable, size: Variable, status: Variable, answer: Received
+    ) -> tuple[Statement, ...]:
         before = self._declare("xExecuteBefore", BOOL, "local", "so that nothing starts in the first scan", "TRUE")
         received_before = self._declare("xReceivedBefore", BOOL, "local")
         edge, arrived = self._declare("xEdge", BOOL, "local"), self._declare("xArrived", BOOL, "local")
@@ -182,7 +175,7 @@ class _Exchange:
         def noted(key: str) -> list[Statement]:
             return [Assignment(reason, because(key))]
 
-        def called(routine: Routine, length: Variable, outputs: dict[str, Variable]) -> Assignment:
+        def called(routine: Routine, length: Variable, outputs: Mapping[str, Expression]) -> Assignment:
             names = [declared.variable for declared in routine.declared if declared.role != "local"]
             arguments: dict[str, Expression] = {
                 variable.name: outputs.get(variable.name, variable) for variable in names
@@ -191,16 +184,13 @@ class _Exchange:
 
         again: list[Statement] = [Assignment(standard.send, Truth(False)), Assignment(state, number(_AGAIN))]
         good = compared(status, "=", self.status.of("ok"))
-        refused = compared(status, "=", self.status.of("refused"))
-        wrong = compare_answer(self.world, self.link, self.message, self.asked, self.answered)
-        differs = wrong["other"]
-        branches: list[tuple[Expression, list[Statement]]] = [
-            (Negation(either([good, refused])), noted("damaged")),
-            *((test, noted("station")) for test in wrong["station"]),
-            (refused, ended(standard.error, because("exception"))),
-            *([(either(differs), noted("other"))] if differs else []),
-        ]
-        judged = Condition(tuple((test, tuple(body)) for test, body in branches), tuple(ended(standard.done)))
+        bodies = {
+            **{key: noted(key) for key in ("damaged", "station", "other")},
+            "exception": [*answer.refused, *ended(standard.error, because("exception"))],
+        }
+        right = [*answer.taken, *ended(standard.done)]
+        given = (self.asked, answer.answered, self.variables)
+        judgement = judged(self.world, self.link, self.message, status, *given, bodies.__getitem__, right)
         reset = [Assignment(variable, Truth(False)) for variable in (standard.done, standard.aborted, standard.error)]
         idle = [
             when(
@@ -227,7 +217,7 @@ class _Exchange:
             ),
         ]
         waiting: list[Statement] = [
-            when(arrived, [called(self.parse, count, self.answered), judged]),
+            when(arrived, [called(self.parse, count, answer.answered), *judgement]),
             when(every([in_state(_WAIT), standard.failed]), [Assignment(reason, because("transport")), *again]),
             when(every([in_state(_WAIT), Member(timer, "Q", BOOL)]), again),
         ]
@@ -254,51 +244,3 @@ class _Exchange:
                 tuple(repeating),
             ),
         )
-
-
-def compare_answer(
-    world: World,
-    link: LinkLayout,
-    message: MessageLayout,
-    asked: Mapping[str, Expression],
-    answered: Mapping[str, Expression],
-) -> dict[str, list[Expression]]:
-    """The tests that find an answer to be of another station, or to another request, by their names in ERRORS.
-
-    Both mappings go by the names of the parameters that build the request and parse the answer. Only an access to
-    registers repeats in its answer what was asked: values of the same name, and how many words there are.
-    """
-    stations = [name for name in _station_names(world, link) if name in asked and name in answered]
-    tests: dict[str, list[Expression]] = {
-        "station": [compared(answered[name], "<>", asked[name]) for name in stations],
-        "other": [],
-    }
-    access = message.message.accesses
-    if access is None:
-        return tests
-    tests["other"] += [
-        compared(answered[name], "<>", variable)
-        for name, variable in asked.items()
-        if name in answered and name not in stations and isinstance(variable.type, Elementary)
-    ]
-    if access.count:
-        elements = f"{world.variable(access.values, INT)}Count"
-        for record, ours, theirs in ((message.request, asked, answered), (message.response, answered, asked)):
-            field = record.named(access.count)
-            if field is None or field.value is None:
-                continue
-            kind = world.type_of(field.value)
-            words = ours.get(world.variable(access.count, kind))
-            if words is not None and elements in theirs and isinstance(kind, Elementary):
-                carried: Expression = words
-                if world.layout.device.bit_access(message.message) is not None:
-                    carried = Operation("/", (Operation("+", (words, Whole(7, kind)), kind), Whole(8, kind)), kind)
-                tests["other"].append(compared(converted(theirs[elements], kind), "<>", carried))
-    return tests
-
-
-def _station_names(world: World, link: LinkLayout) -> list[str]:
-    """The variables for the station in a response."""
-    parts = [part for part in head_members(link.response) if part.role == "unit_address"]
-    values = [(part.name, part.value) for part in parts if part.value is not None]
-    return [world.variable(name, world.type_of(value)) for name, value in values]

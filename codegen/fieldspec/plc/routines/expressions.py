@@ -229,7 +229,9 @@ def plus(of: Expression, more: int) -> Expression:
 
 
 def compared(left: Expression, operator: str, right: Expression) -> Operation:
-    """A comparison."""
+    """A comparison. Raises ValueError for one of a thing with itself, whose outcome is no news."""
+    if left == right:
+        raise ValueError(f"{left} is compared with itself")
     return Operation(operator, (left, right), BOOL)
 
 

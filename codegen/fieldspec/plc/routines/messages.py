@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.plc.routines.bit_counts import refuse_other_bit_counts
 from fieldspec.plc.routines.expressions import (
     BOOL,
     INT,
-    ArrayType,
     Call,
     Conversion,
     Expression,
     Negation,
     Operation,
-    StructType,
-    Type,
     Variable,
     Whole,
     compared,
@@ -27,12 +23,10 @@ from fieldspec.plc.routines.expressions import (
     number,
     plus,
 )
-from fieldspec.plc.routines.frames import code_type, head_members, wire_of
+from fieldspec.plc.routines.frames import code_type, wire_of
 from fieldspec.plc.routines.holders import Bytes
+from fieldspec.plc.routines.parameters import Fields, measure, request_parameters, response_parameters
 from fieldspec.plc.routines.records import (
-    choice_type,
-    field_type,
-    is_user_field,
     read_choice,
     read_field,
     selecting,
@@ -46,18 +40,6 @@ from fieldspec.plc.routines.world import PREFIXES, World
 from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
 
 
-@dataclass(frozen=True, slots=True)
-class Fields:
-    """The parameters of a routine for the fields of a record, and for how many elements its repeated field has."""
-
-    variables: dict[str, Variable]
-    count: Variable | None
-
-    def place(self, field: FieldLayout) -> Expression:
-        """The parameter of a field."""
-        return self.variables[field.name]
-
-
 def message_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
     """What builds the requests of a link, and what parses its responses."""
     if not framed(link):
@@ -67,37 +49,6 @@ def message_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
             yield _build(world, link, message)
         if message.name in link.carried("response"):
             yield _parse(world, link, message)
-
-
-def _declared(draft: Draft, world: World, message: MessageLayout, record: RecordLayout, role: str) -> Fields:
-    """Parameters for the fields of a record: arrays and structs are lent, the others are inputs or outputs."""
-    variables: dict[str, Variable] = {}
-    count: Variable | None = None
-    for field in record.fields:
-        if not is_user_field(field):
-            continue
-        kind = _type(world, message, field)
-        lent = isinstance(kind, ArrayType | StructType)
-        remark = world.comment(field.field, field.value)
-        if lent and role == "input":
-            remark = f"is read only. {remark}".strip()
-        name = world.variable(field.name, kind)
-        variables[field.name] = draft.declare(name, kind, "in_out" if lent else role, remark)
-        if field.field.repeat is not None:
-            text = f"how many of them: {field.field.repeat.text()}"
-            count = draft.declare(f"{world.variable(field.name, INT)}Count", INT, role, text)
-    return Fields(variables, count)
-
-
-def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
-    """The type of a parameter: words and bits of registers are in the one array that all routines for these take."""
-    access = world.layout.device.word_access(message.message)
-    if access is not None and field.field.repeat is not None and field.name == access.values:
-        return world.words
-    bits = world.layout.device.bit_access(message.message)
-    if bits is not None and field.field.repeat is not None and field.name == bits.values:
-        return world.bits
-    return choice_type(field) if field.cases else field_type(world, field)
 
 
 def _of_message(world: World, link: LinkLayout, message: MessageLayout, deed: str) -> tuple[str, str, str]:
@@ -116,13 +67,9 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     name, group, about = _of_message(world, link, message, "build")
     draft = Draft(name, group, world.status, about, message.message.doc)
     shape, record = link.request, message.request
-    head: dict[str, Expression] = {}
-    for part in head_members(shape):
-        wire = wire_of(part)
-        kind = world.type_of(wire.value)
-        variable = draft.declare(world.variable(part.name, kind), kind, "input", world.comment(part.part, wire.value))
-        head[variable.name] = variable
-    fields = _declared(draft, world, message, record, "input")
+    parameters = request_parameters(draft, world, link, message)
+    head: dict[str, Expression] = {variable.name: variable for variable in parameters.head.values()}
+    fields = parameters.fields
     frame = draft.declare("aFrame", world.frame, "in_out", "receives the request")
     length = draft.declare(LENGTH, INT, "output", "how many bytes of aFrame are to be sent")
     target = draft.declare("aBytes", world.frame, "local") if wrapped(link) else frame
@@ -131,7 +78,7 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     barred, addressed = link.barred_address(message), shape.role("unit_address")
     if barred is not None and addressed is not None:
         wire = wire_of(addressed)
-        station = head[world.variable(addressed.name, world.type_of(wire.value))]
+        station = parameters.head[addressed.name]
         draft.refuse(compared(converted(station, wire.whole), "=", Whole(barred, wire.whole)), "out_of_range")
     coded = code_type(shape)
     if coded is not None:
@@ -191,24 +138,11 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
     return size
 
 
-def _measure(record: RecordLayout, field: FieldLayout, fields: Fields, element: Expression) -> Expression:
-    """What a field that measures another one holds."""
-    measure = field.field.measures
-    assert measure is not None
-    other = record.named(measure.field)
-    assert other is not None
-    if other.field.repeat is None or fields.count is None:
-        return number(measure.number(other.count or 1, other.size))
-    if measure.of != "bytes" or element == number(1):
-        return plus(fields.count, measure.plus)
-    return plus(Operation("*", (fields.count, element), INT), measure.plus)
-
-
 def _write_length(
     draft: Draft, record: RecordLayout, field: FieldLayout, fields: Fields, element: Expression, holder: Bytes
 ) -> list[Statement]:
     wire = Wire.of_field(field)
-    measured = _measure(record, field, fields, element)
+    measured = measure(record, field, fields.count, element)
     highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
     raw = draft.local("wMeasure" if wire.value.size == 2 else f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
     tests = [draft.refusal(compared(measured, ">", number(highest)), "out_of_range")] if highest < 1 << 15 else []
@@ -227,14 +161,8 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     shape, record = link.response, message.response
     length = draft.declare(LENGTH, INT, "input", "how many bytes of aFrame were received")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
-    head: list[tuple[str, Expression]] = []
-    for part in head_members(shape):
-        wire = wire_of(part)
-        kind = world.type_of(wire.value)
-        variable = draft.declare(world.variable(part.name, kind), kind, "output", world.comment(part.part, wire.value))
-        head.append((variable.name, variable))
-    fields = _declared(draft, world, message, record, "output")
-    why = _declared(draft, world, message, refusal, "output") if refusal is not None else None
+    parameters = response_parameters(draft, world, link, message)
+    fields, why = parameters.fields, parameters.refusal
     status = draft.local("eStatus", world.status.type)
     body, size = draft.local("iBody"), draft.local("iBodyLength")
     source: Variable = frame
@@ -251,7 +179,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
         )
         draft.add([Assignment(status, unwrap), draft.status.passed_on(draft.result, status)])
     coded = code_type(shape)
-    outputs = list(head)
+    outputs: list[tuple[str, Expression]] = [(variable.name, variable) for variable in parameters.head.values()]
     code: Variable | None = None
     if coded is not None:
         code = draft.local(f"{PREFIXES[coded.name]}Code", coded)
@@ -314,7 +242,7 @@ def _read_body(
         if field.field.measures is not None:
             wire = Wire.of_field(field)
             bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
-            measured = _measure(record, field, fields, element)
+            measured = measure(record, field, fields.count, element)
             wanted = (
                 Whole(measured.value, wire.bits) if isinstance(measured, Whole) else Conversion(measured, wire.bits)
             )

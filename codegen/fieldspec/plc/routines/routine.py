@@ -249,19 +249,15 @@ def _names(body: Body) -> tuple[set[str], set[str]]:
     return routines, variables
 
 
-class Draft:
-    """A routine that returns a status. Names are compared without their case, as all dialects do."""
+class Variables:
+    """The variables of a routine while it is being made. Names are compared without their case, as all dialects do."""
 
-    def __init__(self, name: str, group: str, status: Status, *remarks: str) -> None:
-        self.name, self.group, self.status = name, group, status
-        self.remarks = [remark for remark in remarks if remark]
-        self.example: list[str] = []
-        self.result = Variable(name, status.type)
-        self.body: list[Statement] = []
-        self._declared: list[Declared] = []
-        self._names: set[str] = {name.lower()}
+    def __init__(self, *taken: str) -> None:
+        self.declared: list[Declared] = []
+        self._names = {name.lower() for name in taken}
+        self._shared: dict[tuple[str, Type, str], Variable] = {}
 
-    def declare(self, name: str, kind: Type, role: str, remark: str = "") -> Variable:
+    def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
         """A new variable; where its name is taken, a number stands behind it."""
         number, tried = 1, name
         while tried.lower() in self._names:
@@ -269,15 +265,36 @@ class Draft:
             tried = f"{name}{number}"
         self._names.add(tried.lower())
         variable = Variable(tried, kind)
-        self._declared.append(Declared(variable, role, remark))
+        self.declared.append(Declared(variable, role, remark, initial))
         return variable
 
+    def declared_once(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
+        """A variable that is shared by all who ask for it so; one that `declare` has made is never shared."""
+        key = (name, kind, role)
+        if key not in self._shared:
+            self._shared[key] = self.declare(name, kind, role, remark, initial)
+        return self._shared[key]
+
     def local(self, name: str, kind: Type = INT) -> Variable:
-        """A local variable; one that is asked for twice is the same one."""
-        for declared in self._declared:
-            if declared.role == "local" and declared.variable == Variable(name, kind):
-                return declared.variable
-        return self.declare(name, kind, "local")
+        """A local variable that is shared."""
+        return self.declared_once(name, kind, "local")
+
+    def needed(self, body: Body) -> tuple[Declared, ...]:
+        """What is declared, without local variables that no statement uses: compilers warn of them."""
+        names = used(body)
+        return tuple(item for item in self.declared if item.role != "local" or item.variable.name in names)
+
+
+class Draft(Variables):
+    """A routine that returns a status."""
+
+    def __init__(self, name: str, group: str, status: Status, *remarks: str) -> None:
+        super().__init__(name)
+        self.name, self.group, self.status = name, group, status
+        self.remarks = [remark for remark in remarks if remark]
+        self.example: list[str] = []
+        self.result = Variable(name, status.type)
+        self.body: list[Statement] = []
 
     def add(self, statements: Iterable[Statement]) -> None:
         """Adds statements to the end."""
@@ -292,19 +309,13 @@ class Draft:
         return self.status.refuse(self.result, test, status)
 
     def finished(self, last: Expression | None = None) -> Routine:
-        """The routine; at its end it returns a status, where none is given that all is well.
-
-        Local variables that no statement uses are left out: compilers warn of them.
-        """
+        """The routine; at its end it returns a status, where none is given that all is well."""
         body = (*self.body, Assignment(self.result, self.status.of("ok") if last is None else last))
-        names = used(body)
         return Routine(
             self.name,
             self.group,
             self.status.type,
-            tuple(
-                declared for declared in self._declared if declared.role != "local" or declared.variable.name in names
-            ),
+            self.needed(body),
             body,
             tuple(self.remarks),
             tuple(self.example),

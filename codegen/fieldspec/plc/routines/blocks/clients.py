@@ -6,12 +6,23 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.record import RegisterAccess
+from fieldspec.plc.routines.answers import judged
 from fieldspec.plc.routines.blocks.frames import Exchange, exchange_of
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FRAMES, FREE, member
+from fieldspec.plc.routines.blocks.ports import (
+    ABANDONED,
+    ANSWERED,
+    ASKED,
+    AXIS,
+    FRAMES,
+    FREE,
+    URGENT,
+    counted_up,
+    member,
+)
 from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
-from fieldspec.plc.routines.exchanges import compare_answer
 from fieldspec.plc.routines.expressions import (
     INT,
+    UDINT,
     UINT,
     Element,
     Elementary,
@@ -29,8 +40,9 @@ from fieldspec.plc.routines.expressions import (
     plus,
 )
 from fieldspec.plc.routines.expressions import WORD as WORD_TYPE
+from fieldspec.plc.routines.parameters import FRAME, parameters_of
 from fieldspec.plc.routines.records import is_user_field
-from fieldspec.plc.routines.routine import Assignment, Declared, Routine, Statement, used, when
+from fieldspec.plc.routines.routine import Assignment, Loop, Routine, Statement, Variables, when
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import LENGTH, link_words
 
@@ -51,7 +63,7 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
         if not _usable(world, exchange, access):
             continue
         if access.operation == "read":
-            reading = reading or exchange
+            reading = reading or (exchange if access.count else None)
         elif access.count:
             several = several or exchange
         else:
@@ -75,18 +87,19 @@ class _Client:
     ) -> None:
         self.world, self.link = world, link
         self.exchanges = {"reading": reading, "single": single, "several": several}
-        self.declared: list[Declared] = []
+        self.variables = Variables()
         self.axis = self._struct(AXIS, "axis")
         self.frames = self._struct(FRAMES, "frames")
         self.result = self._declare("eStatus", world.status.type, "output", "what the last function has returned")
         self.reason = self._declare("uiReason", UINT, "local")
-        self.good = compared(self.result, "=", world.status.of("ok"))
+        self.words = self._declare("aWordsAnswered", world.words, "local", "given to the axis once they are its own")
+        self.taken, self.request = (
+            self._declare("udiTaken", UDINT, "local"),
+            self._declare("udiRequest", UDINT, "local"),
+        )
 
     def _declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        variable = Variable(name, kind)
-        if all(declared.variable != variable for declared in self.declared):
-            self.declared.append(Declared(variable, role, remark, initial))
-        return variable
+        return self.variables.declare(name, kind, role, remark, initial)
 
     def _struct(self, key: str, name: str) -> Variable:
         kind = StructType(self.world.names.structs[key])
@@ -104,6 +117,9 @@ class _Client:
         retries = self._declare("iRetries", INT, "input", "how often reading is tried again; writing never is", "2")
         step, tries = self._declare("iStep", INT, "local"), self._declare("iTry", INT, "local")
         axis_state, state = self._of_axis("state"), self._of_frames("state")
+        urgent, busy = self._of_axis("urgent"), self._of_frames("urgent")
+        own = compared(self._of_axis("request"), "=", self.taken)
+        waited = every([compared(axis_state, "=", number(ASKED)), own])
 
         def go(to: int) -> Statement:
             return Assignment(step, number(to))
@@ -118,7 +134,7 @@ class _Client:
         last_build: Sequence[Statement] = [self._fail("request")]
         last_parse: Sequence[Statement] = ()
         for name, exchange in kinds:
-            built, parsed = self._built(exchange, name), self._parsed(exchange, name)
+            built, parsed = self._built(exchange), self._parsed(exchange)
             if name in tests:
                 builds.append((tests[name], built))
                 parses.append((tests[name], parsed))
@@ -126,18 +142,24 @@ class _Client:
                 last_build, last_parse = built, parsed
         no_reason = Assignment(self.reason, Whole(0, UINT))
         none = compared(self.reason, "=", Whole(0, UINT))
+        request = self._of_frames("request")
+        asked = [counted_up(request), Assignment(self.request, request), Assignment(state, number(ASKED)), go(_WAIT)]
+        room = world.words.high + 1
+        beyond = either([compared(count, "<", number(1)), compared(count, ">", number(room))])
         asking: list[Statement] = [
             no_reason,
-            chain(builds, last_build),
-            when(none, [Assignment(state, number(ASKED)), go(_WAIT)], [go(_ANSWER)]),
+            chain([(beyond, [self._fail("request")]), *builds], last_build),
+            when(none, asked, [go(_ANSWER)]),
         ]
         error = self._of_frames("error")
         waiting: list[Statement] = [
             Assignment(state, number(FREE)),
-            when(
-                compared(error, "<>", Whole(0, UINT)),
-                [Assignment(self.reason, error)],
-                [chain(parses, last_parse)],
+            chain(
+                [
+                    (compared(self._of_frames("answered"), "<>", self.request), [self._fail("other")]),
+                    (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
+                    (waited, [chain(parses, last_parse)]),
+                ]
             ),
             go(_ANSWER),
             when(
@@ -146,29 +168,45 @@ class _Client:
                         compared(self.reason, "<>", Whole(0, UINT)),
                         compared(self.reason, "<>", Whole(ERRORS["exception"][0], UINT)),
                         Negation(self._of_axis("write")),
-                        compared(axis_state, "=", number(ASKED)),
+                        waited,
                         compared(tries, "<", retries),
+                        compared(urgent, "=", number(0)),
                     ]
                 ),
                 [Assignment(tries, plus(tries, 1)), go(_ASK)],
             ),
         ]
+        index = self._declare("iAt", INT, "local")
+        word = Assignment(*(Element(words, index, WORD_TYPE) for words in (self._of_axis("words"), self.words)))
+        given = when(
+            every([none, Negation(self._of_axis("write"))]), [Loop(index, number(0), plus(count, -1), (word,))]
+        )
         answering: list[Statement] = [
-            Assignment(self._of_axis("error"), self.reason),
-            when(
-                compared(axis_state, "=", number(ABANDONED)),
-                [Assignment(axis_state, number(FREE))],
-                [Assignment(axis_state, number(ANSWERED))],
+            chain(
+                [
+                    (
+                        waited,
+                        [
+                            *(given, Assignment(self._of_axis("error"), self.reason)),
+                            Assignment(self._of_axis("answered"), self.taken),
+                            Assignment(axis_state, number(ANSWERED)),
+                        ],
+                    ),
+                    (compared(axis_state, "=", number(ABANDONED)), [Assignment(axis_state, number(FREE))]),
+                ]
             ),
             go(_IDLE),
         ]
+        begin = [Assignment(self.taken, self._of_axis("request")), Assignment(tries, number(0)), go(_ASK)]
+        goes = either([compared(busy, "=", number(0)), compared(urgent, ">", number(0))])
+        waits = every([compared(urgent, ">", number(0)), compared(step, "=", number(_ASK))])
         body: list[Statement] = [
             when(
                 compared(step, "=", number(_IDLE)),
                 [
                     chain(
                         [
-                            (compared(axis_state, "=", number(ASKED)), [Assignment(tries, number(0)), go(_ASK)]),
+                            (compared(axis_state, "=", number(ASKED)), begin),
                             (compared(axis_state, "=", number(ABANDONED)), [Assignment(axis_state, number(FREE))]),
                         ]
                     )
@@ -176,18 +214,15 @@ class _Client:
             ),
             chain(
                 [
-                    (
-                        every([compared(step, "=", number(_ASK)), compared(axis_state, "=", number(ABANDONED))]),
-                        [Assignment(axis_state, number(FREE)), go(_IDLE)],
-                    ),
-                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE))]), asking),
+                    (every([compared(step, "=", number(_ASK)), Negation(waited)]), [go(_ANSWER)]),
+                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE)), goes]), asking),
                     (every([compared(step, "=", number(_WAIT)), compared(state, "=", number(ANSWERED))]), waiting),
                 ]
             ),
             when(compared(step, "=", number(_ANSWER)), answering),
+            when(waits, [Assignment(busy, number(URGENT))]),
+            when(compared(urgent, ">", number(0)), [Assignment(urgent, plus(urgent, -1))]),
         ]
-        names = used(tuple(body))
-        declared = [item for item in self.declared if item.role != "local" or item.variable.name in names]
         name = world.block(*link_words(world, self.link), "client")
         remarks = (
             f"Carries the accesses to the registers of one device as frames of {self.link.name}. Call it in each scan, "
@@ -196,66 +231,64 @@ class _Client:
             "have carried it out although its answer is lost.",
             meanings(ERRORS),
         )
-        return Routine(name, f"messages of {self.link.name}", None, tuple(declared), tuple(body), remarks)
+        return Routine(
+            name, f"messages of {self.link.name}", None, self.variables.needed(tuple(body)), tuple(body), remarks
+        )
 
     def _fail(self, reason: str) -> Statement:
         return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
 
-    def _arguments(self, exchange: Exchange, name: str) -> dict[str, Expression]:
+    def _arguments(self, exchange: Exchange) -> dict[str, Expression]:
         """The arguments that build a request."""
         access = exchange.message.message.accesses
         assert access is not None
         words, count = self._of_axis("words"), self._of_axis("count")
+        asks, _ = parameters_of(self.world, exchange.link, exchange.message)
         arguments: dict[str, Expression] = {}
-        for declared in (*exchange.build.of_role("input"), *exchange.build.of_role("in_out")):
-            variable = declared.variable
-            kind = variable.type
-            if variable.name == "aFrame":
-                arguments[variable.name] = self._of_frames("frame")
+        remarks = {declared.variable.name: declared.remark for declared in exchange.build.declared}
+        for variable in asks.head.values():
+            name, remark = variable.name, remarks[variable.name]
+            arguments[name] = self.variables.declared_once(name, variable.type, "input", remark)
+        by_name = {access.start: self._of_axis("address"), access.count: count}
+        for field, variable in asks.fields.variables.items():
+            if field != access.values:
+                arguments[variable.name] = _converted(by_name[field], variable.type)
             elif variable.type == self.world.words:
                 arguments[variable.name] = words
-            elif variable.name == f"{self.world.variable(access.values, INT)}Count":
-                arguments[variable.name] = count
-            elif variable.name == self.world.variable(access.start, kind):
-                arguments[variable.name] = _converted(self._of_axis("address"), kind)
-            elif access.count and variable.name == self.world.variable(access.count, kind):
-                arguments[variable.name] = _converted(count, kind)
-            elif variable.name == self.world.variable(access.values, kind):
-                arguments[variable.name] = _converted(Element(words, number(0), WORD_TYPE), kind)
             else:
-                arguments[variable.name] = self._declare(variable.name, kind, "input", declared.remark)
+                arguments[variable.name] = _converted(Element(words, number(0), WORD_TYPE), variable.type)
+        if asks.fields.count is not None:
+            arguments[asks.fields.count.name] = count
         return arguments
 
-    def _built(self, exchange: Exchange, name: str) -> list[Statement]:
-        call = exchange.build.called(**{**self._arguments(exchange, name), LENGTH: self._of_frames("send")})
+    def _built(self, exchange: Exchange) -> list[Statement]:
+        lent = {FRAME: self._of_frames("frame"), LENGTH: self._of_frames("send")}
         return [
-            Assignment(self.result, call),
+            Assignment(self.result, exchange.build.called(**{**self._arguments(exchange), **lent})),
             when(compared(self.result, "<>", self.world.status.of("ok")), [self._fail("request")]),
         ]
 
-    def _parsed(self, exchange: Exchange, name: str) -> list[Statement]:
-        arguments = {key: value for key, value in self._arguments(exchange, name).items() if key != "aFrame"}
+    def _parsed(self, exchange: Exchange) -> list[Statement]:
         answered: dict[str, Expression] = {}
         for declared in (*exchange.parse.of_role("output"), *exchange.parse.of_role("in_out")):
             variable = declared.variable
-            if variable.name == "aFrame":
-                continue
             if variable.type == self.world.words:
-                answered[variable.name] = self._of_axis("words")
-            else:
-                answered[variable.name] = self._declare(f"{variable.name}Answered", variable.type, "local")
-        arguments = {**answered, "aFrame": self._of_frames("frame"), LENGTH: self._of_frames("received")}
-        wrong = compare_answer(self.world, self.link, exchange.message, arguments, answered)
-        refused = compared(self.result, "=", self.world.status.of("refused"))
-        branches: list[tuple[Expression, Sequence[Statement]]] = [
-            (Negation(either([self.good, refused])), [self._fail("damaged")])
-        ]
-        if wrong["station"]:
-            branches.append((either(wrong["station"]), [self._fail("station")]))
-        branches.append((refused, [self._fail("exception")]))
-        if wrong["other"]:
-            branches.append((either(wrong["other"]), [self._fail("other")]))
-        return [Assignment(self.result, exchange.parse.called(**arguments)), chain(branches)]
+                answered[variable.name] = self.words
+            elif variable.name != FRAME:
+                answered[variable.name] = self.variables.local(f"{variable.name}Answered", variable.type)
+        lent = {FRAME: self._of_frames("frame"), LENGTH: self._of_frames("received")}
+        judgement = judged(
+            self.world,
+            exchange.link,
+            exchange.message,
+            self.result,
+            self._arguments(exchange),
+            answered,
+            self.variables,
+            lambda reason: [self._fail(reason)],
+            (),
+        )
+        return [Assignment(self.result, exchange.parse.called(**{**answered, **lent})), *judgement]
 
 
 def _converted(of: Expression, kind: Type) -> Expression:

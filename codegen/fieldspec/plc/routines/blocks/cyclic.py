@@ -23,9 +23,9 @@ from fieldspec.model.watches import (
 from fieldspec.plc.routines.blocks.kinds import Branch, Executed, Kind
 from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
-from fieldspec.plc.routines.blocks.ports import axis_key, member
+from fieldspec.plc.routines.blocks.ports import axis_key, counted_up, member
 from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
-from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain, counted
+from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.blocks.tasks import end_steps
 from fieldspec.plc.routines.blocks.words import masked
 from fieldspec.plc.routines.expressions import Expression, Member, Negation, Variable, compared, every
@@ -94,7 +94,7 @@ class CyclicTask:
         self.lowered: list[Statement] = []
         self.insists: list[Statement] = []
         self.begun: list[Statement] = []
-        self.unsettled = False
+        self.unsettled = self.noted = False
         self.remarks: list[str] = []
 
     def all(self) -> None:
@@ -140,6 +140,7 @@ class CyclicTask:
             end = end_steps(other)
             assert end is not None
             self.labels[f"direction {number}"] = draft.next
+            self.noted = False
             self._walk(other, end[0], end[1], acceptance(self.operands, other, self.message.name))
             draft.add([draft.go(self.known.get("watch", 0))])
         kind.look = self.labels["watch"] = draft.next
@@ -147,7 +148,7 @@ class CyclicTask:
         self._end(kind)
 
     def _end(self, kind: Moving) -> None:
-        """Adds what ends a motion: what lets it go on is cleared at once, and the block waits until the device stands."""
+        """Adds what ends a motion: what lets it go on is cleared at once, and the block waits for standstill."""
         draft = self.draft
         starting = [bit for bit in self.set if bit.roles & STARTING]
         kind.restart = _cleared([*starting, *self.pulsed]) + self.neutral + self.lowered
@@ -177,7 +178,7 @@ class CyclicTask:
                 waits.append(step)
             else:
                 raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
-        self.begun = [counted(axis_port(self.world, draft, self.message).motion)]
+        self.begun = [counted_up(axis_port(self.world, draft, self.message).motion)]
         if isinstance(kind, Stopping):
             levels = _BY_LEVEL | {"move_start"}
             bits += [self._bit(operand) for operand in self._starting() if levels & {*operand.roles}]
@@ -211,7 +212,7 @@ class CyclicTask:
 
     def _walk(self, task: Task, first: int, behind: int, accepted_at: int = -1) -> None:
         """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
-        draft, kind = self.draft, self.kind
+        draft = self.draft
         index = first
         while index < behind:
             step = task.steps[index]
@@ -227,6 +228,11 @@ class CyclicTask:
             if index <= accepted_at < last:
                 self.labels["look"] = draft.next
             index = last
+
+    def _sent(self) -> list[Statement]:
+        """What notes that a command is on its way, in the first step that changes the request."""
+        noted, self.noted = self.noted, True
+        return [assigned(self.kind.sent, True)] if isinstance(self.kind, Moving) and not noted else []
 
     def _taken(self, accepts: bool) -> list[Statement]:
         kind = self.kind
@@ -257,7 +263,7 @@ class CyclicTask:
         """Adds a step that changes the request."""
         draft, kind, step = self.draft, self.kind, task.steps[index]
         operand = self._operand(step)
-        sent = [assigned(kind.sent, True)] if isinstance(kind, Moving) else []
+        sent = self._sent()
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
         if step.action == "read":
@@ -339,7 +345,7 @@ class CyclicTask:
         cleared = _cleared([self._bit(operand) for operand in self._starting()])
         if cleared:
             self.remarks.append(
-                "Clears the bits that switch on and start first, so that nothing goes on by itself when the alarm is gone."
+                "Clears the bits that switch on and start first, so that nothing goes on when the alarm is gone."
             )
             draft = self.draft
             draft.add([*cleared, draft.go(draft.next + 1)])

@@ -60,10 +60,10 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
     by_name = {routine.name: routine for routine in routines}
     maker = _Maker(world, by_name)
     for job in jobs(layout.device.tasks):
-        try:
-            blocks += maker.blocks(job)
-        except NoBlock as reason:
-            missing.append((job.tasks[0].name, str(reason)))
+        job_blocks, reason = maker.tried(job)
+        blocks += job_blocks
+        if reason:
+            missing.append((job.tasks[0].name, reason))
     if layout.registers:
         blocks += group_blocks(world, by_name)
         blocks += table_blocks(world, by_name)
@@ -116,6 +116,13 @@ class _Maker:
         self.world, self.by_name = world, by_name
         self.operands = Operands(world.layout.device)
         self.helpers = Helpers(world)
+
+    def tried(self, job: Job) -> tuple[list[Routine], str]:
+        """The blocks of a job, or why it has none."""
+        try:
+            return self.blocks(job), ""
+        except NoBlock as reason:
+            return [], str(reason)
 
     def blocks(self, job: Job) -> list[Routine]:
         """The blocks of a job. Raises NoBlock where there is none."""

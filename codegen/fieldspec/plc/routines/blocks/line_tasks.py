@@ -22,8 +22,9 @@ from fieldspec.plc.routines.blocks.kinds import Executed
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import outputs_of
+from fieldspec.plc.routines.blocks.ports import counted_up
 from fieldspec.plc.routines.blocks.progress import Conditions, Seen, opposite
-from fieldspec.plc.routines.blocks.standard import chain, counted
+from fieldspec.plc.routines.blocks.standard import chain
 from fieldspec.plc.routines.blocks.tasks import end_steps, target
 from fieldspec.plc.routines.expressions import Variable
 from fieldspec.plc.routines.routine import Assignment, Statement, when
@@ -35,13 +36,17 @@ Decide = Callable[[int], list[Statement]]
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Steps of a task that belong together, from `index` to before `behind`: what is sent, and what is looked at."""
+    """Steps of a task that belong together, from `index` to before `behind`: what is sent, and what is looked at.
+
+    It is looked at `again` and again, with some time between.
+    """
 
     index: int
     behind: int
     commands: bool
     waits: tuple[Step, ...] = ()
     reads: tuple[Step, ...] = ()
+    again: bool = False
 
 
 class LineTask:
@@ -103,7 +108,7 @@ class LineTask:
             if first:
                 self._look_first()
             takes = task.kind == "servo_off"
-            taken = [counted(self.draft.axis_port().motion)] if takes else []
+            taken = [counted_up(self.draft.axis_port().motion)] if takes else []
             self._walk(task, first, whole, taken, acceptance(self.operands, task) if takes else -1)
 
     def _motion(self, kind: Moving) -> None:
@@ -167,8 +172,7 @@ class LineTask:
             seen = self.seen(task, unit)
             noted: list[Statement] = []
             needed = [watch.operand for watch in self.watches]
-            for step in (*unit.waits, *conditions.relative(task.steps), *refusals):
-                needed.append(self.target(step))
+            needed += [self.target(step) for step in (*unit.waits, *conditions.relative(task.steps), *refusals)]
             for step in conditions.relative(task.steps):
                 noted += conditions.start_of(step, seen) if seen(self.target(step)) is not None else []
             for step in refusals[:1]:
@@ -206,8 +210,9 @@ class LineTask:
     ) -> None:
         """Adds steps of a task. What is `accepted` is done behind the step at `accepted_at`.
 
-        Where it `begins` a motion, what is waited for later is judged as one; `ending` a motion is not watched. `last` says that nothing comes behind, by
-        default where these are the last steps of the task; `behind_all` is the step that comes behind instead.
+        Where it `begins` a motion, what is waited for later is judged as one; `ending` a motion is not watched. `last`
+        says that nothing comes behind, by default where these are the last steps of the task; `behind_all` is the step
+        that comes behind instead.
         """
         draft, kind = self.draft, self.draft.kind
         command = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)

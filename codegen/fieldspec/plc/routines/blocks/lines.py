@@ -6,10 +6,11 @@ from collections.abc import Iterable
 
 from fieldspec.plc.routines.blocks.kinds import Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.motion import AxisPort, Stopping
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FREE, member
+from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FREE, URGENT, counted_up, member
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
+    UDINT,
     UINT,
     Member,
     Negation,
@@ -21,9 +22,6 @@ from fieldspec.plc.routines.expressions import (
 )
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
-
-URGENT = 2
-"""How many scans an urgent request keeps the line free for itself: whoever serves the port counts it down."""
 
 
 class LineDraft(BlockDraft):
@@ -92,6 +90,7 @@ class LineDraft(BlockDraft):
         """The block."""
         kind = self.kind
         state, error, urgent = (self.of_port(name) for name in ("state", "error", "urgent"))
+        number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
         answered = every([self.asked, compared(state, "=", number(ANSWERED))])
         first = kind.urgent()
         calm = compared(urgent, "=", number(0))
@@ -100,9 +99,16 @@ class LineDraft(BlockDraft):
         take: list[Statement] = [
             assigned(self.asked, False),
             Assignment(state, number(FREE)),
-            when(compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)], self.selected(asks=False)),
+            chain(
+                [
+                    (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
+                    (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
+                ],
+                self.selected(asks=False),
+            ),
         ]
-        ask = [*self.selected(asks=True), when(self.asked, [Assignment(state, number(ASKED)), *kind.on_ask()])]
+        asking = [counted_up(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
+        ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
         working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
         claims = [when(first, [Assignment(urgent, number(URGENT))])] if first is not None else []
         drops = when(self.dropped, [*kind.release, assigned(self.dropped, False)])

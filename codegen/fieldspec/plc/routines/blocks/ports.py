@@ -1,7 +1,7 @@
 """What stands between the blocks of a device and its line: structs that several blocks and one transport share.
 
 A port is used in turns. A block asks while the port is free, the transport answers, and the block that has asked takes
-the answer and frees the port.
+the answer and frees the port. Each request has a number, which its answer bears.
 """
 
 from __future__ import annotations
@@ -12,7 +12,20 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.record import Message
-from fieldspec.plc.routines.expressions import BOOL, INT, UDINT, UINT, Expression, Member, StructType, Type
+from fieldspec.plc.routines.expressions import (
+    BOOL,
+    INT,
+    UDINT,
+    UINT,
+    Expression,
+    Member,
+    Operation,
+    StructType,
+    Type,
+    Whole,
+    compared,
+)
+from fieldspec.plc.routines.routine import Assignment, Statement, when
 from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import framed
@@ -23,7 +36,17 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
+URGENT = 2
+"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down."""
 STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
+_HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
+    ("state", INT, STATE_REMARK),
+    ("error", UINT, "0, or why there is no answer: an ErrorID"),
+    ("request", UDINT, "the number of the request, which whoever asks counts up"),
+    ("answered", UDINT, "the number of the request that was answered"),
+    ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan"),
+)
+"""What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +63,10 @@ def ports(world: World) -> Iterator[Port]:
     """The ports of a device, as far as the structs in them are declared."""
     layout = world.layout
     mover = (
-        ("motion", UDINT, "counts the commands that were accepted: their block has the axis"),
-        ("claims", UDINT, "counts the commands that were begun: the last one is sent"),
+        ("motion", UDINT, "counts the commands that were accepted: the block of the last one has the axis"),
+        ("claims", UDINT, "counts the commands that were begun: only the last one is sent"),
         ("stops", UDINT, "how many stops lock the axis"),
     )
-    turns = ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan")
-    handshake = (("state", INT, STATE_REMARK), ("error", UINT, "0, or why there is no answer: an ErrorID"), turns)
     if layout.registers:
         asked = (
             ("write", BOOL, "whether the words are to be written"),
@@ -53,7 +74,7 @@ def ports(world: World) -> Iterator[Port]:
             ("count", INT, "how many words"),
             ("words", world.words, "what is written, or was read"),
         )
-        yield Port(AXIS, "axis", "A device, and the access to its registers", (*handshake, *asked, *mover))
+        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *asked, *mover))
     elif sends(layout):
         yield Port(AXIS, "axis", "A device, and who moves it", mover)
     if own_links(layout):
@@ -62,7 +83,7 @@ def ports(world: World) -> Iterator[Port]:
             ("received", INT, "how many bytes of it were received"),
             ("frame", world.frame, "what is sent, and then what was received"),
         )
-        yield Port(FRAMES, "frames", "A line that carries frames", (*handshake, *frame))
+        yield Port(FRAMES, "frames", "A line that carries frames", (*_HANDSHAKE, *frame))
     for message in cyclic(layout):
         yield Port(
             axis_key(message),
@@ -107,3 +128,10 @@ def member(world: World, port: str, name: str, of: Expression) -> Member:
     if not world.port_members:
         world.port_members.update({port.key: {name: kind for name, kind, _ in port.members} for port in ports(world)})
     return Member(of, world.names.members[port][name], world.port_members[port][name])
+
+
+def counted_up(count: Expression) -> Statement:
+    """What adds one to a number, and begins again with 0 behind the greatest one."""
+    more = Operation("+", (count, Whole(1, UDINT)), UDINT)
+    most = compared(count, "=", Whole(UDINT.high, UDINT))
+    return when(most, [Assignment(count, Whole(0, UDINT))], [Assignment(count, more)])

@@ -11,14 +11,11 @@ from fieldspec.plc.routines.expressions import (
     INT,
     TIME,
     TIMER,
-    UDINT,
     UINT,
     Expression,
     Member,
-    Operation,
     StructType,
     Truth,
-    Type,
     Variable,
     Whole,
     compared,
@@ -29,13 +26,12 @@ from fieldspec.plc.routines.routine import (
     Assignment,
     Body,
     Condition,
-    Declared,
     Remark,
     Routine,
     Selection,
     Statement,
     Timing,
-    used,
+    Variables,
     when,
 )
 from fieldspec.plc.routines.world import World
@@ -70,21 +66,20 @@ class Section:
     remark: str = ""
 
 
-class BlockDraft:
+class BlockDraft(Variables):
     """A block while it is being made. Its steps are numbered from 1 on; the step 0 is behind the last one.
 
     `refusal` is the variable that says whether a value of an input is refused, by the number of an error.
     """
 
     def __init__(self, world: World, name: str, group: str) -> None:
+        super().__init__()
         self.world, self.name, self.group = world, name, group
         self.remarks: list[str] = []
-        self.declared: list[Declared] = []
         self.steps: list[Section] = []
         self.at_start: list[Statement] = []
         self.timed: list[tuple[Variable, Expression, Variable]] = []
         self.settling: list[int] = []
-        self._names: set[str] = set()
         self.status = world.status
 
     def outputs(self, done: str, aborted: bool) -> None:
@@ -101,24 +96,6 @@ class BlockDraft:
     def steps_from(self, initial: int) -> None:
         """Declares the step, and the number that it has before anything was asked for."""
         self.step = self.declare("iStep", INT, "local", "0 behind the last one", f"{initial}" if initial else "")
-
-    def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A new variable; where its name is taken, a number stands behind it."""
-        which, tried = 1, name
-        while tried.lower() in self._names:
-            which += 1
-            tried = f"{name}{which}"
-        self._names.add(tried.lower())
-        variable = Variable(tried, kind)
-        self.declared.append(Declared(variable, role, remark, initial))
-        return variable
-
-    def declared_once(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A variable that several steps share."""
-        for declared in self.declared:
-            if declared.variable == Variable(name, kind):
-                return declared.variable
-        return self.declare(name, kind, role, remark, initial)
 
     def flag(self, name: str, remark: str = "") -> Variable:
         """A truth that the block remembers."""
@@ -222,23 +199,13 @@ class BlockDraft:
 
     def finished(self, body: Sequence[Statement]) -> Routine:
         """The block; local variables that no statement uses are left out."""
-        names = used(tuple(body))
-        ordered = [
-            declared for declared in self.declared if declared.role != "local" or declared.variable.name in names
-        ]
-        return Routine(self.name, self.group, None, tuple(ordered), tuple(body), tuple(filter(None, self.remarks)))
+        remarks = tuple(filter(None, self.remarks))
+        return Routine(self.name, self.group, None, self.needed(tuple(body)), tuple(body), remarks)
 
 
 def assigned(variable: Expression, value: bool) -> Statement:
     """What makes a truth TRUE or FALSE."""
     return Assignment(variable, Truth(value))
-
-
-def counted(count: Expression) -> Statement:
-    """What increments a count that begins again behind its greatest number."""
-    more = Operation("+", (count, Whole(1, UDINT)), UDINT)
-    most = compared(count, "=", Whole(UDINT.high, UDINT))
-    return when(most, [Assignment(count, Whole(0, UDINT))], [Assignment(count, more)])
 
 
 def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:

@@ -1,0 +1,286 @@
+"""Whether an answer belongs to what was asked: all that it repeats is compared, before any of it is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from fieldspec.classes import dataclass
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.repeated_parts import repeated_fields, repeated_parts
+from fieldspec.model.value import Kind, Value
+from fieldspec.plc.routines.expressions import (
+    BOOL,
+    LREAL,
+    SIGNED,
+    UDINT,
+    UNSIGNED,
+    ArrayType,
+    Element,
+    Elementary,
+    EnumMemberExpression,
+    EnumType,
+    Expression,
+    Negation,
+    Operation,
+    StructType,
+    Truth,
+    Variable,
+    Whole,
+    compared,
+    converted,
+    either,
+    every,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.parameters import Fields, measure, parameters_of
+from fieldspec.plc.routines.records import is_user_field, members_of
+from fieldspec.plc.routines.routine import Assignment, Condition, Declared, Loop, Routine, Statement, Variables, when
+from fieldspec.plc.routines.world import World, narrowest
+
+
+@dataclass(frozen=True, slots=True)
+class Received:
+    """Where the function that parses a response puts it, by the names of its outputs: apart from what blocks give.
+
+    `taken` gives it once it is judged right, `refused` gives why the device refuses.
+    """
+
+    answered: Mapping[str, Expression]
+    taken: Sequence[Statement]
+    refused: Sequence[Statement]
+
+
+def received(
+    world: World,
+    link: LinkLayout,
+    message: MessageLayout,
+    parse: Routine,
+    variables: Variables,
+    given: Callable[[Declared], Variable],
+) -> Received:
+    """Declares where a response is put; `given` declares what a block gives of what the response does not repeat."""
+    _, answers = parameters_of(world, link, message)
+    repeated = {id(other) for _, other in repeated_parts(link)} | {id(other) for _, other in repeated_fields(message)}
+    outputs = {declared.variable.name: declared for declared in parse.declared}
+    names = [
+        answers.head[part.name]
+        for part in link.response.header
+        if part.name in answers.head and id(part) not in repeated
+    ]
+    for field in message.response.fields:
+        if field.name in answers.fields.variables and id(field) not in repeated:
+            names.append(answers.fields.variables[field.name])
+            if field.field.repeat is not None and answers.fields.count is not None:
+                names.append(answers.fields.count)
+    reasons = list(answers.refusal.every) if answers.refusal is not None else []
+    whole = [*answers.head.values(), *answers.fields.every, *reasons]
+    targets = {item.name: given(outputs[item.name]) for item in whole if item in names or item in reasons}
+    answered = {item.name: variables.declare(f"{item.name}Answered", item.type, "local") for item in whole}
+
+    def gives(items: Iterable[Variable]) -> list[Statement]:
+        return [Assignment(targets[item.name], answered[item.name]) for item in items]
+
+    return Received(answered, gives(names), gives(reasons))
+
+
+def judged(
+    world: World,
+    link: LinkLayout,
+    message: MessageLayout,
+    status: Variable,
+    asked: Mapping[str, Expression],
+    answered: Mapping[str, Expression],
+    variables: Variables,
+    bodies: Callable[[str], Sequence[Statement]],
+    right: Sequence[Statement],
+) -> list[Statement]:
+    """What does `right` where an answer is to what was asked, and else what `bodies` has for the name of an error.
+
+    Both mappings go by the names of the parameters that build the request and parse the answer.
+    """
+    comparison = _Comparison(world, variables)
+    asks, answers = parameters_of(world, link, message)
+    good = compared(status, "=", world.status.of("ok"))
+    refused = compared(status, "=", world.status.of("refused"))
+    station: list[Expression] = []
+    head: list[Expression] = []
+    body: list[Expression] = []
+    for own, other in repeated_parts(link):
+        if other.name in answers.head:
+            ours = _known(world, asks.head.get(own.name), own.value, own.constant, asked)
+            tests = station if other.role == "unit_address" else head
+            if ours is not None:
+                tests.append(comparison.differ(answered[answers.head[other.name].name], ours))
+    error = link.link.exception_response
+    coded = link.request.role("code")
+    if error is not None and coded is not None and answers.refusal is not None:
+        for field in world.layout.records[error.record].fields:
+            variable = answers.refusal.variables.get(field.name)
+            if field.field.same_as == coded.name and variable is not None and message.message.code is not None:
+                code = Whole(message.message.code, UNSIGNED[coded.size])
+                head.append(every([refused, comparison.differ(answered[variable.name], code)]))
+    flag = variables.local("xOther", BOOL)
+    statements: list[Statement] = []
+    for request_field, response_field in repeated_fields(message):
+        theirs = _value(world, message.response, response_field, answers.fields, answered)
+        ours = _value(world, message.request, request_field, asks.fields, asked)
+        if theirs is None or ours is None:
+            continue
+        if isinstance(theirs.type, ArrayType | StructType):
+            both = ((response_field, theirs, answers.fields, answered), (request_field, ours, asks.fields, asked))
+            have, wanted = (_elements(*side) for side in both)
+            unlike = comparison.unlike(flag, (theirs, response_field), (ours, request_field), have)
+            if have is not None and wanted is not None and {type(have), type(wanted)} != {Whole}:
+                body.append(compared(have, "<>", wanted))
+                unlike = [when(compared(have, "=", wanted), unlike)]
+            statements += unlike
+        else:
+            body.append(comparison.differ(theirs, ours))
+    body += _counts(comparison, message, asks.fields, answers.fields, asked, answered)
+    if statements:
+        body.append(flag)
+    readable = either([good, refused]) if error is not None else good
+    branches: list[tuple[Expression, Sequence[Statement]]] = [(Negation(readable), bodies("damaged"))]
+    if station:
+        branches.append((either(station), bodies("station")))
+    if head:
+        branches.append((either(head), bodies("other")))
+    if error is not None:
+        branches.append((refused, bodies("exception")))
+    if body:
+        branches.append((either(body), bodies("other")))
+    before: list[Statement] = [Assignment(flag, Truth(False)), when(good, statements)] if statements else []
+    return [*before, Condition(tuple((test, tuple(then)) for test, then in branches), tuple(right))]
+
+
+def _counts(
+    comparison: _Comparison,
+    message: MessageLayout,
+    asks: Fields,
+    answers: Fields,
+    asked: Mapping[str, Expression],
+    answered: Mapping[str, Expression],
+) -> list[Expression]:
+    """Whether a response has other than as many registers or bits as were asked for."""
+    world, access = comparison.world, message.message.accesses
+    device = world.layout.device
+    if access is None or access.operation != "read" or not access.count or answers.count is None:
+        return []
+    field, values = message.request.named(access.count), message.response.named(access.values)
+    if field is None or values is None or values.field.repeat is None:
+        return []
+    wanted = _value(world, message.request, field, asks, asked)
+    if wanted is None or not isinstance(wanted.type, Elementary):
+        return []
+    have = answered[answers.count.name]
+    unit = device.space(access.space).unit_size
+    if device.bit_access(message.message) is not None:
+        bits = Operation("+", (converted(wanted, UDINT), Whole(7, UDINT)), UDINT)
+        return [compared(converted(have, UDINT), "<>", Operation("/", (bits, Whole(8, UDINT)), UDINT))]
+    if values.size == unit:
+        return [comparison.differ(have, wanted)]
+    sizes = [
+        Operation("*", (converted(of, UDINT), Whole(size, UDINT)), UDINT)
+        for of, size in ((have, values.size), (wanted, unit))
+    ]
+    return [compared(sizes[0], "<>", sizes[1])]
+
+
+def _value(
+    world: World, record: RecordLayout, field: FieldLayout, fields: Fields, given: Mapping[str, Expression]
+) -> Expression | None:
+    """What a field holds; None where only a function sees it, which compares it with its constant."""
+    if field.field.measures is not None:
+        count = given[fields.count.name] if fields.count is not None else None
+        last = record.fields[-1]
+        return measure(record, field, count, number(last.size))
+    constant = field.value.const if field.value is not None else None
+    return _known(world, fields.variables.get(field.name), field.value, constant, given)
+
+
+def _known(
+    world: World, variable: Variable | None, value: Value | None, constant: int | None, given: Mapping[str, Expression]
+) -> Expression | None:
+    if variable is not None:
+        return given[variable.name]
+    if constant is None or value is None:
+        return None
+    if value.type.kind is Kind.BOOLEAN:
+        return Truth(bool(constant))
+    return Whole(constant, (SIGNED if value.type.signed else UNSIGNED)[value.size])
+
+
+class _Comparison:
+    """Comparisons of what a response repeats with what was asked. They may need variables."""
+
+    def __init__(self, world: World, variables: Variables) -> None:
+        self.world, self.variables = world, variables
+
+    def differ(self, left: Expression, right: Expression) -> Expression:
+        """Whether two single values differ, of whatever types they are."""
+        if left.type == right.type:
+            return compared(left, "<>", right)
+        for own, other in ((left, right), (right, left)):
+            if isinstance(own.type, EnumType):
+                return Negation(
+                    either([every([compared(own, "=", m), self._is(other, m)]) for m in self._members(own.type)])
+                )
+        assert isinstance(left.type, Elementary)
+        assert isinstance(right.type, Elementary)
+        real = "real" in (left.type.family, right.type.family)
+        both = (left.type, right.type)
+        kind = LREAL if real else narrowest(min(of.low for of in both), max(of.high for of in both))
+        return compared(converted(left, kind), "<>", converted(right, kind))
+
+    def _members(self, kind: EnumType) -> list[EnumMemberExpression]:
+        enum = next(name for name, known in self.world.names.enums.items() if known == kind)
+        names = self.world.names.enum_members[enum]
+        members = self.world.layout.device.enums[enum].members
+        return [EnumMemberExpression(names[own.name], own.value, kind) for own in members if not own.unavailable]
+
+    def _is(self, other: Expression, member: EnumMemberExpression) -> Expression:
+        """Whether a value is a number that an enum lists."""
+        if isinstance(other.type, EnumType):
+            same = [own for own in self._members(other.type) if own.value == member.value]
+            return either([compared(other, "=", own) for own in same]) if same else Truth(False)
+        assert isinstance(other.type, Elementary)
+        if not other.type.low <= member.value <= other.type.high:
+            return Truth(False)
+        return compared(other, "=", Whole(member.value, other.type))
+
+    def unlike(
+        self,
+        flag: Variable,
+        left: tuple[Expression, FieldLayout],
+        right: tuple[Expression, FieldLayout],
+        count: Expression | None = None,
+        depth: int = 0,
+    ) -> list[Statement]:
+        """What sets a flag where two fields differ: `count` elements of lists, and the members of structs."""
+        (own, field), (other, origin) = left, right
+        if isinstance(own.type, ArrayType) and isinstance(other.type, ArrayType):
+            index = self.variables.local(f"iRepeated{depth or ''}")
+            last = plus(count, -1) if count is not None else number(min(own.type.high, other.type.high))
+            elements = [Element(of, index, of.type.of) for of in (own, other) if isinstance(of.type, ArrayType)]
+            inside = self.unlike(flag, (elements[0], field), (elements[1], origin), None, depth + 1)
+            return [Loop(index, number(0), last, tuple(inside))]
+        if field.record is not None and origin.record is not None:
+            statements: list[Statement] = []
+            ours, theirs = members_of(self.world, field.record, own), members_of(self.world, origin.record, other)
+            for inner in field.record.fields:
+                same = origin.record.named(inner.name)
+                if is_user_field(inner) and same is not None and is_user_field(same):
+                    statements += self.unlike(flag, (ours(inner), inner), (theirs(same), same), None, depth)
+            return statements
+        return [when(self.differ(own, other), [Assignment(flag, Truth(True))])]
+
+
+def _elements(
+    field: FieldLayout, value: Expression, fields: Fields, given: Mapping[str, Expression]
+) -> Expression | None:
+    """How many elements a list has; None for a struct."""
+    if field.field.repeat is not None and fields.count is not None:
+        return given[fields.count.name]
+    return number(value.type.high + 1) if isinstance(value.type, ArrayType) else None
