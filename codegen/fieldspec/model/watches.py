@@ -138,9 +138,19 @@ def conditions(operands: Operands, task: Task, index: int, message: str = "") ->
     return tuple(together)
 
 
-def proves_target(steps: tuple[Step, ...]) -> bool:
-    """Whether what a task waits for shows that the device is where it was sent, whatever was before."""
-    return any(step.argument for step in steps)
+def needs_begin(task: Task, index: int, accepted: int) -> bool:
+    """Whether the waits from a step on may still show what was before the task moved anything.
+
+    They do not where they compare a position with the target, nor where an earlier wait shows that a motion has begun.
+    """
+    if task.kind not in MOVING or task.kind in LASTING or index <= accepted:
+        return False
+    steps = task.steps[index:]
+    behind = next((number for number, step in enumerate(steps) if step.action != "wait"), len(steps))
+    is_last = all(step.action != "wait" for step in steps[behind:])
+    proved = task.kind in ("move_absolute", "move_relative") and any(step.argument for step in steps)
+    begun = any(step.action == "wait" for step in task.steps[accepted + 1 : index])
+    return is_last and not proved and not begun
 
 
 def end_steps(task: Task) -> tuple[int, int] | None:
