@@ -149,8 +149,8 @@ def needs_begin(task: Task, index: int, accepted: int) -> bool:
     behind = next((number for number, step in enumerate(steps) if step.action != "wait"), len(steps))
     is_last = all(step.action != "wait" for step in steps[behind:])
     proved = task.kind in ("move_absolute", "move_relative") and any(step.argument for step in steps)
-    shown = any(step.action == "wait" for step in task.steps[accepted + 1 : index])
-    return is_last and not proved and not shown
+    begun = any(step.action == "wait" for step in task.steps[accepted + 1 : index])
+    return is_last and not proved and not begun
 
 
 def end_steps(task: Task) -> tuple[int, int] | None:

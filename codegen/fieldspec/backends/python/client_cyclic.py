@@ -137,8 +137,8 @@ class _CyclicTask:
             if own
         ]
         if task.kind == "servo_on":
-            shown = draft.target(task.steps[-1])
-            bits.append(f"unless={self._condition(shown, task.steps[-1].wanted, 'unready')}")
+            servo = draft.target(task.steps[-1])
+            bits.append(f"unless={self._condition(servo, task.steps[-1].wanted, 'unready')}")
         view = draft.view("task", watched, last, 0, ending is not None, bits)
         return replace(view, name=self._name())
 

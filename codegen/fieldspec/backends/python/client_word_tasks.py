@@ -12,7 +12,6 @@ from fieldspec.model.registers import Parameter, Register, Subindex
 from fieldspec.model.task import Step
 from fieldspec.model.watches import LASTING, REFUSAL, before_effect, is_command, last_command, watches
 
-
 _SCOPES = (REGISTERS, PARAMETERS)
 
 

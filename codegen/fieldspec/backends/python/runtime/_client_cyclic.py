@@ -174,9 +174,9 @@ class CyclicTask(Task):
         yield from self.look()
         target.count += int(raw(getattr(self.work.response, target.place)))
 
-    def count(self, name: str, value: Any, counted: str) -> int:
-        """The counts of a value in its unit: the attribute `counted` of the request that has it."""
-        return int(raw(getattr(self._trial(name, value), counted)))
+    def count(self, name: str, value: Any, attribute: str) -> int:
+        """The counts of a value in its unit: an attribute of the request that has it."""
+        return int(raw(getattr(self._trial(name, value), attribute)))
 
     def read(self, name: str) -> Work[Any]:
         """A field of the response."""

@@ -42,6 +42,7 @@ class Conditions:
     def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: str = "") -> None:
         self.world, self.operands, self.draft, self.message = world, operands, draft, message
         self.arguments: dict[str, Variable] = {}
+        self.windows: dict[str, Variable] = {}
         halting = halting_task(world.layout.device, message)
         self.standstill = () if halting is None else standstill(operands, halting, message)
 
@@ -89,14 +90,18 @@ class Conditions:
         computed: list[Statement] = [Assignment(distance, away)]
         if step.within is None:
             return computed, compared(distance, "=", Fraction("0.0"))
-        name = self.world.variable(f"{step.argument}_window", LREAL)
-        unit = unit_of(operand)
-        remark = f"how far from its target the device may be, in {unit}"
-        digits = f"{step.within:f}"
-        initial = digits if "." in digits else f"{digits}.0"
-        window = self.draft.declared_once(name, LREAL, "input", remark, initial)
+        window = self._window(step, operand)
         minus = Operation("-", (Fraction("0.0"), window), LREAL)
         return computed, every([compared(distance, "<=", window), compared(distance, ">=", minus)])
+
+    def _window(self, step: Step, operand: Operand) -> Variable:
+        """The input with the distance from its target at which a device is there."""
+        if step.argument not in self.windows:
+            remark = f"how far from its target the device may be at the end, in {unit_of(operand)}"
+            digits = f"{step.within:f}"
+            initial = digits if "." in digits else f"{digits}.0"
+            self.windows[step.argument] = self.draft.declare("lrWindow", LREAL, "input", remark, initial)
+        return self.windows[step.argument]
 
     def has(self, operand: Operand, wanted: Sequence[ScalarValue], raw: Expression) -> Expression:
         """Whether a fact has one of some values."""
