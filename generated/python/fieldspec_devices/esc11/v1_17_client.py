@@ -101,7 +101,7 @@ class _Tasks(_DeviceWork):
             [
                 task.send(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1)),
                 task.send(task.request(_codec.MoveAbsoluteRequest, position_mm=position_mm, speed=speed)),
-                task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("status", 0x0, mask=0x2, name="out_of_position"), target),
+                task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
             halting=[task.send(task.request(_codec.StopRequest))],
             first=1,
@@ -120,7 +120,7 @@ class _Tasks(_DeviceWork):
                 task.send(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1), _Condition("status", 0x0, mask=0x1, name="executing")),
                 task.note(task.request(_codec.ReadCurrentPositionRequest), target),
                 task.send(task.request(_codec.MoveRelativeRequest, distance_mm=distance_mm, speed=speed)),
-                task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("status", 0x0, mask=0x2, name="out_of_position"), target),
+                task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
             halting=[task.send(task.request(_codec.StopRequest))],
             first=2,
@@ -171,8 +171,8 @@ class _Tasks(_DeviceWork):
         return task.run(
             [
                 task.send(task.request(_codec.MoveToPointRequest, point_number=point_number, speed=speed)),
-                task.begin(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("status", 0x0, mask=0x2, name="out_of_position"), target),
-                task.wait(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("status", 0x0, mask=0x2, name="out_of_position"), target),
+                task.begin(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
+                task.wait(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
             halting=[task.send(task.request(_codec.StopRequest))],
             first=0,
@@ -325,7 +325,6 @@ class Client(_ParameterClient):
         messages/read_homing_state/response/homing_complete = true; send messages/move_absolute with
         position = <position>, speed = <speed>, at most limits/response_timeout; send
         messages/read_current_position, at most limits/response_timeout; wait busy = false; wait
-        links/serial/response/status/out_of_position = false; wait
         messages/read_current_position/response/position = <position> within 0.1.
 
         Note: Whether the status has already changed when the command is answered is not printed: it
@@ -335,7 +334,7 @@ class Client(_ParameterClient):
         the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
         so the distance here is ours.
 
-        Source: 9.1.8 L450-480; 8.2 L286-287; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        Source: 9.1.8 L450-480; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
         self._run(self._work.move_absolute(position_mm=position_mm, speed=speed, window_mm=window_mm, limit=limit))
 
@@ -346,8 +345,8 @@ class Client(_ParameterClient):
         messages/read_homing_state/response/homing_complete = true; wait busy = false; send
         messages/move_relative with distance = <distance>, speed = <speed>, at most
         limits/response_timeout; send messages/read_current_position, at most limits/response_timeout;
-        wait busy = false; wait links/serial/response/status/out_of_position = false; wait
-        messages/read_current_position/response/position = start + <distance> within 0.1.
+        wait busy = false; wait messages/read_current_position/response/position = start + <distance>
+        within 0.1.
 
         Note: Whether the status has already changed when the command is answered is not printed: it
         may still show the end of the move before.
@@ -356,7 +355,7 @@ class Client(_ParameterClient):
         the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
         so the distance here is ours.
 
-        Source: 9.1.7 L434-446; 8.2 L286-287; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        Source: 9.1.7 L434-446; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
         self._run(self._work.move_relative(distance_mm=distance_mm, speed=speed, window_mm=window_mm, limit=limit))
 
@@ -399,8 +398,8 @@ class Client(_ParameterClient):
 
         Steps: send point_start with point_number = <point_number>, speed = <speed>, at most
         limits/response_timeout; send messages/read_current_point_number, at most
-        limits/response_timeout; wait busy = false; wait links/serial/response/status/out_of_position
-        = false; wait messages/read_current_point_number/response/point_number = <point_number>.
+        limits/response_timeout; wait busy = false; wait
+        messages/read_current_point_number/response/point_number = <point_number>.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -408,7 +407,7 @@ class Client(_ParameterClient):
         Inferred (steps): The manual explains the commands and the status byte by themselves; that the
         byte shows the end of what was commanded follows from its labels.
 
-        Source: 10.1 L1168-1169; 8.2 L286-287; 9.3.3 L761; 7.3 L247.
+        Source: 10.1 L1168-1169; 8.2 L286; 9.3.3 L761; 7.3 L247.
         """
         self._run(self._work.run_point(point_number=point_number, speed=speed, limit=limit))
 
@@ -579,7 +578,6 @@ class AsyncClient(_AsyncParameterClient):
         messages/read_homing_state/response/homing_complete = true; send messages/move_absolute with
         position = <position>, speed = <speed>, at most limits/response_timeout; send
         messages/read_current_position, at most limits/response_timeout; wait busy = false; wait
-        links/serial/response/status/out_of_position = false; wait
         messages/read_current_position/response/position = <position> within 0.1.
 
         Note: Whether the status has already changed when the command is answered is not printed: it
@@ -589,7 +587,7 @@ class AsyncClient(_AsyncParameterClient):
         the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
         so the distance here is ours.
 
-        Source: 9.1.8 L450-480; 8.2 L286-287; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        Source: 9.1.8 L450-480; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
         await self._run(self._work.move_absolute(position_mm=position_mm, speed=speed, window_mm=window_mm, limit=limit))
 
@@ -600,8 +598,8 @@ class AsyncClient(_AsyncParameterClient):
         messages/read_homing_state/response/homing_complete = true; wait busy = false; send
         messages/move_relative with distance = <distance>, speed = <speed>, at most
         limits/response_timeout; send messages/read_current_position, at most limits/response_timeout;
-        wait busy = false; wait links/serial/response/status/out_of_position = false; wait
-        messages/read_current_position/response/position = start + <distance> within 0.1.
+        wait busy = false; wait messages/read_current_position/response/position = start + <distance>
+        within 0.1.
 
         Note: Whether the status has already changed when the command is answered is not printed: it
         may still show the end of the move before.
@@ -610,7 +608,7 @@ class AsyncClient(_AsyncParameterClient):
         the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
         so the distance here is ours.
 
-        Source: 9.1.7 L434-446; 8.2 L286-287; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        Source: 9.1.7 L434-446; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
         await self._run(self._work.move_relative(distance_mm=distance_mm, speed=speed, window_mm=window_mm, limit=limit))
 
@@ -653,8 +651,8 @@ class AsyncClient(_AsyncParameterClient):
 
         Steps: send point_start with point_number = <point_number>, speed = <speed>, at most
         limits/response_timeout; send messages/read_current_point_number, at most
-        limits/response_timeout; wait busy = false; wait links/serial/response/status/out_of_position
-        = false; wait messages/read_current_point_number/response/point_number = <point_number>.
+        limits/response_timeout; wait busy = false; wait
+        messages/read_current_point_number/response/point_number = <point_number>.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -662,7 +660,7 @@ class AsyncClient(_AsyncParameterClient):
         Inferred (steps): The manual explains the commands and the status byte by themselves; that the
         byte shows the end of what was commanded follows from its labels.
 
-        Source: 10.1 L1168-1169; 8.2 L286-287; 9.3.3 L761; 7.3 L247.
+        Source: 10.1 L1168-1169; 8.2 L286; 9.3.3 L761; 7.3 L247.
         """
         await self._run(self._work.run_point(point_number=point_number, speed=speed, limit=limit))
 

@@ -65,8 +65,8 @@ class _Bit:
 class CyclicTask:
     """The steps of a block while they are being added.
 
-    `tasks` is one task, or two that jog in both directions. `known` has the numbers of steps that others go to before
-    they are added, from an earlier run.
+    `tasks` is one task, or two that jog in both directions. `known` is what an earlier run knows of steps that others
+    go to before they are added, and of arguments.
     """
 
     def __init__(
@@ -77,13 +77,16 @@ class CyclicTask:
         kind: Kind,
         message: MessageLayout,
         tasks: Sequence[Task],
-        known: dict[str, int],
+        known: CyclicTask | None,
     ) -> None:
         self.world, self.operands, self.draft, self.kind = world, operands, draft, kind
-        self.message, self.tasks, self.task, self.known = message, tasks, tasks[0], known
+        self.message, self.tasks, self.task = message, tasks, tasks[0]
+        self.known = known.labels if known is not None else {}
         self.axis = axis_struct(draft, message)
         self.valid = member(world, axis_key(message), "valid", self.axis)
         self.conditions = Conditions(world, operands, draft, message.name)
+        if known is not None:
+            self.conditions.arguments.update(known.conditions.arguments)
         if self.task.kind in LASTING:
             self.conditions.standstill = standstill(operands, self.task, message.name)
         self.labels: dict[str, int] = {}
@@ -200,7 +203,7 @@ class CyclicTask:
         draft, task = self.draft, self.task
         first = task.steps[: before_effect(task)]
         noted = [
-            item for step in self.conditions.relative(task.steps) for item in self.conditions.start_of(step, self._seen)
+            item for step in self.conditions.compared(task.steps) for item in self.conditions.start_of(step, self._seen)
         ]
         branches: list[Branch] = []
         for step in first:
@@ -261,7 +264,7 @@ class CyclicTask:
 
     def _command(self, task: Task, index: int, taken: list[Statement]) -> None:
         """Adds a step that changes the request."""
-        draft, kind, step = self.draft, self.kind, task.steps[index]
+        draft, step = self.draft, task.steps[index]
         operand = self._operand(step)
         sent = self._sent()
         is_last = index + 1 == len(task.steps)

@@ -142,16 +142,16 @@ class _Maker:
     def _line(self, job: Job, port: str) -> Routine:
         """A block that asks over a line. It is made twice, so that steps know the numbers of those behind them."""
 
-        def made(known: dict[str, int]) -> tuple[LineDraft, LineTask]:
+        def made(known: LineTask | None) -> tuple[LineDraft, LineTask]:
             draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)
             draft.connect(_kind(draft, job, lambda: draft.axis_port()))
             if port == AXIS:
                 return draft, WordTask(self.world, self.operands, self.helpers, draft, job.tasks, known)
             return draft, MessageTask(self.world, self.operands, self.by_name, draft, job.tasks, known)
 
-        _, first = made({})
+        _, first = made(None)
         first.all()
-        draft, task = made(first.labels)
+        draft, task = made(first)
         task.all()
         describe(draft, job.tasks, Name.of(job.name).title(), *_comments(draft.kind))
         return draft.block()
@@ -161,14 +161,14 @@ class _Maker:
         named = message.name in job.name
         name = self.world.block(job.name) if named else self.world.block(message.name, job.name)
 
-        def made(known: dict[str, int]) -> CyclicTask:
+        def made(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")
             kind = _kind(draft, job, lambda: axis_port(self.world, draft, message))
             return CyclicTask(self.world, self.operands, draft, kind, message, job.tasks, known)
 
-        first = made({})
+        first = made(None)
         first.all()
-        task = made(first.labels)
+        task = made(first)
         task.all()
         describe(task.draft, job.tasks, Name.of(job.name).title(), *task.remarks, *_comments(task.kind))
         return task.block()

@@ -9,7 +9,7 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import before_effect, is_command, last_command
+from fieldspec.model.watches import MOVING, before_effect, halting_task, is_command, last_command
 from fieldspec.names import Name
 from fieldspec.plc.routines.answers import judged, received
 from fieldspec.plc.routines.blocks.line_tasks import Decide, LineTask, Unit
@@ -108,7 +108,7 @@ class MessageTask(LineTask):
         by_name: Mapping[str, Routine],
         draft: LineDraft,
         tasks: Sequence[Task],
-        known: dict[str, int],
+        known: LineTask | None,
     ) -> None:
         super().__init__(world, operands, draft, tasks, known)
         self.by_name = by_name
@@ -129,13 +129,24 @@ class MessageTask(LineTask):
             yield Unit(index, last, commands, waits, reads, again=index > 0 and bool(waits) and not commands)
             index = last
 
-    def first_units(self) -> Iterable[Unit]:
-        first = before_effect(self.task)
-        looks = [replace(unit, again=False) for unit in self.units(self.task, 0, first)]
-        compared_later = self.conditions.relative(self.task.steps)
-        later = self.units(self.task, first, len(self.task.steps))
+    def first_units(self) -> Iterable[tuple[Task, Unit]]:
+        task, first = self.task, before_effect(self.task)
+        looks = [(task, replace(unit, again=False)) for unit in self.units(task, 0, first)]
+        compared_later = self.conditions.compared(task.steps)
+        later = self.units(task, first, len(task.steps))
         at_start = [unit for unit in later if any(wait in compared_later for wait in unit.waits)]
-        return [*looks, *(Unit(unit.index, unit.behind, False) for unit in at_start)]
+        looks += [(task, Unit(unit.index, unit.behind, False)) for unit in at_start]
+        if task.kind in MOVING and all(self.conditions.stands(self.seen(*look)) is None for look in looks):
+            looks += [(own, replace(unit, waits=(), again=False)) for own, unit in self._standing()]
+        return looks
+
+    def _standing(self) -> Iterable[tuple[Task, Unit]]:
+        """What the task that stops the device looks at."""
+        halting = halting_task(self.world.layout.device)
+        if halting is not None:
+            for unit in self.units(halting, last_command(halting) + 1, len(halting.steps)):
+                if unit.waits:
+                    yield halting, unit
 
     def watching_unit(self) -> tuple[Task, Unit] | None:
         for unit in self.units(self.task, last_command(self.task) + 1, len(self.task.steps)):

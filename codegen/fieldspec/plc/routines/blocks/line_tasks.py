@@ -16,6 +16,7 @@ from fieldspec.model.watches import (
     is_command,
     last_command,
     needs_begin,
+    shows_acceptance,
     watches,
 )
 from fieldspec.plc.routines.blocks.kinds import Executed
@@ -52,26 +53,29 @@ class Unit:
 class LineTask:
     """The steps of a block while they are being added.
 
-    `tasks` is one task, or two that jog in both directions. `known` has the numbers of steps that others go to before
-    they are added, from an earlier run.
+    `tasks` is one task, or two that jog in both directions. `known` is what an earlier run knows of steps that others
+    go to before they are added, and of arguments.
     """
 
     def __init__(
-        self, world: World, operands: Operands, draft: LineDraft, tasks: Sequence[Task], known: dict[str, int]
+        self, world: World, operands: Operands, draft: LineDraft, tasks: Sequence[Task], known: LineTask | None
     ) -> None:
-        self.world, self.operands, self.draft, self.tasks, self.known = world, operands, draft, tasks, known
+        self.world, self.operands, self.draft, self.tasks = world, operands, draft, tasks
+        self.known = known.labels if known is not None else {}
         self.task = tasks[0]
         self.labels: dict[str, int] = {}
         self.watches = watches(world.layout.device, operands, self.task)
         self.conditions = Conditions(world, operands, draft)
+        if known is not None:
+            self.conditions.arguments.update(known.conditions.arguments)
         self.fault_before: Variable | None = None
 
     def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
         """The units of some steps."""
         raise NotImplementedError
 
-    def first_units(self) -> Iterable[Unit]:
-        """What is looked at before the first command."""
+    def first_units(self) -> Iterable[tuple[Task, Unit]]:
+        """What is looked at before the first command, with the tasks that look at it."""
         raise NotImplementedError
 
     def watching_unit(self) -> tuple[Task, Unit] | None:
@@ -165,15 +169,22 @@ class LineTask:
         self._walk(task, last + 1, len(task.steps), ending=True)
 
     def _look_first(self) -> None:
-        """Adds what looks whether the task may begin, and notes what is compared with later."""
+        """Adds what looks whether the task may begin, and notes what is compared with later.
+
+        Where the device does not show that it accepts a command, nothing begins while it moves: nobody would know which
+        of two commands it carries out.
+        """
         draft, task, conditions = self.draft, self.task, self.conditions
         refusals = [step for step in task.steps if step.action == "wait" and REFUSAL in self.target(step).roles]
-        for unit in self.first_units():
-            seen = self.seen(task, unit)
+        shown = any(shows_acceptance(self.operands, step) for step in task.steps)
+        must_stand = () if shown else conditions.standstill
+        for own, unit in self.first_units():
+            seen = self.seen(own, unit)
             noted: list[Statement] = []
             needed = [watch.operand for watch in self.watches]
-            needed += [self.target(step) for step in (*unit.waits, *conditions.relative(task.steps), *refusals)]
-            for step in conditions.relative(task.steps):
+            looks = (*unit.waits, *must_stand, *conditions.compared(task.steps), *refusals)
+            needed += [self.target(step) for step in looks]
+            for step in conditions.compared(task.steps):
                 noted += conditions.start_of(step, seen) if seen(self.target(step)) is not None else []
             for step in refusals[:1]:
                 if seen(self.target(step)) is not None:
@@ -185,9 +196,12 @@ class LineTask:
             for step in unit.waits:
                 computed, holds = conditions.test(step, seen)
                 branches.append((opposite(holds), [draft.fail("unready")]))
+            stands = conditions.stands(seen) if must_stand else None
+            if stands is not None:
+                branches.append((opposite(stands), [draft.fail("unready")]))
             visible = [operand for operand in needed if seen(operand) is not None]
             if visible:
-                self.perform(task, unit, visible, self._first(branches, noted), "whether it may begin")
+                self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")
 
     def _first(self, branches: list, noted: list[Statement]) -> Decide:  # type: ignore[type-arg]
         def decide(behind: int) -> list[Statement]:

@@ -50,14 +50,24 @@ class Conditions:
         """What a step acts on."""
         return target(self.operands, step, self.message)
 
-    def relative(self, steps: Sequence[Step]) -> list[Step]:
-        """The steps that compare with what was there before the task."""
-        return [step for step in steps if step.relative]
+    def compared(self, steps: Sequence[Step]) -> list[Step]:
+        """The steps for which the block looks before the command where the device is."""
+        return [step for step in steps if step.relative or step.within is not None]
 
     def start_of(self, step: Step, seen: Seen) -> list[Statement]:
-        """What notes the value before the task, which a relative wait compares with."""
+        """What notes where the device is before the command: the value there, and whether that is away from the target.
+
+        What is near the target may not have begun yet, or need no motion at all.
+        """
         raw = self._raw(step, seen)
-        return [Assignment(self._at_start(step, raw), raw)]
+        noted: list[Statement] = [Assignment(self._at_start(step, raw), raw)] if step.relative else []
+        if step.within is not None and step.argument in self.arguments:
+            computed, there = self.test(step, seen)
+            noted += [*computed, Assignment(self._away(), opposite(there))]
+        return noted
+
+    def _away(self) -> Variable:
+        return self.draft.flag("xAway", "the device was away from its target before the command")
 
     def _at_start(self, step: Step, raw: Expression) -> Variable:
         fact = self.operand(step).fact.name
@@ -158,17 +168,21 @@ class Conditions:
         idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
         body = [*computed, Assignment(there, reached), Assignment(standing, there if stands is None else stands)]
         fresh, wrong = [standing], [draft.fail("idle")]
+        evidence: list[Expression] = []
         if stands is not None:
             moved = draft.flag("xMoved", "the device was seen to move")
             fresh.append(moved)
             body.append(when(Negation(standing), [assigned(moved, True)]))
             wrong = [when(moved, [draft.fail("short")], wrong)]
+            evidence.append(moved)
         enough: Expression = there
         if must_begin:
             changed = draft.flag("xChanged", "what is waited for was seen not to be there: the motion has begun")
             fresh.append(changed)
             body.append(when(Negation(there), [assigned(changed, True)]))
             enough = every([there, changed])
+        elif any(step.within is not None for step in steps):
+            enough = every([there, either([self._away(), *evidence, idle])])
         for flag in fresh:
             if all(not isinstance(other, Assignment) or other.target != flag for other in kind.fresh):
                 kind.fresh.append(assigned(flag, False))

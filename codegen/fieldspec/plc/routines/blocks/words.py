@@ -116,7 +116,7 @@ class WordTask(LineTask):
         helpers: Helpers,
         draft: LineDraft,
         tasks: Sequence[Task],
-        known: dict[str, int],
+        known: LineTask | None,
     ) -> None:
         super().__init__(world, operands, draft, tasks, known)
         self.helpers = helpers
@@ -146,9 +146,9 @@ class WordTask(LineTask):
                 yield Unit(index, last, True)
             index = last
 
-    def first_units(self) -> Iterable[Unit]:
+    def first_units(self) -> Iterable[tuple[Task, Unit]]:
         first = before_effect(self.task)
-        yield Unit(0, first, False, self.task.steps[:first])
+        yield self.task, Unit(0, first, False, self.task.steps[:first])
 
     def watching_unit(self) -> tuple[Task, Unit] | None:
         return (self.task, Unit(0, 0, False)) if self.watches else None
