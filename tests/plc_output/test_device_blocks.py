@@ -230,6 +230,10 @@ def test_nothing_starts_without_an_edge_whatever_happens(name: str, folder: Path
         if chance < 0.08:
             block, start = dice.choice(starts)
             rig.bench.set(block, **{start: not rig.bench.now[block, start]})
+        elif 0.2 < chance < 0.4:
+            # A stop that is asked for all the time would let nothing move.
+            for stop in (block for block, _ in starts if block.endswith("Stop")):
+                rig.bench.set(stop, Execute=False)
         elif chance < 0.088:
             rig.device.alarm(dice.choice([0, 3]))
         elif chance < 0.0885:
