@@ -35,7 +35,7 @@ CLIENTS = {
 """The links of every device by which a client carries accesses to registers."""
 CASES = [(device, link) for device, links in CLIENTS.items() for link in links]
 STATION, OTHER_STATION, ADDRESS = 3, 2, 1
-HELD, ANSWER = [0x5555, 0x5556], [0x1234, 0x1235]
+WORDS, ANSWER = [0x5555, 0x5556], [0x1234, 0x1235]
 
 
 def root_of(device: str) -> Path:
@@ -79,8 +79,8 @@ class Client:
 
     def ask(self, write: bool, words: list[int]) -> bytes:
         """Asks through the port of the axis; the request that the client sends."""
-        held = [*words, *self.of(AXIS, "words")[len(words) :]]
-        self.put(AXIS, write=write, address=ADDRESS, count=len(words), words=held)
+        array = [*words, *self.of(AXIS, "words")[len(words) :]]
+        self.put(AXIS, write=write, address=ADDRESS, count=len(words), words=array)
         self.put(AXIS, state=ASKED, request=self.of(AXIS, "request") + 1, error=0)
         for _ in range(3):
             if self.of(FRAMES, "state") == FREE:
@@ -90,10 +90,10 @@ class Client:
 
     def answer(self, frame: bytes, late: int = 0) -> None:
         """Answers the request of the frames, or one that was `late` requests before it."""
-        held = self.of(FRAMES, "frame")
-        held[: len(frame)] = frame
+        array = self.of(FRAMES, "frame")
+        array[: len(frame)] = frame
         number = self.of(FRAMES, "request") - late
-        self.put(FRAMES, frame=held, received=len(frame), error=0, state=ANSWERED, answered=number)
+        self.put(FRAMES, frame=array, received=len(frame), error=0, state=ANSWERED, answered=number)
         self.bench.scan()
         self.bench.scan()
 
@@ -151,9 +151,9 @@ def requests(client: Client) -> dict[str, tuple[bool, list[int]]]:
     accesses = [message.message.accesses for message in client.link.exchanged.values()]
     counts = [access.count for access in accesses if access is not None and access.operation == "write"]
     return {
-        "read": (False, HELD),
-        **({"write one": (True, HELD[:1])} if "" in counts else {}),
-        **({"write two": (True, HELD)} if any(counts) else {}),
+        "read": (False, WORDS),
+        **({"write one": (True, WORDS[:1])} if "" in counts else {}),
+        **({"write two": (True, WORDS)} if any(counts) else {}),
     }
 
 
@@ -196,31 +196,31 @@ def test_what_an_answer_repeats_wrongly_is_error_5_and_no_data(client: Client) -
 
 @pytest.mark.parametrize("count", [1, 3])
 def test_an_answer_of_another_number_of_words_is_error_5_and_no_data(client: Client, count: int) -> None:
-    values = client.asked(client.ask(False, HELD))[0].message.accesses.values
+    values = client.asked(client.ask(False, WORDS))[0].message.accesses.values
     request = bytes(client.of(FRAMES, "frame")[: client.of(FRAMES, "send")])
     client.answer(client.answered(request, **{values: [9] * count}))
-    assert client.outcome == (ANSWERED, NUMBER["other"], HELD)
+    assert client.outcome == (ANSWERED, NUMBER["other"], WORDS)
 
 
 def test_an_answer_to_an_earlier_request_of_the_line_is_error_5_and_no_data(client: Client) -> None:
-    client.answer(client.answered(client.ask(False, HELD)), late=1)
-    assert client.outcome == (ANSWERED, NUMBER["other"], HELD)
+    client.answer(client.answered(client.ask(False, WORDS)), late=1)
+    assert client.outcome == (ANSWERED, NUMBER["other"], WORDS)
 
 
 def test_the_answer_to_a_request_that_was_given_up_is_nobodys(client: Client) -> None:
-    request = client.ask(False, HELD)
+    request = client.ask(False, WORDS)
     client.put(AXIS, state=ABANDONED)
     client.answer(client.answered(request))
-    assert client.outcome == (FREE, 0, HELD)
-    client.answer(client.answered(client.ask(False, HELD)))
+    assert client.outcome == (FREE, 0, WORDS)
+    client.answer(client.answered(client.ask(False, WORDS)))
     assert client.outcome == (ANSWERED, 0, ANSWER)
 
 
 def test_the_answer_to_a_request_that_was_given_up_is_not_that_of_the_next_one(client: Client) -> None:
-    request = client.ask(False, HELD)
+    request = client.ask(False, WORDS)
     client.put(AXIS, request=client.of(AXIS, "request") + 1)
     client.answer(client.answered(request))
-    assert client.outcome == (ASKED, 0, HELD)
+    assert client.outcome == (ASKED, 0, WORDS)
     client.bench.scan()
     client.answer(client.answered(request))
     assert client.outcome == (ANSWERED, 0, ANSWER)

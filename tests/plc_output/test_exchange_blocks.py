@@ -219,6 +219,33 @@ def test_each_fault_is_an_error_with_its_number_after_all_tries(line: Line, faul
     assert line.run(TRY, Execute=True).ended == "Done"
 
 
+@pytest.mark.parametrize(
+    ("message", "wrong"),
+    [
+        ("write_register", {"address": ADDRESS + 1}),
+        ("write_register", {"value": 8}),
+        ("write_registers", {"address": ADDRESS + 1}),
+        ("write_registers", {"word_count": COUNT - 1}),
+    ],
+)
+@pytest.mark.parametrize(("device", "link"), DEVICES)
+def test_what_an_answer_to_a_write_repeats_wrongly_is_error_5(
+    device: str, link: str, message: str, wrong: dict[str, int], folder: Path
+) -> None:
+    line = Line(device, link, message, folder)
+    values = {"address": ADDRESS, **({"value": 7} if message == "write_register" else {"word_count": COUNT}), **wrong}
+    line.answer = lambda request: line.codec.encode("response", message, {"station": STATION, **values})
+    line.run(2, **asked(line)).run(4 * TRY, Execute=True)
+    assert (line.ended, line.out["ErrorID"]) == ("Error", ERRORS["other"][0])
+
+
+@pytest.mark.parametrize("fault", ["station", "other"])
+def test_words_of_a_wrong_answer_are_not_given(line: Line, fault: str) -> None:
+    line.answer = lambda request: FAULTS[fault](line, request)
+    line.run(4 * TRY, Execute=True)
+    assert (line.held["aValues"][:COUNT], line.out["iValuesCount"]) == ([7, 8], 0)
+
+
 @pytest.mark.parametrize("fault", ["timeout", "damaged", "station", "other"])
 def test_a_fault_that_passes_is_repeated_and_done(line: Line, fault: str) -> None:
     answers = [lambda request: FAULTS[fault](line, request), line.right]

@@ -103,7 +103,7 @@ WRONG: dict[str, list[Any]] = {
 }
 """What is repeated wrongly, by the names of parts and fields."""
 BLOCK = "SendCopy"
-GIVEN = {"uiValueAnswered": 41, "uiReasonAnswered": 51, "iStep2": -52, "xAsked2": True, "udiOwner": 53}
+NEW = {"uiValueAnswered": 41, "uiReasonAnswered": 51, "iStep2": -52, "xAsked2": True, "udiOwner": 53}
 """The outputs with what the answer does not repeat: none is a variable of the block itself."""
 
 
@@ -134,9 +134,9 @@ class Copies(Rig):
     def exchanged(self, transport: Transport) -> int:
         """Takes the request and gives the answer."""
         self.requests.append(bytes(transport.of("frame")[: transport.of("send")]))
-        held = list(transport.of("frame"))
-        held[: len(self.answer)] = self.answer
-        transport.put("frame", held)
+        array = list(transport.of("frame"))
+        array[: len(self.answer)] = self.answer
+        transport.put("frame", array)
         transport.put("received", len(self.answer))
         return 0
 
@@ -146,7 +146,7 @@ class Copies(Rig):
         self.run(2)
         return self.done(BLOCK)
 
-    def given(self) -> dict[str, Any]:
+    def outputs(self) -> dict[str, Any]:
         """The outputs of the block with values of the answer."""
         own = ("Done", "Busy", "CommandAborted", "Error", "ErrorID", "eStatus")
         return {name: value for (_, name), value in self.bench.out.items() if name not in own}
@@ -170,7 +170,7 @@ def copies(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Copies:
 def test_the_right_answer_is_done_and_gives_what_is_new_in_it(copies: Copies) -> None:
     assert copies.outcome() == "Done"
     assert copies.requests == [copies.codec.encode("request", "copy", ASKED)]
-    assert copies.given() == {**GIVEN, "usiRefused": 0, "usiCause": 0}
+    assert copies.outputs() == {**NEW, "usiRefused": 0, "usiCause": 0}
 
 
 def test_an_answer_leaves_what_was_asked_as_it_is(copies: Copies) -> None:
@@ -184,13 +184,13 @@ def test_an_answer_leaves_what_was_asked_as_it_is(copies: Copies) -> None:
 def test_what_is_repeated_wrongly_is_error_5_and_gives_nothing(copies: Copies, name: str) -> None:
     for value in WRONG[name]:
         assert copies.outcome(**{name: value}) == f"Error {NUMBER['other']}", value
-        assert not any(copies.given().values())
+        assert not any(copies.outputs().values())
     assert copies.outcome() == "Done"
 
 
 def test_the_answer_of_another_station_is_error_4_and_gives_nothing(copies: Copies) -> None:
     assert copies.outcome(sender=4) == f"Error {NUMBER['station']}"
-    assert not any(copies.given().values())
+    assert not any(copies.outputs().values())
 
 
 REFUSALS: dict[str, tuple[dict[str, int], str, int]] = {
@@ -209,7 +209,7 @@ def test_a_refusal_counts_where_it_is_that_of_the_request(copies: Copies, refusa
     copies.answer = head + bytes([0xFF, values["refused"], values["cause"]])
     copies.run(2)
     assert copies.done(BLOCK) == ended
-    assert copies.given()["usiCause"] == cause
+    assert copies.outputs()["usiCause"] == cause
 
 
 def test_a_comparison_of_a_thing_with_itself_is_refused() -> None:
@@ -221,7 +221,7 @@ def test_a_comparison_of_a_thing_with_itself_is_refused() -> None:
 def test_no_output_compares_a_thing_with_itself(dialect: str) -> None:
     operand = r'(?<![\w.\]#"])([\w.#"]+(?:\[[^\]]*\])?(?:\.\w+)*)'
     itself = re.compile(operand + r"\s*(?:=|<>|&lt;&gt;|<=|>=|<|>)\s*\1(?![\w.\[(])")
-    found, seen = [], 0
+    comparisons, seen = [], 0
     for root in (SPECS, TEST_SPECS):
         for versions in layouts(root).values():
             output = OUTPUTS[dialect]
@@ -230,6 +230,6 @@ def test_no_output_compares_a_thing_with_itself(dialect: str) -> None:
             for path, content in output.files(versions).items():
                 if isinstance(content, str):
                     seen += content.count("<>") + content.count("&lt;&gt;")
-                    found += [f"{path}: {match.group(0)}" for match in itself.finditer(content)]
-    assert found == []
+                    comparisons += [f"{path}: {match.group(0)}" for match in itself.finditer(content)]
+    assert comparisons == []
     assert seen > 1000

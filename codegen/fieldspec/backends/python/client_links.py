@@ -14,10 +14,12 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exception_mark import reason_field
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.open_parts import OpenPart, open_parts
-from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.repeated_parts import repeated_fields
 from fieldspec.model.link import Link, Serial
 from fieldspec.model.operand import Operands
 from fieldspec.model.texts import Limit
+from fieldspec.model.value import Kind
 from fieldspec.names import Name
 
 _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6}
@@ -35,6 +37,11 @@ class ClientLinkView:
     title: str
     call: list[str]
     choices: list[tuple[str, str]]
+
+
+def _is_exact(field: FieldLayout) -> bool:
+    """Whether a number comes back as it was given: no fraction is rounded on the way."""
+    return field.value is not None and field.value.type.kind is Kind.INTEGER and not field.value.scaled
 
 
 def is_framed(link: LinkLayout) -> bool:
@@ -76,18 +83,22 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
         request = f"{CODEC}.{exchange.request_name}"
         asked = {slot.title: slot for slot in exchange.request.stored}
         answer = {slot.title: slot for slot in exchange.response.stored}
-        if access is None:
-            origins = [(asked.get(slot.field.field.same_as), slot.name) for slot in answer.values()]
-            same = [name for origin, name in origins if origin is not None and origin.name == name]
-            repeated += [f"{request}: {tuple_of([literal(name) for name in same])}"] if same else []
-        elif access.operation == "write":
-            same = [title for title in (access.start, access.count) if title in asked and title in answer]
-            if same and all(asked[title].name == answer[title].name for title in same):
-                repeated.append(f"{request}: {tuple_of([literal(asked[title].name) for title in same])}")
-        elif access.count in asked and access.values in answer and layout.device.bit_access(message.message) is None:
-            value_counts.append(
-                f"{request}: ({literal(asked[access.count].name)}, {literal(answer[access.values].name)})"
-            )
+        pairs = [
+            (asked[own.name].name, answer[other.name].name)
+            for own, other in repeated_fields(message)
+            if own.name in asked and other.name in answer and (access is None or _is_exact(own))
+        ]
+        if pairs:
+            names_of = [tuple_of([literal(own), literal(other)]) for own, other in pairs]
+            repeated.append(f"{request}: {tuple_of(names_of)}")
+        if access is None or layout.device.bit_access(message.message) is not None:
+            continue
+        slots = (asked.get(access.count), answer.get(access.values))
+        if access.operation == "write" and access.count not in asked:
+            slots = (asked.get(access.values), answer.get(access.count))
+        own_slot, other_slot = slots
+        if own_slot is not None and other_slot is not None:
+            value_counts.append(f"{request}: ({literal(own_slot.name)}, {literal(other_slot.name)})")
     arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
     answered = link.carried("response")
@@ -120,7 +131,7 @@ def _response_names(link: LinkLayout, view: LinkView) -> dict[str, str]:
 
 
 def _parts(link: LinkLayout, view: LinkView, parts: list[tuple[PartView, OpenPart]]) -> list[str]:
-    """The arguments with the parts of requests that are counted, that users choose, and that responses repeat."""
+    """The arguments with the parts of requests that are slots, that users choose, and that responses repeat."""
     answered = _response_names(link, view)
     counters = [
         f"({literal(own.name)}, {part.numbering[0]}, {part.numbering[1]})" for own, part in parts if part.numbering

@@ -58,9 +58,9 @@ def received(
     message: MessageLayout,
     parse: Routine,
     variables: Variables,
-    given: Callable[[Declared], Variable],
+    output: Callable[[Declared], Variable],
 ) -> Received:
-    """Declares where a response is put; `given` declares what a block gives of what the response does not repeat."""
+    """Declares where a response is put; `output` declares what a block gives of what the response does not repeat."""
     _, answers = parameters_of(world, link, message)
     repeated = {id(other) for _, other in repeated_parts(link)} | {id(other) for _, other in repeated_fields(message)}
     outputs = {declared.variable.name: declared for declared in parse.declared}
@@ -76,7 +76,7 @@ def received(
                 names.append(answers.fields.count)
     reasons = list(answers.refusal.every) if answers.refusal is not None else []
     whole = [*answers.head.values(), *answers.fields.every, *reasons]
-    targets = {item.name: given(outputs[item.name]) for item in whole if item in names or item in reasons}
+    targets = {item.name: output(outputs[item.name]) for item in whole if item in names or item in reasons}
     answered = {item.name: variables.declare(f"{item.name}Answered", item.type, "local") for item in whole}
 
     def gives(items: Iterable[Variable]) -> list[Statement]:
@@ -189,22 +189,22 @@ def _counts(
 
 
 def _value(
-    world: World, record: RecordLayout, field: FieldLayout, fields: Fields, given: Mapping[str, Expression]
+    world: World, record: RecordLayout, field: FieldLayout, fields: Fields, values: Mapping[str, Expression]
 ) -> Expression | None:
     """What a field holds; None where only a function sees it, which compares it with its constant."""
     if field.field.measures is not None:
-        count = given[fields.count.name] if fields.count is not None else None
+        count = values[fields.count.name] if fields.count is not None else None
         last = record.fields[-1]
         return measure(record, field, count, number(last.size))
     constant = field.value.const if field.value is not None else None
-    return _known(world, fields.variables.get(field.name), field.value, constant, given)
+    return _known(world, fields.variables.get(field.name), field.value, constant, values)
 
 
 def _known(
-    world: World, variable: Variable | None, value: Value | None, constant: int | None, given: Mapping[str, Expression]
+    world: World, variable: Variable | None, value: Value | None, constant: int | None, values: Mapping[str, Expression]
 ) -> Expression | None:
     if variable is not None:
-        return given[variable.name]
+        return values[variable.name]
     if constant is None or value is None:
         return None
     if value.type.kind is Kind.BOOLEAN:
@@ -278,9 +278,9 @@ class _Comparison:
 
 
 def _elements(
-    field: FieldLayout, value: Expression, fields: Fields, given: Mapping[str, Expression]
+    field: FieldLayout, value: Expression, fields: Fields, values: Mapping[str, Expression]
 ) -> Expression | None:
     """How many elements a list has; None for a struct."""
     if field.field.repeat is not None and fields.count is not None:
-        return given[fields.count.name]
+        return values[fields.count.name]
     return number(value.type.high + 1) if isinstance(value.type, ArrayType) else None

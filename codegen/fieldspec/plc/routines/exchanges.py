@@ -91,8 +91,8 @@ class _Exchange:
     def __init__(self, world: World, link: LinkLayout, message: MessageLayout, build: Routine, parse: Routine) -> None:
         self.world, self.link, self.message, self.build, self.parse = world, link, message, build, parse
         self.status = world.status
-        given = (*build.of_role("input"), *build.of_role("in_out"))
-        self.asked = {declared.variable.name: declared.variable for declared in given}
+        inputs = (*build.of_role("input"), *build.of_role("in_out"))
+        self.asked = {declared.variable.name: declared.variable for declared in inputs}
         messages = [
             declared.variable.name for declared in (*build.declared, *parse.declared) if declared.role != "local"
         ]
@@ -124,7 +124,7 @@ class _Exchange:
         send = self._declare("xSend", BOOL, "output", "its rising edge asks to send iSend bytes of aFrame")
         size = self._declare("iSend", INT, "output", "how many bytes of aFrame are to be sent")
         status = self._declare("eStatus", self.status.type, "output", "what the last function has returned")
-        answer = received(self.world, self.link, self.message, self.parse, self.variables, self._given)
+        answer = received(self.world, self.link, self.message, self.parse, self.variables, self._output)
         standard = _Standard(
             *(execute, abort, timeout, retries, arrived, failed, done, busy, aborted, error, error_id, send)
         )
@@ -141,7 +141,7 @@ class _Exchange:
             "stay until Execute is FALSE, and at least one scan. Call the block in each scan."
         )
 
-    def _given(self, declared: Declared) -> Variable:
+    def _output(self, declared: Declared) -> Variable:
         """Declares what the answer gives; the request may have another value of the same name."""
         variable = declared.variable
         if variable.name in self.asked:
@@ -189,8 +189,8 @@ class _Exchange:
             "exception": [*answer.refused, *ended(standard.error, because("exception"))],
         }
         right = [*answer.taken, *ended(standard.done)]
-        given = (self.asked, answer.answered, self.variables)
-        judgement = judged(self.world, self.link, self.message, status, *given, bodies.__getitem__, right)
+        values = (self.asked, answer.answered, self.variables)
+        judgement = judged(self.world, self.link, self.message, status, *values, bodies.__getitem__, right)
         reset = [Assignment(variable, Truth(False)) for variable in (standard.done, standard.aborted, standard.error)]
         idle = [
             when(

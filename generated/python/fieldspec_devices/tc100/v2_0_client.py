@@ -58,16 +58,16 @@ _RTU = _Link(
     _codec.rtu,
     addressed=True,
     pause=0.001823,
-    repeated={_codec.WriteRegisterRequest: ("address",), _codec.WriteRegistersRequest: ("address",)},
-    value_counts={_codec.ReadRegistersRequest: ("word_count", "values")},
+    repeated={_codec.WriteRegisterRequest: (("address", "address"), ("value", "value")), _codec.WriteRegistersRequest: (("address", "address"),)},
+    value_counts={_codec.ReadRegistersRequest: ("word_count", "values"), _codec.WriteRegistersRequest: ("values", "word_count")},
 )
 
 
 _ASCII = _Link(
     _codec.ascii,
     addressed=True,
-    repeated={_codec.WriteRegisterRequest: ("address",), _codec.WriteRegistersRequest: ("address",)},
-    value_counts={_codec.ReadRegistersRequest: ("word_count", "values")},
+    repeated={_codec.WriteRegisterRequest: (("address", "address"), ("value", "value")), _codec.WriteRegistersRequest: (("address", "address"),)},
+    value_counts={_codec.ReadRegistersRequest: ("word_count", "values"), _codec.WriteRegistersRequest: ("values", "word_count")},
 )
 INPUT_ASSIGNMENTS: _Final = _Group(
     "input_assignments",

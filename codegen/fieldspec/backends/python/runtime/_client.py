@@ -40,8 +40,8 @@ class Link:
     `refusal_code` is the code of all exception responses, None where it is that of the request, `refused_code` their
     field that repeats the code of the request, and `reason` the one that says why, empty for the first one.
     `refusal_part` is the part before the body that says so instead, and `refusal_names` its members by their numbers.
-    `repeated` has the fields that a response repeats, by the class of the request, and `value_counts` the field with
-    the number of values and the field of the response with these values.
+    `repeated` has the fields that a response repeats, each with its name there, by the class of the request, and
+    `value_counts` a field of the request and one of the response: the values, and how many there are, or reversed.
     `unanswered` are the classes of the requests that nobody answers here.
     """
 
@@ -61,7 +61,7 @@ class Link:
         refusal_part: str = "",
         refused_code: str = "",
         refusal_names: Mapping[int, Any] | None = None,
-        repeated: dict[Any, tuple[str, ...]] | None = None,
+        repeated: dict[Any, tuple[tuple[str, str], ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
         unanswered: tuple[type[Any], ...] = (),
     ) -> None:
@@ -98,11 +98,14 @@ class Link:
                 return False
             return bool(reply.code == (_response_code(request) if self.refusal_code is None else self.refusal_code))
         kind = request.__class__
-        for name in self.repeated.get(kind, ()):
-            if getattr(reply.message, name) != getattr(request, name):
+        for asked, answered in self.repeated.get(kind, ()):
+            if getattr(reply.message, answered) != getattr(request, asked):
                 return False
-        value_counts = self.value_counts.get(kind)
-        return value_counts is None or len(getattr(reply.message, value_counts[1])) == getattr(request, value_counts[0])
+        counts = self.value_counts.get(kind)
+        if counts is None:
+            return True
+        values = (getattr(request, counts[0]), getattr(reply.message, counts[1]))
+        return len({value if isinstance(value, int) else len(value) for value in values}) == 1
 
 
 def _response_code(request: Any) -> int | None:

@@ -16,7 +16,7 @@ from fieldspec.plc.routines.blocks.ports import (
     FRAMES,
     FREE,
     URGENT,
-    counted_up,
+    increment,
     member,
 )
 from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
@@ -143,7 +143,7 @@ class _Client:
         no_reason = Assignment(self.reason, Whole(0, UINT))
         none = compared(self.reason, "=", Whole(0, UINT))
         request = self._of_frames("request")
-        asked = [counted_up(request), Assignment(self.request, request), Assignment(state, number(ASKED)), go(_WAIT)]
+        asked = [increment(request), Assignment(self.request, request), Assignment(state, number(ASKED)), go(_WAIT)]
         room = world.words.high + 1
         beyond = either([compared(count, "<", number(1)), compared(count, ">", number(room))])
         asking: list[Statement] = [
@@ -178,7 +178,7 @@ class _Client:
         ]
         index = self._declare("iAt", INT, "local")
         word = Assignment(*(Element(words, index, WORD_TYPE) for words in (self._of_axis("words"), self.words)))
-        given = when(
+        passed_on = when(
             every([none, Negation(self._of_axis("write"))]), [Loop(index, number(0), plus(count, -1), (word,))]
         )
         answering: list[Statement] = [
@@ -187,7 +187,7 @@ class _Client:
                     (
                         waited,
                         [
-                            *(given, Assignment(self._of_axis("error"), self.reason)),
+                            *(passed_on, Assignment(self._of_axis("error"), self.reason)),
                             Assignment(self._of_axis("answered"), self.taken),
                             Assignment(axis_state, number(ANSWERED)),
                         ],

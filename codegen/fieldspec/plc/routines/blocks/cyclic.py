@@ -23,7 +23,7 @@ from fieldspec.model.watches import (
 from fieldspec.plc.routines.blocks.kinds import Branch, Executed, Kind
 from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
-from fieldspec.plc.routines.blocks.ports import axis_key, counted_up, member
+from fieldspec.plc.routines.blocks.ports import axis_key, increment, member
 from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.blocks.tasks import end_steps
@@ -181,7 +181,7 @@ class CyclicTask:
                 waits.append(step)
             else:
                 raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
-        self.begun = [counted_up(axis_port(self.world, draft, self.message).motion)]
+        self.begun = [increment(axis_port(self.world, draft, self.message).motion)]
         if isinstance(kind, Stopping):
             levels = _BY_LEVEL | {"move_start"}
             bits += [self._bit(operand) for operand in self._starting() if levels & {*operand.roles}]

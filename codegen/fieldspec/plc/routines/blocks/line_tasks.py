@@ -23,7 +23,7 @@ from fieldspec.plc.routines.blocks.kinds import Executed
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import outputs_of
-from fieldspec.plc.routines.blocks.ports import counted_up
+from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, Seen, opposite
 from fieldspec.plc.routines.blocks.standard import chain
 from fieldspec.plc.routines.blocks.tasks import end_steps, target
@@ -112,7 +112,7 @@ class LineTask:
             if first:
                 self._look_first()
             takes = task.kind == "servo_off"
-            taken = [counted_up(self.draft.axis_port().motion)] if takes else []
+            taken = [increment(self.draft.axis_port().motion)] if takes else []
             self._walk(task, first, whole, taken, acceptance(self.operands, task) if takes else -1)
 
     def _motion(self, kind: Moving) -> None:

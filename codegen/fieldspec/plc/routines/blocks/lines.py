@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from fieldspec.plc.routines.blocks.kinds import Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.motion import AxisPort, Stopping
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FREE, URGENT, counted_up, member
+from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FREE, URGENT, increment, member
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -107,7 +107,7 @@ class LineDraft(BlockDraft):
                 self.selected(asks=False),
             ),
         ]
-        asking = [counted_up(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
+        asking = [increment(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
         ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
         working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
         claims = [when(first, [Assignment(urgent, number(URGENT))])] if first is not None else []

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.plc.routines.blocks.kinds import Branch, Edged
-from fieldspec.plc.routines.blocks.ports import counted_up
+from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -106,7 +106,7 @@ class Moving(Edged):
 
     def accepted(self) -> list[Statement]:
         motion = self.axis.motion
-        taken = [counted_up(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
+        taken = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
         return [when(self.accepts, [*taken, assigned(self.accepts, False)])]
 
     def edges(self) -> list[Statement]:
@@ -125,7 +125,7 @@ class Moving(Edged):
     def begun(self) -> list[Statement]:
         draft, axis = self.draft, self.axis
         reason = draft.refusal if draft.at_start else _NONE
-        claims = [counted_up(axis.claims), Assignment(self.claim, axis.claims)]
+        claims = [increment(axis.claims), Assignment(self.claim, axis.claims)]
         unlocked = [] if reason == _NONE else [draft.unharmed()]
         return [
             *([assigned(self.pending, False)] if self.pending is not None else []),
@@ -307,7 +307,7 @@ class Stopping(Edged):
 
     def take_over(self) -> list[Statement]:
         """What makes the block responsible: the device has accepted the stop."""
-        return [counted_up(self.axis.motion)]
+        return [increment(self.axis.motion)]
 
     def edges(self) -> list[Statement]:
         draft, stops = self.draft, self.axis.stops

@@ -130,7 +130,7 @@ def member(world: World, port: str, name: str, of: Expression) -> Member:
     return Member(of, world.names.members[port][name], world.port_members[port][name])
 
 
-def counted_up(count: Expression) -> Statement:
+def increment(count: Expression) -> Statement:
     """What adds one to a number, and begins again with 0 behind the greatest one."""
     more = Operation("+", (count, Whole(1, UDINT)), UDINT)
     most = compared(count, "=", Whole(UDINT.high, UDINT))
