@@ -12,6 +12,8 @@ from device_models.draws import Draws
 
 STEP = 0.01
 """The longest step of the integration, in seconds."""
+NOTHING = 1e-9
+"""What is left of a number where binary fractions do not meet."""
 ACCELERATION = 40000.0
 """Counts in a second, gained or lost in a second."""
 
@@ -138,7 +140,7 @@ class Axis:
 
     def pass_time(self, seconds: float) -> None:
         """Some time goes by."""
-        while seconds > 0 and (self.motion is not None or self.waiting is not None):
+        while seconds > NOTHING and (self.motion is not None or self.waiting is not None):
             step = min(seconds, STEP)
             seconds -= step
             if self.waiting is not None:
@@ -164,9 +166,9 @@ class Axis:
     def _move(self, motion: Motion, step: float) -> None:
         if self.stopping:
             self._ramp(0.0, step, self.deceleration)
-            if not self.velocity:
+            if abs(self.velocity) < NOTHING:
                 self._end("interrupted", motion)
-                self.motion, self.stopping = None, False
+                self.motion, self.stopping, self.velocity = None, False, 0.0
         elif motion.kind == "home":
             self._ramp(-motion.speed, step, ACCELERATION)
             self._homing -= step

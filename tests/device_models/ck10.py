@@ -1,6 +1,6 @@
 """A CK10 by its manual, as far as its tasks go: status, motion control, the points and their store.
 
-What is left open is drawn: "busy command", "start refusal" (exception 04 [1.4 L206], or a normal answer and nothing),
+What is left open is drawn: "busy command", "start refusal" (exception 04 [1.4 L239], or a normal answer and nothing),
 "moving" and "in position" (flags of 3E8H as they are at acceptance), "homing" (whether a move needs a home; the manual
 demands none), "servo" after power-on, "reset" with the servo on.
 """
@@ -14,9 +14,9 @@ from device_models.modbus import ADDRESS, FAILURE, VALUE, ModbusDevice, RefusedE
 
 ERROR, EMERGENCY, SLOW_STOP, HOMING, IN_POSITION = 1, 1 << 16, 1 << 17, 1 << 18, 1 << 19
 SERVO_ON, TABLE_STOPPED, HOMED, DIRECTION, MOVING = 1 << 20, 1 << 22, 1 << 25, 1 << 26, 1 << 27
-"""Flags of 3E8H [3.1 L575-612]."""
+"""Flags of 3E8H [3.1 L637-668]."""
 POINTS, FLASH_POINTS, POINT_WORDS = 10000, 20000, 32
-"""The table in memory and in flash [2.7 L500-537]."""
+"""The table in memory and in flash [2.7 L575-614]."""
 PARAMETERS = range(0x1388, 0x1432)
 NONE = 0xFFFF
 
@@ -55,7 +55,7 @@ class Ck10(ModbusDevice):
         }
         if address in values:
             return values[address]()
-        # Triggers read 0, except that of moves, which reads the last one [2.4 L310-362].
+        # Triggers read 0, except that of moves, which reads the last one [2.4 L311-338].
         if address in (0x7DF, 0x7EE, 0x7EF, 0x7F0, 0x7F2, 0x7F3, 0x7F4, 0x7F5):
             return 0
         if address == 0x7F1:
@@ -76,7 +76,7 @@ class Ck10(ModbusDevice):
             self._triggered(address + index, word)
 
     def set_alarm(self, number: int) -> None:
-        """An alarm stops the axis and takes the servo off [2.3 L304]."""
+        """An alarm stops the axis and takes the servo off [2.3 L301]."""
         self.cause = number
         if number:
             self.alarm, self.servo, self.running = number, False, False
@@ -130,7 +130,7 @@ class Ck10(ModbusDevice):
         return number_of([self.words.get(address, 0), self.words.get(address + 1, 0)])
 
     def _triggered(self, address: int, word: int) -> None:
-        """What writing a register sets off [2.4 L308-362]."""
+        """What writing a register sets off [2.4 L305-338]."""
         speed = float(self._long(0x7D4) or 1000)
         if address == 0x7D8:
             if word not in (1, 2):
@@ -178,7 +178,7 @@ class Ck10(ModbusDevice):
         self.axis.accept(kind, value, target, speed)
 
     def _run(self, word: int) -> None:
-        """1 runs the table from a point on, 2 a single point, 3 the next one [2.4 L359-361]."""
+        """1 runs the table from a point on, 2 a single point, 3 the next one [2.4 L337-338]."""
         self.point = self.words.get(0x7F6, 0) if word != 3 else self._following()
         if not 0 <= self.point < 128:
             raise RefusedError(VALUE)
@@ -186,7 +186,7 @@ class Ck10(ModbusDevice):
         self.running = word == 1
 
     def _start_point(self) -> None:
-        """Commands 0 to 3 are absolute, 4 to 7 relative, 8 homing [3.5 L806-817]."""
+        """Commands 0 to 3 are absolute, 4 to 7 relative, 8 homing [3.5 L821-834]."""
         place = POINTS + POINT_WORDS * self.point
         command, position = self.words.get(place + 8, 1), self._long(place)
         speed = float(self._long(place + 4) or 1000)

@@ -2,13 +2,13 @@
 
 What is left open is drawn:
 
-- "executing": bit 0 is 1 from the acceptance on, as in the answers of 9.1 [L318], or from the begin of the motion on.
-- "range": bit 1 says whether the axis is at its target, or is always 1, as in most answers of the manual [9.3 L760].
-- "refusal": a command that is refused sets bit 5, bit 6, or leaves its number in 47H alone [8.2 L292-294, 10.4].
+- "executing": bit 0 is 1 from the acceptance on, as in the answers of 9.1 [L309, L317], or from the begin of motion on.
+- "range": bit 1 says whether the axis is at its target, or is always 1, as in most answers of the manual [9.3 L745].
+- "refusal": a command that is refused sets bit 5, bit 6, or leaves its number in 47H alone [8.2 L291-293, 10.4].
 - "number": the number of an error stays until a reset, or until the next command is accepted [9.3.8].
-- "busy command": refused as error 27H [10.4 L1262], or taken in place of the motion.
+- "busy command": refused as error 27H [10.4 L1320], or taken in place of the motion.
 - "excitation": on after power-on, or off [9.2.2 does not say].
-- "homing": a move needs a home, as error 23H says [10.4 L1258]; this is no choice.
+- "homing": a move needs a home, as error 23H says [10.4 L1316]; this is no choice.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from device_models.draws import Draws
 from device_models.frames import packet
 
 EXECUTING, OUT_OF_RANGE, UNEXCITED, COMMAND_ERROR, ALARM, COMMUNICATION = 1, 2, 4, 0x20, 0x40, 0x80
-"""Bits of the byte of status [8.2 L284-295]."""
+"""Bits of the byte of status [8.2 L286-293]."""
 SOFT_LIMIT, NOT_HOMED, SERVO_OFF, INTERLOCKED, NO_POINT, RUNNING = 0x20, 0x23, 0x24, 0x25, 0x26, 0x27
 NO_COMMAND, DATA = 0x31, 0x32
-"""Numbers of errors [10.4 L1250-1275]."""
+"""Numbers of errors [10.4 L1313-1326]."""
 STOP, HOME, MOVE_OPEN, MOVE_CLOSE, RELATIVE, ABSOLUTE, POINT = 0x10, 0x11, 0x14, 0x15, 0x16, 0x17, 0x1A
 NO_OPERATION, EXCITE, RESET = 0x30, 0x31, 0x4E
 SIZES = {STOP: 0, HOME: 0, 0x12: 3, 0x13: 3, MOVE_OPEN: 1, MOVE_CLOSE: 1, RELATIVE: 5, ABSOLUTE: 5, POINT: 2}
@@ -40,7 +40,7 @@ class Esc11:
 
     STATION = 1
     latency = (0.2, 0.4)
-    """It answers within 200 to 400 ms [7.2 L236]; nothing within 600 ms is an error [7.3 L246]."""
+    """It answers within 200 to 400 ms [7.2 L239]; nothing within 600 ms is an error [7.3 L247]."""
 
     def __init__(self, draws: Draws) -> None:
         self.draws, self.axis = draws, Axis(draws)
@@ -74,7 +74,7 @@ class Esc11:
         return status | ALARM * bool(self.alarm)
 
     def answer(self, frame: bytes) -> bytes | None:
-        """What it answers to a packet; damaged ones and those of others it does not answer [7.3 L248]."""
+        """What it answers to a packet; damaged ones and those of others it does not answer [7.3 L250]."""
         if len(frame) < 4 or frame[0] != len(frame) or frame[1] != self.STATION or sum(frame[:-1]) & 0xFF != frame[-1]:
             return None
         code, data = frame[2], frame[3:-1]
@@ -157,7 +157,7 @@ class Esc11:
         return self._read(code)
 
     def _read(self, code: int) -> bytes:
-        """The data of an answer [9.3 L712-860]."""
+        """The data of an answer [9.3 L738-866]."""
         return {
             0x40: b" 1.17 ",
             0x41: struct.pack("<i", round(self.axis.position)),
@@ -180,7 +180,7 @@ class Esc11:
 
     @staticmethod
     def _speed(percent: int) -> float:
-        """The start speed at 0 percent; the manual names none for 0, which 10.1 permits [10.1 L1010]."""
+        """The start speed at 0 percent; the manual names none for 0, which 10.1 permits [10.1 L1165]."""
         return TOP_SPEED * min(percent, 100) / 100 if percent else 100.0
 
     def _start(self, kind: str, value: float, target: float | None, speed: float) -> None:

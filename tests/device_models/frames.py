@@ -10,7 +10,7 @@ from device_models.draws import Draws
 
 
 def crc(body: bytes) -> bytes:
-    """CRC-16 of Modbus, the low byte first [tc100 8.4 L1920-1931, ck10 1.2 L126]."""
+    """CRC-16 of Modbus, the low byte first [tc100 8.4 L1970-1977, ck10 1.2 L118]."""
     check = 0xFFFF
     for byte in body:
         check ^= byte
@@ -25,7 +25,7 @@ def with_crc(body: bytes) -> bytes:
 
 
 def packet(body: bytes) -> bytes:
-    """A packet of the ESC11 with its sum, whose first byte is the number of all bytes [esc11 8.1 L258-267]."""
+    """A packet of the ESC11 with its sum, whose first byte is the number of all bytes [esc11 8.1 L257-268]."""
     whole = bytes([len(body) + 2]) + body
     return whole + bytes([sum(whole) & 0xFF])
 

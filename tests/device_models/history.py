@@ -18,6 +18,8 @@ LOCKS = ("stop", "quick_stop")
 POWER = ("power_on", "power_off")
 ENDS = ("Done", "CommandAborted", "Error")
 JOG_INPUTS = {"JogForward": "jog_forward", "JogBackward": "jog_backward"}
+SLOW = 150
+"""Scans in which the blocks of a device exchange what they have to, however long a scan is."""
 STARTS = ("Execute", "Enable", *JOG_INPUTS)
 """Inputs that make a block work."""
 
@@ -107,6 +109,16 @@ class Calls:
             index -= 1
         return index
 
+    def begin_before(self, scan: int) -> int:
+        """The index of the edge since which it has been Busy, up to a scan; -1 where there is none."""
+        index = self.edge_before(scan)
+        while index > 0 and self.busy[index - 1] and not self.fresh[index]:
+            earlier = self.edge_before(self.scans[index - 1])
+            if earlier < 0:
+                break
+            index = earlier
+        return index
+
     def edge_after(self, index: int) -> int:
         """The index of the next call with an edge or after a restart; the number of calls where there is none."""
         following = index + 1
@@ -129,7 +141,8 @@ class History:
     """The scans of one run, with the blocks by name and kind.
 
     `value_of` gives the value that a block asks the device for with some inputs, and `position_of` the position that it
-    shows, both in counts, or None. `may_move` has the numbers of ErrorID that say that the device may be moving.
+    shows, both in counts, or None. `may_move` has the numbers of ErrorID that say that the device may be moving, and
+    `patience` is how many milliseconds the exchanges of a few blocks take.
     """
 
     def __init__(
@@ -139,8 +152,9 @@ class History:
         value_of: Callable[[str, Mapping[tuple[str, str], float]], float | None] = lambda block, inputs: None,
         position_of: Callable[[str, Mapping[tuple[str, str], float]], float | None] = lambda block, outputs: None,
         may_move: Iterable[int] = (2, 3, 4, 5, 7),
+        patience: int = 5000,
     ) -> None:
-        self.scans, self.kinds = scans, kinds
+        self.scans, self.kinds, self.patience = scans, kinds, patience
         self.value_of, self.position_of, self.may_move = value_of, position_of, frozenset(may_move)
 
     @cached_property
@@ -187,13 +201,16 @@ class History:
         """The scans before which the controller was switched on."""
         return [number for number, scan in enumerate(self.scans) if "restart" in scan.disturbed]
 
-    def after(self, scan: int, milliseconds: int) -> int:
-        """The first scan that ends so long after another one; the number of scans where the record ends before."""
-        wanted = self.times[scan] + milliseconds
-        index = scan
+    def after(self, scan: int, times: int = 1) -> int:
+        """The scan by which a few exchanges are over on a sound line; the number of scans where the record ends before.
+
+        Where scans are slow, what counts is how many of them an exchange takes.
+        """
+        wanted = self.times[scan] + times * self.patience
+        index = scan + times * SLOW
         while index < len(self.scans) and self.times[index] < wanted:
             index += 1
-        return index
+        return min(index, len(self.scans))
 
     def accepted(self, calls: Calls, first: int, last: int) -> list[tuple[int, Event]]:
         """The commands of a block that the device has accepted between two scans, both included."""

@@ -1,14 +1,14 @@
 """A HIWIN E drive by its manual: the states S1 to S4 of PROFIdrive, and telegrams 3, 9, 102 and 111.
 
 The figures of 7.2, with the order of bits, are not in the text of the manual. What leads from a state to another is
-that of PROFIdrive, which 1.1 [L281] names: out of S1 by bit 0 = 0 with bits 1 and 2 = 1, to S3 by bit 0, to S4 by
+that of PROFIdrive, which 1.1 [L143] names: out of S1 by bit 0 = 0 with bits 1 and 2 = 1, to S3 by bit 0, to S4 by
 bit 3.
 What is left open is drawn:
 
-- "no control": with STW1 bit 10 = 0 [3.3.2 L629] the last telegram stays in force, or it counts as zeros.
-- "target reached": ZSW1 bit 10 falls with the acknowledgement, or with the begin of the motion [3.5.2 L703].
-- "stopped": bit 13 [3.5.2 L706] is 0 from the acknowledgement on, or from the begin of the motion on.
-- "ignored move": an absolute move without a home is ignored [3.12 L842]; bit 12 follows bit 6 all the same, or not.
+- "no control": with STW1 bit 10 = 0 [3.3.2 L613] the last telegram stays in force, or it counts as zeros.
+- "target reached": ZSW1 bit 10 falls with the acknowledgement, or with the begin of the motion [3.5.2 L682].
+- "stopped": bit 13 [3.5.2 L685] is 0 from the acknowledgement on, or from the begin of the motion on.
+- "ignored move": an absolute move without a home is ignored [3.12 L820]; bit 12 follows bit 6 all the same, or not.
 - "homed bit": it falls when homing begins, or stays until it ends.
 - "acknowledgement": bit 12 follows bit 6 in the next telegram, or some time later.
 """
@@ -22,9 +22,9 @@ from device_models.draws import Draws
 
 ON, NO_COAST, NO_QUICK, ENABLE, TASK, NO_PAUSE, START, RESET = (1 << bit for bit in range(8))
 JOG_1, JOG_2, CONTROL, HOMING = 1 << 8, 1 << 9, 1 << 10, 1 << 11
-"""Bits of STW1 [3.3.2 L617-631]."""
+"""Bits of STW1 [3.3.2 L603-614]."""
 S1, S2, S3, S4 = 1, 2, 3, 4
-"""Switching on inhibited, ready for switching on, switched on, operation [7.2.3 L2050-2055]."""
+"""Switching on inhibited, ready for switching on, switched on, operation [7.2.3 L2053-2056]."""
 MDI, ABSOLUTE = 1 << 15, 1 << 8
 RECEIVED = {3: ">HiHH", 9: ">HHHiiHHH", 102: ">HiHHH", 111: ">HHHHHiiHHH"}
 """The words of each telegram that the drive receives [3.2 L536-563]."""
@@ -98,7 +98,7 @@ class HiwinE:
             self._position(word, risen, values)
 
     def set_alarm(self, number: int) -> None:
-        """It has an alarm: it coasts, and is inhibited [3.5.2 L696, 7.2.2]; 0 when what caused it is gone."""
+        """It has an alarm: it coasts, and is inhibited [3.5.2 L675, 7.2.2]; 0 when what caused it is gone."""
         self.cause = number
         if number:
             self.alarm, self.machine = number, S1
@@ -134,7 +134,7 @@ class HiwinE:
         self.task = None
 
     def _switch(self, word: int) -> None:
-        """The state machine [7.2.3 L2050-2055]."""
+        """The state machine [7.2.3 L2053-2056]."""
         if not word & NO_COAST or self.alarm:
             if self.machine == S4 or self.axis.expected:
                 self.axis.record("stop", "coast")
@@ -179,7 +179,7 @@ class HiwinE:
             self.machine = machine
 
     def _follow(self, raw: int) -> None:
-        """The speed is a part of the reference [6.1 L1552-1560]."""
+        """The speed is a part of the reference [6.1 L1552-1556]."""
         speed = TOP_SPEED * raw / 0x40000000 if self.machine == S4 else 0.0
         axis = self.axis
         if speed and speed != self.setpoint:
@@ -206,7 +206,7 @@ class HiwinE:
             axis.stop()
             axis.waiting = None
         if not word & NO_PAUSE and axis.motion and self._kind() in ("absolute", "relative"):
-            # The rest of the way is gone when the bit comes back [3.3.2 L624].
+            # The rest of the way is gone when the bit comes back [3.3.2 L608].
             motion = axis.motion
             if not axis.stopping:
                 self.task = (motion.kind, motion.value, motion.target, motion.speed)
@@ -242,7 +242,7 @@ class HiwinE:
             self._start("jog_forward" if sign > 0 else "jog_backward", sign, None, sign * JOG_SPEED)
 
     def _start_task(self, values: tuple[int, ...]) -> None:
-        """An MDI task at the edge of bit 6 [3.12 L820-845, 3.11 L806]."""
+        """An MDI task at the edge of bit 6 [3.12 L805-822, 3.11 L794]."""
         absolute, enabled, target, velocity = self._task(values)
         kind = "absolute" if absolute else "relative"
         ignored = absolute and not self.axis.homed
@@ -276,7 +276,7 @@ class HiwinE:
             self.axis.homed = True
 
     def _status(self) -> int:
-        """ZSW1 [3.5.2 L692-708]."""
+        """ZSW1 [3.5.2 L672-686]."""
         axis, machine = self.axis, self.machine
         bits = {S1: 1 << 6, S2: 1, S3: 3, S4: 7}[machine]
         if machine == S3 and self.stopping_to:

@@ -9,7 +9,7 @@ from device_models.draws import Draws
 from device_models.frames import crc, with_crc
 
 FUNCTION, ADDRESS, VALUE, FAILURE = 1, 2, 3, 4
-"""The codes of exceptions [tc100 8.3 L1748-1752, ck10 1.4 L203-206]."""
+"""The codes of exceptions [tc100 8.3 L1774-1776, ck10 1.4 L236-239]."""
 READ, WRITE, WRITE_SEVERAL = 3, 6, 0x10
 
 
@@ -129,6 +129,6 @@ def low(value: float) -> int:
 
 
 def number_of(words: list[int]) -> int:
-    """A signed number of 32 bits, the high word first [tc100 8.4 L1893-1896, ck10 1.2 L100]."""
+    """A signed number of 32 bits, the high word first [tc100 8.4 L1953-1961, ck10 1.2 L86]."""
     value: int = struct.unpack(">i", struct.pack(">HH", *words))[0]
     return value

@@ -7,15 +7,13 @@ from collections.abc import Iterator
 from device_models.axis import Event
 from device_models.history import JOGS, MOTIONS, MOVES, STOPS, Calls, History, Violation, starts
 
-SHORT = 5000
-"""Milliseconds in which a sound line carries the few exchanges that a rule means."""
 ALARM = 8
 LOST = ("lost request", "lost answer", "late")
 
 
 def somebody_is_responsible(history: History) -> Iterator[Violation]:
     """Rule 15: while the axis moves by a command a block is Busy with it, or an Error says that it may be moving."""
-    responsible = history.of_kind(*MOTIONS, *STOPS)
+    responsible = history.of_kind(*MOTIONS, *STOPS, "power_off")
     judged: set[int] = set()
     for scan, entry in enumerate(history.scans):
         number = entry.state.number
@@ -36,7 +34,7 @@ def who_is_aborted_has_a_successor(history: History) -> Iterator[Violation]:
             continue
         if _has_successor(history, number, scan):
             continue
-        others = [other for other in history.of_kind(*MOTIONS, *STOPS) if other is not calls]
+        others = [other for other in history.of_kind(*MOTIONS, *STOPS, "power_off") if other is not calls]
         begun = any(other.edge_before(scan) >= 0 and other.busy_at(scan) for other in others)
         text = "before the device has accepted another command" if begun else "although nobody else has the axis"
         yield Violation(16 if begun else 20, scan, calls.name, f"CommandAborted {text}, and its motion goes on")
@@ -62,9 +60,9 @@ def who_is_refused_ends_with_an_error(history: History) -> Iterator[Violation]:
                 continue
             ending = _end_after(calls, scan)
             if ending is None:
-                if _is_clear(history, scan, SHORT):
+                if _is_clear(history, scan):
                     yield Violation(17, scan, calls.name, "the device refuses, and it stays Busy")
-            elif ending[1] == "Done" and not history.accepted(calls, scan + 1, ending[0]):
+            elif ending[1] == "Done" and calls.kind not in JOGS and not history.accepted(calls, scan + 1, ending[0]):
                 yield Violation(17, ending[0], calls.name, f"Done of a command that was refused in scan {scan}")
 
 
@@ -114,13 +112,10 @@ def nothing_is_done_without_power(history: History) -> Iterator[Violation]:
             states = [history.scans[when].state for when in range(scan - 1, last + 1)]
             if any(state.servo and not state.alarm for state in states):
                 continue
-            if any("Done" in calls.ends[following] for following in range(index, calls.edge_after(index))):
+            done = calls.kind not in JOGS
+            if done and any("Done" in calls.ends[following] for following in range(index, calls.edge_after(index))):
                 yield Violation(32, scan, calls.name, "Done without power, or with an alarm")
-            elif (
-                _is_clear(history, scan, SHORT)
-                and history.after(scan, SHORT) <= last
-                and calls.busy_at(history.after(scan, SHORT))
-            ):
+            elif _is_clear(history, scan) and history.after(scan) <= last and calls.busy_at(history.after(scan)):
                 yield Violation(32, scan, calls.name, "without power, or with an alarm, it stays Busy")
 
 
@@ -135,7 +130,7 @@ def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
                 continue
             ending = _end_after(calls, scan)
             if ending is None:
-                if _is_clear(history, scan + 1, SHORT) and history.scans[scan].clear:
+                if _is_clear(history, scan + 1) and history.scans[scan].clear:
                     yield Violation(33, scan, calls.name, "an alarm, and it stays Busy")
             elif ending[1] == "Done" and not _was_reached(history, number, ending[0]):
                 yield Violation(33, ending[0], calls.name, f"Done after the alarm of scan {scan}")
@@ -160,7 +155,7 @@ def silence_is_an_error(history: History) -> Iterator[Violation]:
         for index, scan in enumerate(calls.scans):
             if not calls.edges[index] or not calls.busy[index]:
                 continue
-            end = history.after(scan, 4 * SHORT)
+            end = history.after(scan, 4)
             last = _last_before_edge(history, calls, index)
             fates = [fate for entry in history.scans[scan:end] for fate in entry.fates]
             if end <= last and len(fates) > 5 and set(fates) <= set(LOST) and calls.busy_at(end):
@@ -178,7 +173,7 @@ def a_valid_position_is_true(history: History) -> Iterator[Violation]:
             if position is None:
                 continue
             first = scan
-            while first and history.times[scan] - history.times[first] < SHORT:
+            while first and history.times[scan] - history.times[first] < history.patience:
                 first -= 1
             places = [history.scans[when].state.position for when in range(first, scan + 1)]
             if not min(places) - 5 <= position <= max(places) + 5:
@@ -214,8 +209,8 @@ def _was_reached(history: History, number: int, last: int) -> bool:
 
 
 def _owner_number(history: History, calls: Calls, scan: int) -> int:
-    """The number of the last command of a block that was accepted since its edge; 0 where there is none."""
-    edge = calls.edge_before(scan)
+    """The number of the last command of a block that was accepted since it is Busy; 0 where there is none."""
+    edge = calls.begin_before(scan)
     begun: list[tuple[int, Event]] = history.accepted(calls, calls.scans[edge], scan) if edge >= 0 else []
     return begun[-1][1].number if begun else 0
 
@@ -265,9 +260,9 @@ def _last_before_edge(history: History, calls: Calls, index: int) -> int:
     return calls.scans[end] - 1 if end < len(calls.scans) else len(history.scans) - 1
 
 
-def _is_clear(history: History, scan: int, milliseconds: int) -> bool:
-    """Whether nothing is disturbed for some time, and the record goes on so long."""
-    end = history.after(scan, milliseconds) if scan < len(history.scans) else len(history.scans)
+def _is_clear(history: History, scan: int) -> bool:
+    """Whether nothing is disturbed for as long as a few exchanges take, and the record goes on so long."""
+    end = history.after(scan) if scan < len(history.scans) else len(history.scans)
     return end < len(history.scans) and history.clear_until[scan] > end
 
 

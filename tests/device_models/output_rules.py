@@ -25,7 +25,7 @@ def an_edge_is_answered_at_once(history: History) -> Iterator[Violation]:
     """Rule 2: in the scan of an edge either Busy or Error is TRUE, and no ending output of before."""
     for calls in _edged(history):
         for index, scan in _edges(calls):
-            if index and calls.busy[index - 1]:
+            if calls.abort[index] or (index and calls.busy[index - 1]):
                 continue
             if calls.busy[index] == ("Error" in calls.ends[index]) or calls.ends[index] not in ("", "Error"):
                 text = (
@@ -110,7 +110,7 @@ def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
             if not index or not calls.busy[index - 1]:
                 continue
             rule = 10 if calls.busy[index] else 11
-            if "CommandAborted" in calls.ends[index]:
+            if "CommandAborted" in calls.ends[index] and not calls.abort[index]:
                 yield Violation(11, scan, calls.name, "an edge in the scan of CommandAborted is swallowed")
             for following in range(index, calls.edge_after(index)):
                 if "Done" not in calls.ends[following]:
@@ -125,7 +125,7 @@ def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
     """Rule 12: a value out of range is Error 1 in the scan of the edge, and nothing is sent."""
     for calls in _edged(history):
         for index, scan in _edges(calls):
-            if calls.name not in history.scans[scan].invalid:
+            if calls.name not in history.scans[scan].invalid or calls.abort[index]:
                 continue
             locked = any(lock.busy_at(scan) or lock.execute[lock.index_at(scan)] for lock in history.of_kind(*LOCKS))
             if "Error" not in calls.ends[index] or (calls.error[index] != REFUSED and not locked):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from device_models.history import JOGS, LOCKS, MOTIONS, STOPS, Calls, History, Violation, starts
-from device_models.motion_rules import SHORT, _ends_in_motion, _is_clear, _last_before_edge, _owner_number
+from device_models.motion_rules import _ends_in_motion, _is_clear, _last_before_edge, _owner_number
 
 START_BITS = 0x0B40
 TASK_BITS = 0x0030
@@ -14,9 +14,14 @@ TRIES = 3
 
 
 def a_stop_comes_next(history: History) -> Iterator[Violation]:
-    """Rule 22: after the edge of a stop, the stop is the next request that is not on its way already."""
+    """Rule 22: after the edge of a stop, the next request that is not on its way is the stop; so is a telegram."""
     for calls, index, scan in _stop_edges(history):
         if calls.abort[index] or not calls.busy[index]:
+            continue
+        word = history.scans[scan].word
+        if word is not None:
+            if not _asks_to_stop(word):
+                yield Violation(22, scan, calls.name, f"the telegram after the edge has the control word {word:04X}H")
             continue
         last = _last_before_edge(history, calls, index)
         following = [text for when, text in history.requests if scan <= when <= last][:2]
@@ -34,7 +39,7 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
         when = calls.scans[end]
         word = history.scans[when].word
         if word is not None:
-            if word & START_BITS or (word & TASK_BITS == TASK_BITS and word & 0x0F == 0x0F):
+            if not _asks_to_stop(word):
                 text = f"it ends with {calls.ends[end]}, and the control word {word:04X}H"
                 yield Violation(23, when, calls.name, text)
         elif "Error" in calls.ends[end] and calls.error[end] in history.may_move:
@@ -64,13 +69,17 @@ def a_stop_locks_the_axis(history: History) -> Iterator[Violation]:
     """Rules 25 and 26: while a stop is Busy or its input TRUE, other motions end with Error and start nothing."""
     for calls in history.of_kind(*MOTIONS):
         for index, scan in enumerate(calls.scans):
-            if not calls.edges[index] or not any(_locked(lock, scan) for lock in history.of_kind(*LOCKS)):
+            if (
+                not calls.edges[index]
+                or calls.abort[index]
+                or not any(_locked(lock, scan) for lock in history.of_kind(*LOCKS))
+            ):
                 continue
             last = _last_before_edge(history, calls, index)
             asked = [text for text in history.asked_between(scan, last) if text.startswith("start ")]
             if any(starts(calls.kind, text[6:]) for text in asked):
                 yield Violation(25, scan, calls.name, "it starts although a stop has the axis")
-            elif calls.busy[index] and _is_clear(history, scan, SHORT):
+            elif calls.busy[index] and _is_clear(history, scan):
                 ending = [calls.ends[place] for place in range(index, calls.index_at(last) + 1) if calls.ends[place]]
                 if not ending or "Error" not in ending[0]:
                     text = f"a stop has the axis, and it ends with {ending[0] if ending else 'nothing'}"
@@ -88,9 +97,9 @@ def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
 def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
     """Rule 28: at standstill a stop is done within a bounded time."""
     for calls, index, scan in _stop_edges(history):
-        if not scan or not _is_clear(history, scan, SHORT) or history.scans[scan - 1].state.velocity:
+        if not scan or not _is_clear(history, scan) or history.scans[scan - 1].state.velocity:
             continue
-        end = history.after(scan, SHORT)
+        end = history.after(scan)
         places = range(index, calls.index_at(end) + 1)
         if any(calls.abort[place] or (calls.edges[place] and place > index) for place in places):
             continue
@@ -138,8 +147,8 @@ def both_directions_are_none(history: History) -> Iterator[Violation]:
                 continue
             if index and all(calls.directions[index - 1]) and not calls.fresh[index]:
                 continue
-            end = history.after(scan, SHORT)
-            if not _is_clear(history, scan, SHORT):
+            end = history.after(scan)
+            if not _is_clear(history, scan):
                 continue
             both = all(all(calls.directions[place]) for place in range(index, calls.index_at(end) + 1))
             number = _owner_number(history, calls, end)
@@ -151,9 +160,9 @@ def power_comes_at_the_first_try(history: History) -> Iterator[Violation]:
     """Rule 35: switching on is done at the first try, where no alarm and no stop is in the way."""
     for calls in history.of_kind("power_on"):
         for index, scan in enumerate(calls.scans):
-            if not calls.edges[index] or not scan or not _is_clear(history, scan, SHORT):
+            if not calls.edges[index] or not scan or not _is_clear(history, scan):
                 continue
-            end = history.after(scan, SHORT)
+            end = history.after(scan)
             places = range(index, calls.index_at(end) + 1)
             alarm = any(history.scans[when].state.alarm for when in range(scan - 1, end + 1))
             disturbed = any(calls.abort[place] or (calls.edges[place] and place > index) for place in places)
@@ -186,6 +195,11 @@ def _stop_edges(history: History) -> Iterator[tuple[Calls, int, int]]:
         for index, scan in enumerate(calls.scans):
             if calls.edges[index]:
                 yield calls, index, scan
+
+
+def _asks_to_stop(word: int) -> bool:
+    """Whether a control word lets nothing move."""
+    return not word & START_BITS and (word & TASK_BITS != TASK_BITS or word & 0x0F != 0x0F)
 
 
 def _begin_of(history: History, number: int) -> int:

@@ -2,16 +2,17 @@
 
 The manual says little about time and order. What it leaves open is drawn, each under a name of its own:
 
-- "busy command": a motion command while it moves is refused with fault 1 [8.2 L1514], or takes the motion's place.
-- "refusal": a refused command has a normal answer and a fault in 100DH [8.2 L1514], or exception 03 [8.3 L1752] too.
-- "fault": the next accepted command clears 100DH, or only a reset of alarms does [8.2 L1514 lists values, no end].
-- "in position": 1001H compares the target with the position, or the commanded with the actual one [5.1 L1162], or is
-  always 1, as the manual warns [5.1 L1162, 6.4 L1337].
+- "busy command": a motion command while it moves is refused with fault 1 [8.2 L1515], or takes the motion's place.
+- "refusal": a refused command has a normal answer and a fault in 100DH [8.2 L1515], or exception 03 [8.3 L1776] too.
+- "fault": the next accepted command clears 100DH, or only a reset of alarms does [8.2 L1515 lists values and no end].
+- "in position": 1001H compares the target with the position, or the commanded with the actual one [5.1 L1161], or is
+  always 1, as the manual warns [5.1 L1161, 6.4 L1362].
 - "moving": 1000H is 1 from the acceptance on, or from the begin of the motion on [8.2 L1506].
 - "stopped": 1000H is 0 or 2 after a stop from outside [8.2 L1506].
-- "homing": parameter 051BH demands a home before a move, or does not [5.3 L1189].
-- "servo": parameter 0515H has the servo on after power-on, or off [5.3 L1188].
-- "reset": an alarm is reset with the servo on too, or only with the servo off [6.3 L1302-1303].
+- "homing": parameter 051BH demands a home before a move, or does not [5.3 L1186].
+- "servo": parameter 0515H has the servo on after power-on, or off [5.3 L1185].
+- "outside": what stops it from outside is the interlock, which is fault 9 [10.3 L3045], or the vendor's software.
+- "soft limit": a target beyond it is refused, or the axis stops there with fault 10 [10.3 L3046].
 """
 
 from __future__ import annotations
@@ -22,13 +23,13 @@ from device_models.draws import Draws
 from device_models.modbus import ADDRESS, VALUE, ModbusDevice, RefusedError, high, low, number_of
 
 BUSY, LIMIT, SERVO_FAULT, LOCKED, SOFT_LIMIT, UNHOMED = 1, 2, 8, 9, 10, 12
-"""Values of ErrorStatus, 100DH [8.2 L1514]."""
+"""Values of ErrorStatus, 100DH [8.2 L1515]."""
 RELATIVE, ABSOLUTE, HOME, RESET, STOP, EMERGENCY_STOP, JOG_POSITIVE, JOG_NEGATIVE = 0, 1, 3, 6, 8, 9, 11, 12
-"""Values of MovType, 201EH [8.2 L1617]."""
+"""Values of MovType, 201EH [8.2 L1624]."""
 POINTS, POINT_WORDS = 0x9010, 0x10
-"""Where the first point is, and how far the next one [8.2 L1641-1655]."""
+"""Where the first point is, and how far the next one [8.2 L1648-1661]."""
 IN_ORIGIN, IN_SERVO, IN_RESET, IN_START, IN_LOCK = 0, 1, 2, 3, 11
-"""Bits of the simulated inputs, 2040H [6.2 L1258-1271]."""
+"""Bits of the simulated inputs, 2040H [6.2 L1300-1313]."""
 TOP_SPEED = 20000.0
 """0802H, in counts a second."""
 
@@ -114,7 +115,7 @@ class Tc100(ModbusDevice):
             raise RefusedError(ADDRESS)
 
     def set_alarm(self, number: int) -> None:
-        """An alarm takes the servo off [6.3 L1303, 6.4 L1342] and is an abnormal stop [8.2 L1506]."""
+        """An alarm takes the servo off [6.3 L1337, 6.4 L1367] and is an abnormal stop [8.2 L1506]."""
         self.cause = number
         if number:
             self.alarm, self.servo, self.abnormal = number, False, 1
@@ -130,8 +131,17 @@ class Tc100(ModbusDevice):
         self.locked = False
         self.last_point = 0xFFFF
 
+    def pass_time(self, seconds: float) -> None:
+        super().pass_time(seconds)
+        if abs(self.axis.position) > self.LIMIT_COUNTS:
+            self.axis.position = self.LIMIT_COUNTS if self.axis.position > 0 else -self.LIMIT_COUNTS
+            self.fault, self.abnormal = SOFT_LIMIT, 1
+            self.axis.cut()
+
     def stop_outside(self) -> None:
         if self.axis.moving:
+            if self.locked or self.draws.reading("outside", "interlock", "software") == "interlock":
+                self.fault = LOCKED
             self.abnormal = int(self.draws.reading("stopped", "0", "2") == "2")
         super().stop_outside()
 
@@ -151,12 +161,12 @@ class Tc100(ModbusDevice):
         return int(motion.target is not None and abs(motion.target - self.axis.position) < 80)
 
     def _outputs(self) -> int:
-        """OUT 1 is ORG-S, OUT 2 INP, OUT 3 READY, OUT 4 SERVO-S [6.2 L1274-1277]."""
+        """OUT 1 is ORG-S, OUT 2 INP, OUT 3 READY, OUT 4 SERVO-S [6.2 L1314-1317]."""
         ready = self.servo and not self.axis.expected and not self.alarm
         return int(self.axis.homed) | self._in_position() << 1 | ready << 2 | self.servo << 3
 
     def _switch(self, off: int) -> None:
-        """0 is servo ON, 1 servo OFF [8.2 L1615]. In an alarm the servo stays off [6.3 L1303]."""
+        """0 is servo ON, 1 servo OFF [8.2 L1622]. In an alarm the servo stays off [6.3 L1337]."""
         if off > 1:
             raise RefusedError(VALUE)
         if off:
@@ -186,7 +196,7 @@ class Tc100(ModbusDevice):
             self._start(kind, sign, None, sign * self._speed())
 
     def _speed(self, percent: int | None = None) -> float:
-        """A part of the highest speed; 0 is the start speed [8.2 L1616]."""
+        """A part of the highest speed; 0 is the start speed [8.2 L1623]."""
         percent = self.speed if percent is None else percent
         return TOP_SPEED * percent / 100 if percent else 500.0
 
@@ -227,13 +237,16 @@ class Tc100(ModbusDevice):
         if self.axis.expected and self.draws.reading("busy command", "refused", "taken") == "refused":
             return BUSY
         end = self.axis.position + value if kind == "relative" else target
-        if end is not None and abs(end) > self.LIMIT_COUNTS:
+        beyond = end is not None and abs(end) > self.LIMIT_COUNTS
+        if beyond and self.draws.reading("soft limit", "refused", "stops there") == "refused":
             return SOFT_LIMIT
         return LIMIT if self.draws.refuses() else 0
 
     def _reset(self) -> None:
-        needs_off = self.draws.reading("reset", "any time", "servo off") == "servo off"
-        if not self.cause and not (needs_off and self.servo):
+        """With the servo on it is fault 8 [10.3 L3044]."""
+        if self.servo:
+            self.fault = SERVO_FAULT
+        elif not self.cause:
             self.alarm = self.fault = 0
 
     def _set_inputs(self, word: int) -> None:
@@ -252,7 +265,7 @@ class Tc100(ModbusDevice):
             self._run(word >> 4 & 0x7F)
 
     def _run(self, number: int) -> None:
-        """Carries out a point [6.3 L1305-1307]; mode 0 is relative, 1 absolute, 2 homing [8.2 L1641]."""
+        """Carries out a point [6.3 L1339-1340]; mode 0 is relative, 1 absolute, 2 homing [8.2 L1648]."""
         mode = self._point_word(number, 0)
         position = number_of([self._point_word(number, 1), self._point_word(number, 2)])
         self.last_point = number

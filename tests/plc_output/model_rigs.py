@@ -23,8 +23,10 @@ from layouts import SPECS
 
 MODELS = {"tc100": Tc100, "ck10": Ck10, "esc11": Esc11}
 TIMEOUT = 0.6
-"""Seconds until a transport gives up [esc11 7.3 L246]; the manuals of the others print none."""
+"""Seconds until a transport gives up [esc11 7.3 L247]; the manuals of the others print none."""
 NO_ANSWER = 2
+PATIENCE = {"esc11": 12000}
+"""Milliseconds in which all blocks of a device have exchanged what they need, where that takes long."""
 SIGNED = {"int": "h", "dint": "i", "sint": "b", "word": "H", "uint": "H", "dword": "I", "udint": "I"}
 
 
@@ -138,6 +140,7 @@ class ModelRig:
             self.kinds,
             lambda block, inputs: value_of(self.name, block, self.kinds[block], inputs),
             lambda block, outputs: position_of(self.name, block, outputs),
+            patience=PATIENCE.get(self.name, 5000),
         )
 
     def ended(self, block: str) -> str:
@@ -226,12 +229,12 @@ class TelegramRig(ModelRig):
         self.received = [(name, SIGNED[of]) for name, of, _ in unit.structs[members[self.response]]]
         assert list(port[self.request]) == [name for name, _ in self.sent]
         self.lost = self.unheard = False
-        self.before = 0
+        self.before = self.speed = 0
         self._form = ">" + "".join(form for _, form in self.sent)
         self._answer = ">" + "".join(form for _, form in self.received)
 
     def forget(self) -> None:
-        self.before = 0
+        self.before = self.speed = 0
 
     def serve(self, seconds: float) -> None:
         port = self.bench.ports[self.variable]
@@ -244,7 +247,8 @@ class TelegramRig(ModelRig):
             self.before = values[0]
             self.model.obey(values)
         if self.model.telegram in (3, 102):
-            self.asked.append(f"speed {values[1]}")
+            self.asked += [f"speed {values[1]}"] + ["stop"] * bool(self.speed and not values[1])
+            self.speed = values[1]
         self.fates.append("lost answer" if self.lost else "good")
         port[self.valid] = not self.lost
         if not self.lost:

@@ -28,7 +28,7 @@ KINDS = (
 """The kind of a block by its name, without the telegram in it. The names of all others are none of a model's."""
 SCALES = {"esc11": 100.0}
 """Counts in the unit of an input that is a number with a point."""
-INVALID = {"tc100": 101, "esc11": 101, "hiwin-e": -1.0}
+INVALID = {"tc100": 101, "esc11": 101, "hiwin-e": -600000.0}
 """A speed that a device does not take."""
 POSITION = re.compile(r"position|target(?!speed)", re.IGNORECASE)
 DISTANCE = re.compile(r"distance", re.IGNORECASE)
