@@ -244,7 +244,11 @@ class History:
                 before = None
             calls.scans.append(number)
             calls.execute.append(any(levels))
-            calls.edges.append(before is not None and _rising(before, levels))
+            # A jog that has failed needs both inputs FALSE first.
+            waits = (
+                len(keys) == 2 and before is not None and any(before) and calls.ends[-1] in ("Error", "CommandAborted")
+            )
+            calls.edges.append(before is not None and not waits and _rising(before, levels))
             calls.fresh.append(restarted)
             calls.abort.append(bool(scan.inputs.get((name, "Abort"))))
             calls.busy.append(bool(outputs.get((name, "Busy"))))
@@ -256,7 +260,12 @@ class History:
 
 
 def _rising(before: tuple[bool, ...], now: tuple[bool, ...]) -> bool:
-    """Whether a block has something to begin: an input rises, or one of two directions alone remains."""
+    """Whether a block has something to begin: an input rises, or one of two directions alone remains.
+
+    Both directions at once are none.
+    """
+    if len(now) == 2 and all(now):
+        return False
     if len(now) == 2 and before == (True, True):
         return sum(now) == 1
     return any(new and not old for old, new in zip(before, now, strict=True))

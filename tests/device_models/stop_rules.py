@@ -11,6 +11,7 @@ START_BITS = 0x0B40
 TASK_BITS = 0x0030
 """Bits of STW1 that start a motion, and those that let a task go on."""
 TRIES = 3
+LOCKED = 12
 
 
 def a_stop_comes_next(history: History) -> Iterator[Violation]:
@@ -95,8 +96,10 @@ def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
 
 
 def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
-    """Rule 28: at standstill a stop is done within a bounded time."""
+    """Rule 28: at standstill a stop is done within a bounded time; a halt is refused while a stop has the axis."""
     for calls, index, scan in _stop_edges(history):
+        if calls.kind == "halt" and calls.error[index] == LOCKED:
+            continue
         if not scan or not _is_clear(history, scan) or history.scans[scan - 1].state.velocity:
             continue
         end = history.after(scan)

@@ -1,6 +1,6 @@
 """The blocks that move an axis, against models that are written from the manuals and know nothing of the specs.
 
-Each test is a scene. `EXPECTED` has those that fail until the blocks are mended: each entry goes with its repair.
+Each test is a scene.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from expected_failures import EXPECTED
 from loaded import programs
 from model_scenes import (
     FRAMED,
@@ -30,15 +29,6 @@ from model_scenes import (
     until_moving,
     value_input,
 )
-
-
-@pytest.fixture(autouse=True)
-def expected(request: pytest.FixtureRequest) -> None:
-    """Marks the tests that fail until the blocks are mended."""
-    test, _, parameters = request.node.name.removeprefix("test_").rstrip("]").partition("[")
-    item, failing = EXPECTED.get(test, ("", ()))
-    if parameters in failing:
-        request.applymarker(pytest.mark.xfail(reason=f"to be mended: {item}", strict=True))
 
 
 @pytest.fixture

@@ -182,7 +182,7 @@ def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
         backward = any(task.direction == "negative" for task in job.tasks)
         return Jogging(draft, axis(), len(job.tasks) > 1 or not backward, backward)
     if job.kind in MOVING or job.halts:
-        return Moving(draft, axis())
+        return Moving(draft, axis(), job.halts)
     return Stopping(draft, axis()) if job.kind == "stop" else Executed(draft, abort=False)
 
 

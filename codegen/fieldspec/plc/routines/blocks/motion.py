@@ -60,10 +60,12 @@ class Moving(Edged):
     `commands` are the steps whose requests begin the motion, `look` is the one behind its acceptance. `ending` is the
     first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does;
     `restart` is what is done where the end begins, `tries` how often it is tried. `wanted` is None, or what must hold
-    for the motion to go on.
+    for the motion to go on. One that `halts` is sent before all starts, and has failed only where none of its tries
+    succeeds.
     """
 
-    def __init__(self, draft: BlockDraft, axis: AxisPort) -> None:
+    def __init__(self, draft: BlockDraft, axis: AxisPort, halts: bool = False) -> None:
+        self.halts = halts
         self.wanted: Expression | None = None
         super().__init__(draft, aborted=True)
         self.axis = axis
@@ -149,20 +151,18 @@ class Moving(Edged):
             *(assigned(flag, False) for flag in self._flags()),
         ]
         waits = [Negation(self.taken), Negation(self.ending_flag)]
-        locked: list[Statement] = [
-            *(assigned(flag, False) for flag in (self.earlier, self.sent)),
-            when(draft.unharmed(), [draft.fail("locked")]),
-        ]
+        locked = [assigned(self.earlier, False), when(draft.unharmed(), [draft.fail("locked")])]
         superseded = compared(self.claim, "<>", axis.claims)
         goes_on = [*self.drop, *self.take_over(), draft.go(self.look)]
         left = when(either([self.sent, self.earlier]), goes_on, [assigned(draft.aborted, True)])
         branches: list[Branch] = [
             (every([either([self.taken, self.ending_flag]), displaced]), ended),
-            (every([axis.locked, *waits]), locked),
+            (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
         ]
         if self.wanted is not None:
             branches.append((every([Negation(self.wanted), Negation(self.ending_flag)]), self._withdrawn()))
-        branches.append((every([superseded, draft.unharmed(), *waits]), [left]))
+        if not self.halts:
+            branches.append((every([superseded, draft.unharmed(), *waits]), [left]))
         if self.late is not None:
             branches.append((every([self.late, Negation(self.ending_flag)]), [draft.fail("late")]))
         return branches
@@ -223,10 +223,11 @@ class Moving(Edged):
         behind = compared(draft.step, "=", number(0))
         flags = [assigned(flag, False) for flag in (self.ending_flag, self.sent, self.taken)]
         shown = when(draft.failed(), draft.erroneous(), [assigned(draft.done, True)])
+        tells = [compared(self.first_reason, "<>", _NONE), *([draft.failed()] if self.halts else [])]
         ended: list[Statement] = [
             *flags,
             *([] if self.pending is None else [Assignment(self.earlier, draft.failed())]),
-            when(compared(self.first_reason, "<>", _NONE), [Assignment(draft.reason, self.first_reason)]),
+            when(every(tells), [Assignment(draft.reason, self.first_reason)]),
             shown if self.pending is None else when(Negation(self.pending), [shown]),
         ]
         return [
