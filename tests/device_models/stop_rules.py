@@ -35,7 +35,7 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
     for calls, index, scan in _stop_edges(history):
         last = _last_before_edge(history, calls, index)
         end = next((place for place in range(index, calls.index_at(last) + 1) if calls.ends[place]), None)
-        if end is None or calls.abort[end]:
+        if end is None or calls.abort[end] or (calls.kind == "halt" and "CommandAborted" in calls.ends[end]):
             continue
         when = calls.scans[end]
         word = history.scans[when].word
@@ -106,7 +106,8 @@ def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
         places = range(index, calls.index_at(end) + 1)
         if any(calls.abort[place] or (calls.edges[place] and place > index) for place in places):
             continue
-        if not any("Done" in calls.ends[place] for place in places):
+        good = ("Done", "CommandAborted") if calls.kind == "halt" else ("Done",)
+        if not any(end in calls.ends[place] for place in places for end in good):
             ending = next((calls.ends[place] for place in places if calls.ends[place]), "nothing")
             yield Violation(28, scan, calls.name, f"at standstill it ends with {ending}")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.classes import dataclass
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.operand import Operand, Operands
@@ -18,48 +17,24 @@ from fieldspec.model.watches import (
     before_effect,
     conditions,
     needs_begin,
+    shows_acceptance,
     watches,
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Executed, Kind
-from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
-from fieldspec.plc.routines.blocks.ports import axis_key, increment, member
+from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.blocks.tasks import end_steps
-from fieldspec.plc.routines.blocks.words import masked
-from fieldspec.plc.routines.expressions import Expression, Member, Negation, Variable, compared, every
+from fieldspec.plc.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
+from fieldspec.plc.routines.expressions import Expression, Negation, Variable, compared, every
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
 """Those of them that no other motion needs. A block clears them even where another one has taken over."""
-_REQUEST, _RESPONSE = "request", "response"
 _SETTLE = "T#20ms"
-
-
-def axis_port(world: World, draft: BlockDraft, message: MessageLayout) -> AxisPort:
-    """The members of the port of a telegram that say who moves the axis."""
-    axis = axis_struct(draft, message)
-    return AxisPort(*(member(world, axis_key(message), name, axis) for name in ("motion", "claims", "stops")))
-
-
-def axis_struct(draft: BlockDraft, message: MessageLayout) -> Variable:
-    """The port of a telegram."""
-    return draft.struct("axis", axis_key(message), "the same for all blocks of the telegram")
-
-
-@dataclass(frozen=True, slots=True)
-class _Bit:
-    """A bit of the request: its word, its mask, and the roles of what it stands for."""
-
-    word: Expression
-    mask: int
-    roles: frozenset[str]
-
-    def put(self, on: bool) -> Statement:
-        """The statement that sets or clears it."""
-        return masked(self.word, self.mask, on)
 
 
 class CyclicTask:
@@ -82,16 +57,15 @@ class CyclicTask:
         self.world, self.operands, self.draft, self.kind = world, operands, draft, kind
         self.message, self.tasks, self.task = message, tasks, tasks[0]
         self.known = known.labels if known is not None else {}
-        self.axis = axis_struct(draft, message)
-        self.valid = member(world, axis_key(message), "valid", self.axis)
+        self.places = TelegramPlaces(world, operands, draft, message)
         self.conditions = Conditions(world, operands, draft, message.name)
         if known is not None:
             self.conditions.arguments.update(known.conditions.arguments)
         if self.task.kind in LASTING:
             self.conditions.standstill = standstill(operands, self.task, message.name)
         self.labels: dict[str, int] = {}
-        self.set: list[_Bit] = []
-        self.pulsed: list[_Bit] = []
+        self.set: list[RequestBit] = []
+        self.pulsed: list[RequestBit] = []
         self.setpoints: list[tuple[Expression, Variable]] = []
         self.neutral: list[Statement] = []
         self.lowered: list[Statement] = []
@@ -128,7 +102,7 @@ class CyclicTask:
         kind.look = self.labels["look"]
         if ends is not None:
             kind.wanted = kind.execute
-            place, field = self._place(self._operand(task.steps[ends[1]]))
+            place, field = self.places.place(self._operand(task.steps[ends[1]]))
             self.neutral.append(Assignment(place, self._value(task.steps[ends[1]], field)))
             self._follow()
         self._end(kind)
@@ -136,6 +110,7 @@ class CyclicTask:
     def _jog(self, kind: Jogging) -> None:
         """Adds the steps of a jog: both directions, and its end."""
         draft = self.draft
+        self._look_first()
         goes = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
         if len(self.tasks) > 1:
             draft.add([when(kind.backward, [goes[1]], [goes[0]])], remark="the direction")
@@ -154,60 +129,71 @@ class CyclicTask:
         """Adds what ends a motion: what lets it go on is cleared at once, and the block waits for standstill."""
         draft = self.draft
         starting = [bit for bit in self.set if bit.roles & STARTING]
-        kind.restart = _cleared([*starting, *self.pulsed]) + self.neutral + self.lowered
-        kind.lowered = _cleared(self.pulsed) + self.neutral + self.lowered
-        kind.lowered_unless_done = _cleared([bit for bit in starting if bit.roles & _BY_LEVEL])
+        kind.restart = cleared([*starting, *self.pulsed]) + self.neutral + self.lowered
+        kind.lowered = cleared(self.pulsed) + self.neutral + self.lowered
+        kind.lowered_unless_done = cleared([bit for bit in starting if bit.roles & _BY_LEVEL])
         if self.task.kind not in MOVING:
             kind.restart = [*self.insists, *kind.restart]
+            starts = [self.places.bit(bit) for bit in self.places.starting() if "move_start" in bit.roles]
+            kind.at_once = [assigned(kind.sent, True), *self.insists, *cleared(starts)]
         kind.tries, kind.ending = 1, draft.next
-        stands = self.conditions.stands(self._seen)
+        stands = self.conditions.stands(self.places.seen)
         if stands is None:
             self.remarks.append(
                 "The telegram does not show whether the drive stands: the block ends when it is told to stop."
             )
             draft.add([draft.end()])
         else:
-            draft.add([when(every([self.valid, stands]), [draft.end()])], remark="until the device stands")
+            draft.add([when(every([self.places.valid, stands]), [draft.end()])], remark="until the device stands")
 
     def _insist(self) -> None:
         """Adds what a stop does: its bits are cleared in each scan, whatever the response, until the drive shows it."""
         draft, task, kind = self.draft, self.task, self.kind
         waits: list[Step] = []
-        bits: list[_Bit] = []
+        bits: list[RequestBit] = []
         for step in task.steps:
             if step.action == "clear":
-                bits.append(self._bit(self._operand(step)))
+                bits.append(self.places.bit(self._operand(step)))
             elif step.action == "wait":
                 waits.append(step)
             else:
                 raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
-        self.begun = [increment(axis_port(self.world, draft, self.message).motion)]
+        self.begun = [increment(self.places.axis_port().motion)]
         if isinstance(kind, Stopping):
             levels = _BY_LEVEL | {"move_start"}
-            bits += [self._bit(operand) for operand in self._starting() if levels & {*operand.roles}]
+            bits += [self.places.bit(operand) for operand in self.places.starting() if levels & {*operand.roles}]
             self.remarks.append("It clears the bits that start a motion too, in each scan while it is Busy.")
         elif isinstance(kind, Executed) and waits:
             kind.limit()
-        self.insists = _cleared(bits)
+        self.insists = cleared(bits)
         draft.settle(_SETTLE)
-        computed, shown = self.conditions.all_of(waits, self._seen) if waits else ([], None)
+        computed, shown = self.conditions.all_of(waits, self.places.seen) if waits else ([], None)
         if shown is None:
             self.remarks.append(
                 "The telegram does not show whether the drive stands: Done says that it is told to stop."
             )
-        test = self.valid if shown is None else every([self.valid, shown])
+        test = self.places.valid if shown is None else every([self.places.valid, shown])
         draft.add([*computed, when(test, [draft.end()])], remark="until it is there")
 
     def _look_first(self) -> None:
-        """Adds what looks whether the task may begin, and notes what is compared with later."""
+        """Adds what looks whether the task may begin, and notes what is compared with later.
+
+        Where the drive does not show that it accepts a command, nothing begins while it moves.
+        """
         draft, task = self.draft, self.task
         first = task.steps[: before_effect(task)]
         noted = [
-            item for step in self.conditions.compared(task.steps) for item in self.conditions.start_of(step, self._seen)
+            item
+            for step in self.conditions.compared(task.steps)
+            for item in self.conditions.start_of(step, self.places.seen)
         ]
         branches: list[Branch] = []
+        shown = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
+        stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not shown else None
+        if stands is not None:
+            branches.append((opposite(stands), [draft.fail("unready")]))
         for step in first:
-            _, holds = self.conditions.test(step, self._seen)
+            _, holds = self.conditions.test(step, self.places.seen)
             branches.append((opposite(holds), [draft.fail("unready")]))
         if branches or noted:
             then = [*noted, draft.go(draft.next + 1)]
@@ -252,9 +238,11 @@ class CyclicTask:
         then = [*(bit.put(False) for bit in self.pulsed), *taken, on]
         refusing = any(REFUSAL in self._operand(step).roles for step in waits)
         if moving and isinstance(kind, Moving) and task.kind in MOVING:
-            draft.add(self.conditions.judged(kind, waits, self._seen, must_begin, then, []), remark="until it is there")
+            draft.add(
+                self.conditions.judged(kind, waits, self.places.seen, must_begin, then, []), remark="until it is there"
+            )
             return
-        computed, holds = self.conditions.all_of(waits, self._seen)
+        computed, holds = self.conditions.all_of(waits, self.places.seen)
         remark = "whether the drive has accepted the command" if taken else "until it is there"
         draft.add([*computed, when(holds, then, [draft.fail("exception")] if refusing else [])], remark=remark)
 
@@ -270,16 +258,16 @@ class CyclicTask:
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
         if step.action == "read":
-            place, field = self._place(operand)
+            place, field = self.places.place(operand)
             draft.add([*outputs_of(draft, operand.fact.name, operand, field.value, place), draft.go(on)])
         elif step.action == "pulse":
-            bit = self._bit(operand)
+            bit = self.places.bit(operand)
             self.pulsed.append(bit)
             draft.add([*sent, bit.put(False), draft.go(draft.next + 1)])
             self._settle()
             draft.add([bit.put(True), *taken, draft.go(0 if is_last else draft.next + 1)])
         elif step.action in ("set", "clear"):
-            bit = self._bit(operand)
+            bit = self.places.bit(operand)
             if step.action == "set":
                 self.set.append(bit)
             else:
@@ -288,7 +276,7 @@ class CyclicTask:
                     self.insists.append(bit.put(False))
             draft.add([*sent, bit.put(step.action == "set"), *taken, draft.go(on)])
         elif step.action == "write" and operand.bit is None:
-            place, field = self._place(operand)
+            place, field = self.places.place(operand)
             if step.argument:
                 raw = argument(draft, step.argument, operand, field.value)
                 self.conditions.arguments[step.argument] = raw
@@ -327,7 +315,7 @@ class CyclicTask:
             remark = "how long a commanded speed stands before it may count as reached"
             settled = draft.timer("fbSteady", steady, "tSettle", _SETTLE, remark)
             at_speed = draft.declare("InVelocity", steady.type, "output", "the commanded speed is reached")
-            place, _ = self._place(reached[0])
+            place, _ = self.places.place(reached[0])
             same = every([compared(target, "=", raw) for target, raw in self.setpoints])
             following = [
                 Assignment(steady, same),
@@ -345,48 +333,17 @@ class CyclicTask:
 
     def _safe(self) -> None:
         """Clears first what would let something go on when the alarm is gone."""
-        cleared = _cleared([self._bit(operand) for operand in self._starting()])
-        if cleared:
+        safe = cleared([self.places.bit(operand) for operand in self.places.starting()])
+        if safe:
             self.remarks.append(
                 "Clears the bits that switch on and start first, so that nothing goes on when the alarm is gone."
             )
             draft = self.draft
-            draft.add([*cleared, draft.go(draft.next + 1)])
+            draft.add([*safe, draft.go(draft.next + 1)])
             self._settle()
-
-    def _starting(self) -> list[Operand]:
-        path = f"messages/{self.message.name}/{_REQUEST}/"
-        return [
-            operand
-            for operand in self.operands.all
-            if operand.path.startswith(path) and STARTING & {*operand.roles} and operand.bit is not None
-        ]
 
     def _operand(self, step: Step) -> Operand:
         return self.conditions.operand(step)
-
-    def _seen(self, operand: Operand) -> Expression | None:
-        """What shows a fact: a field of the request or of the response."""
-        try:
-            return self._place(operand)[0]
-        except NoBlock:
-            return None
-
-    def _place(self, operand: Operand) -> tuple[Expression, FieldLayout]:
-        """The member of the port for the field of an operand."""
-        for name, record in ((_REQUEST, self.message.request), (_RESPONSE, self.message.response)):
-            for field in record.fields:
-                if field.field is operand.holder and field.value is not None:
-                    struct = member(self.world, axis_key(self.message), name, self.axis)
-                    kind = self.world.type_of(field.value)
-                    return Member(struct, self.world.member(record.name, field.name), kind), field
-        raise NoBlock(f"{operand.path} is not in {self.message.name}")
-
-    def _bit(self, operand: Operand) -> _Bit:
-        if operand.bit is None:
-            raise NoBlock(f"{operand.path} is not a bit")
-        word, _ = self._place(operand)
-        return _Bit(word, operand.bit.mask, frozenset(operand.roles))
 
     def block(self) -> Routine:
         """The block."""
@@ -396,11 +353,11 @@ class CyclicTask:
         insisting = bool(self.begun)
         ending = [Negation(kind.ending_flag)] if isinstance(kind, Moving) else []
         if not insisting:
-            guards.append((every([Negation(self.valid), *ending]), [draft.fail("transport")]))
+            guards.append((every([Negation(self.places.valid), draft.unharmed(), *ending]), [draft.fail("transport")]))
         for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
-            place, _ = self._place(watch.operand)
+            place, _ = self.places.place(watch.operand)
             test = opposite(self.conditions.has(watch.operand, (watch.value,), place))
-            guards.append((every([test, *ending]), [draft.fail(watch.reason)]))
+            guards.append((every([test, draft.unharmed(), *ending]), [draft.fail(watch.reason)]))
         steps = draft.selected(asks=True)
         works = [*kind.may_ask(), draft.unharmed()]
         guards.append((every(works), steps))
@@ -409,11 +366,3 @@ class CyclicTask:
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         body = [*told, chain(guards), *kind.accepted(), *tail]
         return draft.finished([*draft.timers(), *edges, when(kind.active(), body), *always])
-
-
-def _cleared(bits: Sequence[_Bit]) -> list[Statement]:
-    """What clears bits, those of one word together."""
-    words: dict[Expression, int] = {}
-    for bit in bits:
-        words[bit.word] = words.get(bit.word, 0) | bit.mask
-    return [masked(word, mask, False) for word, mask in words.items()]

@@ -11,7 +11,7 @@ from fieldspec.model.task import Task
 from fieldspec.model.watches import MOVING
 from fieldspec.names import Name
 from fieldspec.plc.routines.blocks.clients import client_blocks
-from fieldspec.plc.routines.blocks.cyclic import CyclicTask, axis_port
+from fieldspec.plc.routines.blocks.cyclic import CyclicTask
 from fieldspec.plc.routines.blocks.frames import MessageTask, exchange_of, message_block
 from fieldspec.plc.routines.blocks.kinds import Edged, Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.line_tasks import LineTask
@@ -22,6 +22,7 @@ from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.plc.routines.blocks.standard import BlockDraft
 from fieldspec.plc.routines.blocks.tables import group_blocks, table_blocks
 from fieldspec.plc.routines.blocks.tasks import describe
+from fieldspec.plc.routines.blocks.telegram_places import TelegramPlaces
 from fieldspec.plc.routines.blocks.words import Helpers, WordTask, has_only_registers
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.world import World
@@ -144,7 +145,7 @@ class _Maker:
 
         def made(known: LineTask | None) -> tuple[LineDraft, LineTask]:
             draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)
-            draft.connect(_kind(draft, job, lambda: draft.axis_port()))
+            draft.connect(_kind(draft, job, draft.axis_port))
             if port == AXIS:
                 return draft, WordTask(self.world, self.operands, self.helpers, draft, job.tasks, known)
             return draft, MessageTask(self.world, self.operands, self.by_name, draft, job.tasks, known)
@@ -163,7 +164,7 @@ class _Maker:
 
         def made(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")
-            kind = _kind(draft, job, lambda: axis_port(self.world, draft, message))
+            kind = _kind(draft, job, TelegramPlaces(self.world, self.operands, draft, message).axis_port)
             return CyclicTask(self.world, self.operands, draft, kind, message, job.tasks, known)
 
         first = made(None)

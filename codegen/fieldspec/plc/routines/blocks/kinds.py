@@ -111,7 +111,11 @@ class Edged(Kind):
 
     def done(self) -> Branch:
         """What ends the block behind its last step."""
-        return compared(self.draft.step, "=", number(0)), [assigned(self.draft.done, True)]
+        return compared(self.draft.step, "=", number(0)), self.ended_well()
+
+    def ended_well(self) -> list[Statement]:
+        """What is done where the block has come to its end without an error."""
+        return [assigned(self.draft.done, True)]
 
 
 class Executed(Edged):

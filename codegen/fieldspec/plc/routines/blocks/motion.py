@@ -58,10 +58,10 @@ class Moving(Edged):
     """A block that moves the axis, or halts it.
 
     `commands` are the steps whose requests begin the motion, `look` is the one behind its acceptance. `ending` is the
-    first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does;
-    `restart` is what is done where the end begins, `tries` how often it is tried. `wanted` is None, or what must hold
-    for the motion to go on. One that `halts` is sent before all starts, and has failed only where none of its tries
-    succeeds.
+    first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does.
+    `at_once` is done where it begins, `restart` where its end begins, `tries` is how often that is tried. `wanted` is
+    None, or what must hold for the motion to go on. One that `halts` is sent before all starts, and has failed only
+    where none of its tries succeeds.
     """
 
     def __init__(self, draft: BlockDraft, axis: AxisPort, halts: bool = False) -> None:
@@ -83,6 +83,7 @@ class Moving(Edged):
         self.look = self.ending = self.stop = 0
         self.commands: list[int] = []
         self.restart: Sequence[Statement] = ()
+        self.at_once: Sequence[Statement] = ()
         self.tries = TRIES
         self.lowered: Sequence[Statement] = ()
         self.lowered_unless_done: Sequence[Statement] = ()
@@ -138,7 +139,7 @@ class Moving(Edged):
             *self.fresh,
             Assignment(self.first_reason, _NONE),
             Assignment(draft.reason, reason),
-            when(every([*unlocked, Negation(axis.locked)]), claims),
+            when(every([*unlocked, Negation(axis.locked)]), [*claims, *self.at_once]),
         ]
 
     def guards(self) -> list[Branch]:
@@ -222,7 +223,7 @@ class Moving(Edged):
             once_more.append((again, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
         behind = compared(draft.step, "=", number(0))
         flags = [assigned(flag, False) for flag in (self.ending_flag, self.sent, self.taken)]
-        shown = when(draft.failed(), draft.erroneous(), [assigned(draft.done, True)])
+        shown = when(draft.failed(), draft.erroneous(), self.ended_well())
         tells = [compared(self.first_reason, "<>", _NONE), *([draft.failed()] if self.halts else [])]
         ended: list[Statement] = [
             *flags,
@@ -272,13 +273,18 @@ class Jogging(Moving):
 
     def edges(self) -> list[Statement]:
         draft = self.draft
-        begins = every([self.ready, Negation(draft.busy), _one(self.levels)])
+        # At its end it begins in the other direction where that alone is asked for.
+        free = either([Negation(draft.busy), compared(draft.step, "=", number(0))])
+        begins = every([self.ready, free, _one(self.levels)])
         direction = [Assignment(self.backward, self.levels[1])] if len(self.levels) > 1 else []
         return [
             when(Negation(self.execute), [assigned(self.ready, True)]),
             Assignment(self.edge, begins),
             chain([(self.edge, [*direction, *self.converted(), *self.begun()]), self.idle()]),
         ]
+
+    def ended_well(self) -> list[Statement]:
+        return [when(Negation(_one(self.levels)), super().ended_well())]
 
     def over(self, *others: Statement) -> Statement:
         return super().over(*others, when(Negation(self.draft.done), [assigned(self.ready, False)]))
