@@ -90,7 +90,7 @@ class TaskDraft:
         return f", {known.name}{scale}"
 
     def target_of(self, step: Step, value: Value | None, place: str, count: str) -> str:
-        """The local variable with what a wait compares with an argument, whose `count` is an expression. Raises NoTask."""
+        """The local variable with the target of a wait, whose `count` is an expression. Raises NoTask."""
         if value is None:
             raise NoTask(f"`{step.target}` is no number")
         more = f", name={literal(step.target)}" if "/" not in step.target else ""
