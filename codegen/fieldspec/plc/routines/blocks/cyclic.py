@@ -20,7 +20,7 @@ from fieldspec.model.watches import (
     shows_acceptance,
     watches,
 )
-from fieldspec.plc.routines.blocks.kinds import Branch, Executed, Kind
+from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Executed, Kind
 from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
@@ -167,13 +167,13 @@ class CyclicTask:
             kind.limit()
         self.insists = cleared(bits)
         draft.settle(_SETTLE)
-        computed, shown = self.conditions.all_of(waits, self.places.seen) if waits else ([], None)
-        if shown is None:
+        computed, test = self.conditions.all_of(waits, self.places.seen) if waits else ([], None)
+        if test is None:
             self.remarks.append(
                 "The telegram does not show whether the drive stands: Done says that it is told to stop."
             )
-        test = self.places.valid if shown is None else every([self.places.valid, shown])
-        draft.add([*computed, when(test, [draft.end()])], remark="until it is there")
+        done = self.places.valid if test is None else every([self.places.valid, test])
+        draft.add([*computed, when(done, [draft.end()])], remark="until it is there")
 
     def _look_first(self) -> None:
         """Adds what looks whether the task may begin, and notes what is compared with later.
@@ -188,8 +188,8 @@ class CyclicTask:
             for item in self.conditions.start_of(step, self.places.seen)
         ]
         branches: list[Branch] = []
-        shown = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
-        stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not shown else None
+        confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
+        stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
         if stands is not None:
             branches.append((opposite(stands), [draft.fail("unready")]))
         for step in first:
@@ -361,8 +361,8 @@ class CyclicTask:
         steps = draft.selected(asks=True)
         works = [*kind.may_ask(), draft.unharmed()]
         guards.append((every(works), steps))
-        told = [when(kind.may_ask()[0].of, self.begun), *self.insists] if insisting else []  # type: ignore[union-attr]
+        orders = [when(kind.edge, self.begun), *self.insists] if insisting and isinstance(kind, Edged) else []
         tail = kind.tail()
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
-        body = [*told, chain(guards), *kind.accepted(), *tail]
+        body = [*orders, chain(guards), *kind.accepted(), *tail]
         return draft.finished([*draft.timers(), *edges, when(kind.active(), body), *always])

@@ -143,16 +143,16 @@ class _Maker:
     def _line(self, job: Job, port: str) -> Routine:
         """A block that asks over a line. It is made twice, so that steps know the numbers of those behind them."""
 
-        def made(known: LineTask | None) -> tuple[LineDraft, LineTask]:
+        def build(known: LineTask | None) -> tuple[LineDraft, LineTask]:
             draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)
             draft.connect(_kind(draft, job, draft.axis_port))
             if port == AXIS:
                 return draft, WordTask(self.world, self.operands, self.helpers, draft, job.tasks, known)
             return draft, MessageTask(self.world, self.operands, self.by_name, draft, job.tasks, known)
 
-        _, first = made(None)
+        _, first = build(None)
         first.all()
-        draft, task = made(first)
+        draft, task = build(first)
         task.all()
         describe(draft, job.tasks, Name.of(job.name).title(), *_comments(draft.kind))
         return draft.block()
@@ -162,14 +162,14 @@ class _Maker:
         named = message.name in job.name
         name = self.world.block(job.name) if named else self.world.block(message.name, job.name)
 
-        def made(known: CyclicTask | None) -> CyclicTask:
+        def build(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")
             kind = _kind(draft, job, TelegramPlaces(self.world, self.operands, draft, message).axis_port)
             return CyclicTask(self.world, self.operands, draft, kind, message, job.tasks, known)
 
-        first = made(None)
+        first = build(None)
         first.all()
-        task = made(first)
+        task = build(first)
         task.all()
         describe(task.draft, job.tasks, Name.of(job.name).title(), *task.remarks, *_comments(task.kind))
         return task.block()

@@ -114,6 +114,7 @@ class MessageTask(LineTask):
         self.by_name = by_name
 
     def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
+        """See `LineTask`. Raises NoBlock for what is no message."""
         index = first
         while index < behind:
             step = task.steps[index]
@@ -130,6 +131,7 @@ class MessageTask(LineTask):
             index = last
 
     def first_units(self) -> Iterable[tuple[Task, Unit]]:
+        """See `LineTask`."""
         task, first = self.task, before_effect(self.task)
         looks = [(task, replace(unit, again=False)) for unit in self.units(task, 0, first)]
         compared_later = self.conditions.compared(task.steps)
@@ -149,6 +151,7 @@ class MessageTask(LineTask):
                     yield halting, unit
 
     def watching_unit(self) -> tuple[Task, Unit] | None:
+        """See `LineTask`."""
         for unit in self.units(self.task, last_command(self.task) + 1, len(self.task.steps)):
             seen = self.seen(self.task, unit)
             if any(seen(watch.operand) is not None for watch in self.watches):
@@ -156,11 +159,13 @@ class MessageTask(LineTask):
         return None
 
     def seen(self, task: Task, unit: Unit) -> Seen:
+        """See `LineTask`."""
         exchange = self._exchange(self.target(task.steps[unit.index]))
         answered = self._answered(exchange)
         return lambda operand: self._seen(operand, exchange, answered)
 
     def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+        """See `LineTask`. Raises NoBlock for what is not in the response."""
         step = task.steps[unit.index]
         exchange = self._exchange(self.target(step))
         seen = self.seen(task, unit)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import TypeAlias
 
@@ -17,7 +18,7 @@ EDGES = (
 )
 
 
-class Kind:
+class Kind(ABC):
     """How a block starts and ends.
 
     `release` gives up what it has asked for, `drop` does so at the end of the scan; both are empty where it asks for
@@ -29,9 +30,9 @@ class Kind:
         self.release: Sequence[Statement] = ()
         self.drop: Sequence[Statement] = ()
 
+    @abstractmethod
     def edges(self) -> list[Statement]:
         """What looks at the inputs, in each scan."""
-        raise NotImplementedError
 
     def guards(self) -> list[Branch]:
         """What is looked at before the block works on; where one of them holds, it does not."""
@@ -57,9 +58,9 @@ class Kind:
         """Whether what it asks for goes before what others ask for; None where that is never so."""
         return None
 
+    @abstractmethod
     def tail(self) -> list[Statement]:
         """What ends the block."""
-        raise NotImplementedError
 
 
 class Edged(Kind):
@@ -84,7 +85,7 @@ class Edged(Kind):
         remark = "so that nothing starts in the first scan"
         self.before = self.draft.declare("xExecuteBefore", BOOL, "local", remark, "TRUE")
 
-    def edge_found(self) -> list[Statement]:
+    def find_edge(self) -> list[Statement]:
         """What finds the edge."""
         return [
             Assignment(self.edge, every([self.execute, Negation(self.before)])),
@@ -102,6 +103,7 @@ class Edged(Kind):
         return [*self.release, *draft.cleared(), assigned(draft.busy, True), draft.go(1)]
 
     def may_ask(self) -> list[Expression]:
+        """See `Kind`."""
         return [Negation(self.edge)]
 
     def over(self, *others: Statement) -> Statement:
@@ -126,6 +128,7 @@ class Executed(Edged):
         super().__init__(draft, abort)
 
     def declare_start(self) -> None:
+        """See `Edged`."""
         super().declare_start()
         if self._has_abort:
             self.abort = self.draft.declare("Abort", BOOL, "input", "ends the block with CommandAborted")
@@ -137,11 +140,13 @@ class Executed(Edged):
     late: Expression | None = None
 
     def edges(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         begin = [*self.begun(), draft.forgotten(), *draft.at_start]
-        return [*self.edge_found(), chain([(self.edge, begin), self.idle()])]
+        return [*self.find_edge(), chain([(self.edge, begin), self.idle()])]
 
     def tail(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         late = [when(self.late, [draft.fail("late")])] if self.late is not None else []
         branches: list[Branch] = []
@@ -163,14 +168,17 @@ class Reading(Kind):
         draft.steps_from(1)
 
     def edges(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         off: list[Statement] = [*self.release, *draft.cleared(), assigned(draft.busy, False), draft.go(1)]
         return [when(Negation(self.enable), off)]
 
     def active(self) -> Expression:
+        """See `Kind`."""
         return self.enable
 
     def tail(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         wrong = [assigned(draft.done, False), *draft.erroneous(), draft.forgotten(), draft.go(1)]
         right = [*draft.cleared()[1:], assigned(draft.done, True), draft.go(1)]

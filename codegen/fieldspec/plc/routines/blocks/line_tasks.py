@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
+from fieldspec.model.value import Value
 from fieldspec.model.watches import (
     MOVING,
     REFUSAL,
@@ -19,7 +21,7 @@ from fieldspec.model.watches import (
     shows_acceptance,
     watches,
 )
-from fieldspec.plc.routines.blocks.kinds import Executed
+from fieldspec.plc.routines.blocks.kinds import Branch, Executed
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import outputs_of
@@ -50,7 +52,7 @@ class Unit:
     again: bool = False
 
 
-class LineTask:
+class LineTask(ABC):
     """The steps of a block while they are being added.
 
     `tasks` is one task, or two that jog in both directions. `known` is what an earlier run knows of steps that others
@@ -70,25 +72,25 @@ class LineTask:
             self.conditions.arguments.update(known.conditions.arguments)
         self.fault_before: Variable | None = None
 
+    @abstractmethod
     def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
         """The units of some steps."""
-        raise NotImplementedError
 
+    @abstractmethod
     def first_units(self) -> Iterable[tuple[Task, Unit]]:
         """What is looked at before the first command, with the tasks that look at it."""
-        raise NotImplementedError
 
+    @abstractmethod
     def watching_unit(self) -> tuple[Task, Unit] | None:
         """What is looked at while a motion goes on until its input ends it; None where nothing is to be seen."""
-        raise NotImplementedError
 
+    @abstractmethod
     def seen(self, task: Task, unit: Unit) -> Seen:
         """What is to be seen in the answer to a unit."""
-        raise NotImplementedError
 
+    @abstractmethod
     def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
         """Adds what sends the commands of a unit, or asks for what it needs, and decides."""
-        raise NotImplementedError
 
     def target(self, step: Step) -> Operand:
         """The operand of a step."""
@@ -176,8 +178,8 @@ class LineTask:
         """
         draft, task, conditions = self.draft, self.task, self.conditions
         refusals = [step for step in task.steps if step.action == "wait" and REFUSAL in self.target(step).roles]
-        shown = any(shows_acceptance(self.operands, step) for step in task.steps)
-        must_stand = () if shown else conditions.standstill
+        confirms = any(shows_acceptance(self.operands, step) for step in task.steps)
+        must_stand = () if confirms else conditions.standstill
         for own, unit in self.first_units():
             seen = self.seen(own, unit)
             noted: list[Statement] = []
@@ -203,7 +205,7 @@ class LineTask:
             if visible:
                 self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")
 
-    def _first(self, branches: list, noted: list[Statement]) -> Decide:  # type: ignore[type-arg]
+    def _first(self, branches: list[Branch], noted: list[Statement]) -> Decide:
         def decide(behind: int) -> list[Statement]:
             then = [*noted, self.draft.go(behind)]
             return [chain(branches, then)] if branches else then
@@ -304,7 +306,7 @@ class LineTask:
             remark = "until it is there" if unit.waits else ""
         self.perform(task, unit, [operand for operand in needed if seen(operand) is not None], decide, remark)
 
-    def content(self, operand: Operand):  # type: ignore[no-untyped-def]
+    def content(self, operand: Operand) -> Value | None:
         """The value that is read."""
         return operand.value
 

@@ -108,14 +108,16 @@ class Moving(Edged):
         return [assigned(self.accepts, True)]
 
     def accepted(self) -> list[Statement]:
+        """See `Kind`."""
         motion = self.axis.motion
         taken = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
         return [when(self.accepts, [*taken, assigned(self.accepts, False)])]
 
     def edges(self) -> list[Statement]:
+        """See `Kind`."""
         assert self.pending is not None
         return [
-            *self.edge_found(),
+            *self.find_edge(),
             chain([(self.edge, [*self.converted(), assigned(self.pending, True)]), self.idle()]),
             when(every([self.pending, Negation(self.ending_flag)]), self.begun()),
         ]
@@ -126,6 +128,7 @@ class Moving(Edged):
         return [Assignment(draft.refusal, _NONE), *draft.at_start] if draft.at_start else []
 
     def begun(self) -> list[Statement]:
+        """See `Edged`."""
         draft, axis = self.draft, self.axis
         reason = draft.refusal if draft.at_start else _NONE
         claims = [increment(axis.claims), Assignment(self.claim, axis.claims)]
@@ -143,6 +146,7 @@ class Moving(Edged):
         ]
 
     def guards(self) -> list[Branch]:
+        """See `Kind`."""
         draft, axis = self.draft, self.axis
         assert draft.aborted is not None
         displaced = compared(self.owner, "<>", axis.motion)
@@ -192,9 +196,11 @@ class Moving(Edged):
         ]
 
     def urgent(self) -> Expression | None:
+        """See `Kind`."""
         return between(self.draft, self.ending, self.stop) if self.stop else None
 
     def tail(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         branches: list[Branch] = []
         if self.ending:
@@ -223,13 +229,13 @@ class Moving(Edged):
             once_more.append((again, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
         behind = compared(draft.step, "=", number(0))
         flags = [assigned(flag, False) for flag in (self.ending_flag, self.sent, self.taken)]
-        shown = when(draft.failed(), draft.erroneous(), self.ended_well())
+        outcome = when(draft.failed(), draft.erroneous(), self.ended_well())
         tells = [compared(self.first_reason, "<>", _NONE), *([draft.failed()] if self.halts else [])]
         ended: list[Statement] = [
             *flags,
             *([] if self.pending is None else [Assignment(self.earlier, draft.failed())]),
             when(every(tells), [Assignment(draft.reason, self.first_reason)]),
-            shown if self.pending is None else when(Negation(self.pending), [shown]),
+            outcome if self.pending is None else when(Negation(self.pending), [outcome]),
         ]
         return [
             when(every([late, draft.unharmed()]), [draft.fail("late")]),
@@ -253,6 +259,7 @@ class Jogging(Moving):
     remembers = False
 
     def declare_start(self) -> None:
+        """See `Edged`."""
         self.levels = [
             self.draft.declare(name, BOOL, "input", f"moves in the {direction} direction while it is TRUE")
             for name, (direction, exists) in self._directions.items()
@@ -260,6 +267,7 @@ class Jogging(Moving):
         ]
 
     def declare_edge(self) -> None:
+        """See `Edged`."""
         draft = self.draft
         self.edge = draft.declare("xEdge", BOOL, "local", "a motion begins in this scan")
         self.ready = draft.flag("xReady", "no input was TRUE since the first scan, or the last error")
@@ -269,13 +277,14 @@ class Jogging(Moving):
             self.wanted = self.levels[0]
         else:
             turned = compared(self.backward, "=", self.levels[1])
-            self.wanted = every([_one(self.levels), turned])
+            self.wanted = every([_single(self.levels), turned])
 
     def edges(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         # At its end it begins in the other direction where that alone is asked for.
         free = either([Negation(draft.busy), compared(draft.step, "=", number(0))])
-        begins = every([self.ready, free, _one(self.levels)])
+        begins = every([self.ready, free, _single(self.levels)])
         direction = [Assignment(self.backward, self.levels[1])] if len(self.levels) > 1 else []
         return [
             when(Negation(self.execute), [assigned(self.ready, True)]),
@@ -284,13 +293,15 @@ class Jogging(Moving):
         ]
 
     def ended_well(self) -> list[Statement]:
-        return [when(Negation(_one(self.levels)), super().ended_well())]
+        """See `Edged`."""
+        return [when(Negation(_single(self.levels)), super().ended_well())]
 
     def over(self, *others: Statement) -> Statement:
+        """See `Edged`."""
         return super().over(*others, when(Negation(self.draft.done), [assigned(self.ready, False)]))
 
 
-def _one(levels: Sequence[Expression]) -> Expression:
+def _single(levels: Sequence[Expression]) -> Expression:
     """Whether exactly one of the inputs is TRUE."""
     return levels[0] if len(levels) == 1 else compared(levels[0], "<>", levels[1])
 
@@ -317,18 +328,21 @@ class Stopping(Edged):
         return [increment(self.axis.motion)]
 
     def edges(self) -> list[Statement]:
+        """See `Kind`."""
         draft, stops = self.draft, self.axis.stops
-        one = Whole(1, UDINT)
-        lock = [Assignment(stops, Operation("+", (stops, one), UDINT)), assigned(self.lock, True)]
+        more = Operation("+", (stops, Whole(1, UDINT)), UDINT)
+        lock = [Assignment(stops, more), assigned(self.lock, True)]
         begin = [*self.begun(), Assignment(self.last_error, _NONE), draft.forgotten(), *draft.at_start]
         allowed = [Negation(self.lock), *([draft.unharmed()] if draft.at_start else [])]
         begin.append(when(every(allowed), lock))
-        return [*self.edge_found(), chain([(self.edge, begin), self.idle()])]
+        return [*self.find_edge(), chain([(self.edge, begin), self.idle()])]
 
     def urgent(self) -> Expression | None:
+        """See `Kind`."""
         return between(self.draft, 1, self.stop) if self.stop else None
 
     def tail(self) -> list[Statement]:
+        """See `Kind`."""
         draft = self.draft
         again = [Assignment(self.last_error, draft.reason), draft.forgotten(), *self.drop, draft.go(1)]
         refused = [(every([draft.failed(), self.edge]), draft.erroneous())] if draft.at_start else []
@@ -337,6 +351,6 @@ class Stopping(Edged):
     def unlock(self) -> Statement:
         """What unlocks the axis, in each scan."""
         stops = self.axis.stops
-        held = every([self.lock, Negation(self.draft.busy), Negation(self.execute)])
+        releases = every([self.lock, Negation(self.draft.busy), Negation(self.execute)])
         less = Assignment(stops, Operation("-", (stops, Whole(1, UDINT)), UDINT))
-        return when(held, [when(self.axis.locked, [less]), assigned(self.lock, False)])
+        return when(releases, [when(self.axis.locked, [less]), assigned(self.lock, False)])

@@ -82,7 +82,10 @@ class Conditions:
         return raw
 
     def test(self, step: Step, seen: Seen) -> tuple[list[Statement], Expression]:
-        """What is computed before, and whether what a step waits for is there."""
+        """What is computed before, and whether what a step waits for is there.
+
+        Raises NoBlock for an argument that nothing sends, and for what is not to be seen.
+        """
         raw, operand = self._raw(step, seen), self.operand(step)
         if not step.argument:
             return [], self.has(operand, step.wanted, raw)

@@ -66,7 +66,7 @@ class TelegramPlaces:
             return None
 
     def place(self, operand: Operand) -> tuple[Expression, FieldLayout]:
-        """The member of the port for the field of an operand."""
+        """The member of the port for the field of an operand. Raises NoBlock where there is none."""
         for name, record in ((_REQUEST, self.message.request), (_RESPONSE, self.message.response)):
             for field in record.fields:
                 if field.field is operand.holder and field.value is not None:
@@ -76,7 +76,7 @@ class TelegramPlaces:
         raise NoBlock(f"{operand.path} is not in {self.message.name}")
 
     def bit(self, operand: Operand) -> RequestBit:
-        """A bit of the request."""
+        """A bit of the request. Raises NoBlock for what is none."""
         if operand.bit is None:
             raise NoBlock(f"{operand.path} is not a bit")
         word, _ = self.place(operand)

@@ -123,6 +123,7 @@ class WordTask(LineTask):
         self.watches = [watch for watch in self.watches if watch.operand.scope == REGISTERS]
 
     def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
+        """See `LineTask`."""
         index = first
         while index < behind:
             step = task.steps[index]
@@ -147,21 +148,26 @@ class WordTask(LineTask):
             index = last
 
     def first_units(self) -> Iterable[tuple[Task, Unit]]:
+        """See `LineTask`."""
         first = before_effect(self.task)
         yield self.task, Unit(0, first, False, self.task.steps[:first])
 
     def watching_unit(self) -> tuple[Task, Unit] | None:
+        """See `LineTask`."""
         return (self.task, Unit(0, 0, False)) if self.watches else None
 
     def seen(self, task: Task, unit: Unit) -> Seen:
+        """See `LineTask`."""
         if unit.commands:
             return lambda operand: None
         return lambda operand: self._variable(register_of(self.world, operand))
 
     def content(self, operand: Operand) -> Value | None:
+        """See `LineTask`."""
         return register_of(self.world, operand).register.answer
 
     def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+        """See `LineTask`. Raises NoBlock for what is not a bit."""
         if not unit.commands:
             self._observe(needed, decide, remark)
             return
