@@ -282,7 +282,7 @@ def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(n
     for _ in range(STEPS):
         chance = dice.random()
         if chance < 0.08:
-            block, start = dice.choice(starts)
+            block, start = dice.choice([key for key in starts if chance < 0.02 or not key[0].endswith("Stop")])
             rig.bench.set(block, **{start: not rig.bench.now[block, start]})
         elif 0.2 < chance < 0.4:
             # A stop that is asked for all the time would let nothing move.

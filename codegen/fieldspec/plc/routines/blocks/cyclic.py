@@ -21,7 +21,7 @@ from fieldspec.model.watches import (
     watches,
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Executed, Kind
-from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
@@ -191,7 +191,7 @@ class CyclicTask:
         confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
         stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
         if stands is not None:
-            branches.append((opposite(stands), [draft.fail("unready")]))
+            branches.append((opposite(stands), unready(self.kind, draft)))
         for step in first:
             _, holds = self.conditions.test(step, self.places.seen)
             branches.append((opposite(holds), [draft.fail("unready")]))

@@ -23,7 +23,7 @@ from fieldspec.model.watches import (
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Executed
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
 from fieldspec.plc.routines.blocks.operands import outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, Seen, opposite
@@ -200,7 +200,7 @@ class LineTask(ABC):
                 branches.append((opposite(holds), [draft.fail("unready")]))
             stands = conditions.stands(seen) if must_stand else None
             if stands is not None:
-                branches.append((opposite(stands), [draft.fail("unready")]))
+                branches.append((opposite(stands), unready(draft.kind, draft)))
             visible = [operand for operand in needed if seen(operand) is not None]
             if visible:
                 self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.plc.routines.blocks.kinds import Branch, Edged
+from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Kind
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
@@ -241,6 +241,12 @@ class Moving(Edged):
             when(every([late, draft.unharmed()]), [draft.fail("late")]),
             chain([*once_more, (either([draft.failed(), behind]), ended)]),
         ]
+
+
+def unready(kind: Kind, draft: BlockDraft) -> list[Statement]:
+    """What is done where the axis has to stand: a motion of the block itself is ended, and it begins again."""
+    again = [Assignment(kind.pending, kind.earlier)] if isinstance(kind, Moving) and kind.pending is not None else []
+    return [*again, draft.fail("unready")]
 
 
 class Jogging(Moving):
