@@ -12,7 +12,7 @@ HEAD = """# Command line
 <!-- Written by `pytest --accept tests/test_guides.py` from the parser of the command line. Do not edit. -->
 
 `fieldspec VERB` carries out a verb. The exit codes are 0 for success, 1 for findings, and 2 for wrong use or unreadable
-input.
+input. Where the reader of the output ends first, as `head` does, it is the code that the verb already knows, or 141.
 """
 
 

@@ -137,6 +137,19 @@ def test_numbers_that_differ_are_reported(heads: str, cells: str, what: list[str
     assert [text for _, text in summary(against(run, f"Address,{heads}\n0x10,{cells}\n"))[1]] == what
 
 
+@pytest.mark.parametrize(
+    ("head", "cell", "what"),
+    [("Const", "7", []), ("Const", "8", ["const"]), ("Default", "7", []), ("Default", "8", ["default"])],
+)
+def test_a_constant_is_neither_another_constant_nor_has_it_another_default(
+    head: str, cell: str, what: list[str], run: CommandLine
+) -> None:
+    unlock = "{at: 0x1B, name: unlock, type: u16, words: 1, access: wo, const: 7, source: L1}"
+    spec = f"registers:\n  - {{group: keys, section: '1', rows: [{unlock}]}}\n"
+    (run.folder / "gadget" / "device.yaml").write_text(DEVICE + spec, "utf-8")
+    assert [text for _, text in summary(against(run, f"Address,{head}\n0x1B,{cell}\n"))[1]] == what
+
+
 def test_what_is_ignored_is_no_difference(run: CommandLine) -> None:
     text = HEAD + "0x0010,Velocity,2,UINT16,R/W"
     assert summary(against(run, text, "--ignore", "name,words"))[1] == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import hashlib
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from fieldspec.lists.sheet import ListError
 from fieldspec.lists.skeleton import Origin, named, skeleton, snake
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.pipeline import checked, load
+from spec_files import DEVICE
 
 ORIGIN = Origin("list.csv", "0" * 64, 999)
 TABLE = """
@@ -114,6 +116,8 @@ def test_the_list_is_the_source_of_every_fact(run: CommandLine) -> None:
         ("Range", "0.1~5", {"notes": ["Range in the list: 0.1~5."]}),
         ("Range,Default", "1~5,9", {"range": "1..5", "notes": ["Default in the list: 9."]}),
         ("Default", "0x10", {"default": 16}),
+        ("Const", "0x10", {"const": 16, "default": None}),
+        ("Range,Constant", "1~5,9", {"range": "1..5", "const": None, "notes": ["Constant in the list: 9."]}),
         ("Unit", "℃", {"unit": "°C"}),
         ("Unit", "furlong", {"notes": ["Unit in the list: furlong."]}),
         ("Access", "sometimes", {"notes": ["Access in the list: sometimes."]}),
@@ -268,6 +272,33 @@ def test_an_exported_list_gives_back_the_exponents_of_its_scales(run: CommandLin
     (group,) = yaml.safe_load(spec.read_text("utf-8"))["registers"]
     scaled = {row["name"]: row["scale_by"] for row in group["rows"] if "scale_by" in row}
     assert (scaled["power"], scaled["modules_current"]) == ("power_sf", "module_current_sf")
+
+
+KEYS = """
+registers:
+  - group: keys
+    section: "1"
+    rows:
+      - {at: 0x0010, name: unlock, type: u16, words: 1, access: wo, const: 0xA55A, source: L1}
+      - {at: 0x0011, name: speed, type: u16, words: 1, access: rw, default: 50, source: L2}
+"""
+
+
+def test_an_exported_list_gives_back_constants_and_defaults_each_as_what_it_is(
+    run: CommandLine, tmp_path: Path
+) -> None:
+    device = run.folder / "gadget" / "device.yaml"
+    device.parent.mkdir()
+    device.write_text(DEVICE + KEYS, "utf-8")
+    path, spec = tmp_path / "gadget.csv", run.folder / "again" / "device.yaml"
+    assert run("export", "gadget", "--out", str(path)).code == 0
+    cells = {row["name"]: (row["default"], row["const"]) for row in csv.DictReader(path.open(encoding="utf-8"))}
+    assert cells == {"unlock": ("", str(0xA55A)), "speed": ("50", "")}
+    assert run("import", str(path), "--to", str(spec)).code == 0
+    (group,) = yaml.safe_load(spec.read_text("utf-8"))["registers"]
+    stated = {row["name"]: (row.get("default"), row.get("const")) for row in group["rows"]}
+    assert stated == {"unlock": (None, 0xA55A), "speed": (50, None)}
+    assert run("compare", "gadget", str(path)).code == 0
 
 
 def test_cells_that_are_no_facts_and_bounds_in_counts_are_told(run: CommandLine, tmp_path: Path) -> None:

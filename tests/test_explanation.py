@@ -12,8 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
-from fieldspec.explain.values import SinglePrecision, decimal_text
+from fieldspec.explain.values import decimal_text
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.raw_numbers import SinglePrecision
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.checksums import checksum as checksum_of
@@ -166,7 +167,7 @@ def test_any_bytes_are_explained(layout: DeviceLayout, frame: bytes, data: st.Da
     ],
 )
 def test_a_number_is_exact_where_it_is_short_and_else_shows_that_it_is_rounded(number: str, text: str) -> None:
-    assert decimal_text(Decimal(number)) == text
+    assert decimal_text(Decimal(number), Decimal(1)) == text
 
 
 def test_a_value_is_shown_raw_and_exactly_in_its_unit() -> None:

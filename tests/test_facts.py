@@ -124,7 +124,10 @@ def test_standard_computed_and_reported_facts_do_not_cite_the_manual(device: str
         ("parameters/servo/reference_speed/applies_to/rotary", {"kind": "applies_to", "code": 0x317}),
         ("parameters/servo/reference_speed/messages/telegram_11", {"kind": "effective_with", "name": "telegram_11"}),
         ("parameters/profile/fault_codes", {"kind": "parameter", "count": 8}),
-        ("parameters/profile/identification/subindices/maker", {"kind": "subindex", "number": 0, "default": 0xAAA}),
+        (
+            "parameters/profile/identification/subindices/maker",
+            {"kind": "subindex", "number": 0, "const": 0xAAA, "default": None},
+        ),
         ("parameters/profile/identification/subindices/2", {"kind": "subindex", "number": 2, "count": 3, "line": 65}),
         ("parameters/monitor/unused", {"kind": "parameter_series", "code": 0x100, "count": 5}),
         ("parameters/monitor/unused/260", {"kind": "parameter", "code": 0x104, "number": 0x4104, "line": 72}),

@@ -210,6 +210,19 @@ def test_only_the_command_line_touches_the_world() -> None:
     assert uses == set()
 
 
+def test_lines_are_printed_only_where_they_are_escaped() -> None:
+    homes = ("commands/streams.py", "commands/terminal.py")
+    uses = {
+        f"{inside(path)}:{node.lineno}"
+        for path in MODULES
+        if inside(path) not in homes
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.Call) and named(node) == "print"
+        if not isinstance(node.func, ast.Attribute)  # that of a console of `rich`
+    }
+    assert uses == set()
+
+
 def test_texts_are_read_and_written_as_utf8() -> None:
     uses = {
         f"{path.name}:{node.lineno}: {named(node)}"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 import os
 import resource
 import socket
+import struct
 import subprocess
 import sys
 import zipfile
@@ -233,6 +235,52 @@ def test_a_list_or_manual_that_is_no_regular_file_is_wrong_use(
     ran = run(*(str(path) if word == "FILE" else word for word in words), *specs, timeout=20)
     assert (ran.returncode, ran.stdout) == (2, "")
     assert len(ran.stderr.splitlines()) == 1
+
+
+PACKET = struct.pack("<IIII", 1, 0, 1 << 26, 1 << 26)
+SPARSE: dict[str, bytes] = {
+    "nothing but zeros": b"",
+    "the header of a capture": struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, 1),
+    "a capture with a packet of all": struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, 147) + PACKET,
+    "the header of pcapng": struct.pack("<IIIHHqI", 0x0A0D0D0A, 28, 0x1A2B3C4D, 1, 0, -1, 28),
+    "a log": b"12:00:00 TX: 01 04 00 00 00 02 71 CB\n" * 200,
+    "a log that ends in a line": b"12:00:00 TX: 01 04 00 00 00 02 71 CB\n" * 200 + b"12:00:00 TX: 01",
+    "rows of registers": b"time,address,value\n" + b"1.5 ,0,1\n" * 800,
+}
+"""What a file of 10 GB begins with; the rest of it was never written, so it takes no place on the disk."""
+
+
+@pytest.mark.parametrize("kind", SPARSE)
+def test_a_capture_of_which_most_was_never_written_is_read_in_seconds(kind: str, tmp_path: Path) -> None:
+    path = tmp_path / "captures" / "file"
+    path.parent.mkdir()
+    with path.open("wb") as file:
+        file.write(SPARSE[kind])
+        file.truncate(10 << 30)
+    out = tmp_path / "out"
+    verbs = {
+        ("decode", "wattmeter", str(path), "--to", "csv", "--out", str(out)): (1,),
+        ("audit", "wattmeter", "--captures", str(path.parent)): (0, 2),
+        ("redact", "wattmeter", str(path), "--out", str(tmp_path / "redacted")): (0, 1),
+    }
+    for words, codes in verbs.items():
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        ran = run(*words, "--specs", str(SPECS.parent / "tests/specs"))
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        assert ran.returncode in codes
+        assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 20
+    assert "bytes lost" in (out / "summary.json").read_text("utf-8") or not SPARSE[kind]
+
+
+@pytest.mark.parametrize("kind", ["the header of a capture", "a capture with a packet of all", "a log"])
+def test_a_capture_that_unpacks_to_much_more_is_read_in_bounded_memory(kind: str, tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    with gzip.open(path, "wb", compresslevel=1) as stream:
+        stream.write(SPARSE[kind])
+        for _ in range(400):
+            stream.write(bytes(1 << 20))
+    words = ("decode", "wattmeter", str(path), "--to", "csv", "--out", str(tmp_path / "out"))
+    assert run(*words, "--specs", str(SPECS.parent / "tests/specs")).returncode == 1
 
 
 @pytest.mark.parametrize("kind", ["a pipe", "a folder", "a sparse file"])

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import io
+import warnings
 import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import openpyxl
@@ -161,6 +163,61 @@ def test_too_many_rows_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     for content in (b"Address\n1\n2\n3\n", book(lambda _workbook: None)):
         with pytest.raises(ListError, match="has more than 2 rows"):
             sheet(content, "", "")
+
+
+WHOLE = book(lambda _workbook: None)
+DAMAGE = st.lists(st.tuples(st.integers(4, len(WHOLE) - 1), st.integers(0, 255)), min_size=1, max_size=4)
+PARTS = sorted(zipfile.ZipFile(io.BytesIO(WHOLE)).namelist())
+
+
+def read_or_refused(content: bytes) -> None:
+    with warnings.catch_warnings(), suppress(ListError):
+        warnings.simplefilter("error")  # they would be printed with the place of a library
+        sheet(content, "", "")
+
+
+@examples(400)
+@given(DAMAGE)
+def test_a_workbook_with_damaged_bytes_is_read_or_refused(damage: list[tuple[int, int]]) -> None:
+    content = bytearray(WHOLE)
+    for offset, byte in damage:
+        content[offset] = byte
+    read_or_refused(bytes(content))
+
+
+@examples(400)
+@given(st.sampled_from(PARTS), DAMAGE)
+def test_a_workbook_whose_parts_are_damaged_and_whose_checksums_are_right_is_read_or_refused(
+    name: str, damage: list[tuple[int, int]]
+) -> None:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(WHOLE)) as whole, zipfile.ZipFile(buffer, "w") as file:
+        for part in PARTS:
+            content = bytearray(whole.read(part))
+            for offset, byte in damage if part == name else ():
+                content[offset % len(content)] = byte
+            file.writestr(part, bytes(content))
+    read_or_refused(buffer.getvalue())
+
+
+@pytest.mark.parametrize(
+    "call", [("compare", "tc100", "{}"), ("import", "{}", "--to", "-"), ("audit", "tc100", "--dump", "{}")]
+)
+def test_every_verb_refuses_a_damaged_workbook_in_a_line(
+    call: tuple[str, ...], run: CommandLine, tmp_path: Path
+) -> None:
+    path = tmp_path / "list.xlsx"
+    content = bytearray(WHOLE)
+    with zipfile.ZipFile(io.BytesIO(WHOLE)) as packed_book:
+        first = packed_book.getinfo("xl/workbook.xml").header_offset
+    content[first + 50 : first + 60] = b"\xff" * 10
+    path.write_bytes(content)
+    result = run(*(word.format(path) for word in call))
+    assert (result.code, result.out, result.err) == (
+        2,
+        "",
+        f"fieldspec: {path} is a damaged workbook; save it again as .xlsx, or as CSV\n",
+    )
 
 
 def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,29 +1,28 @@
 """The command line: parses the arguments and runs a verb. Each verb is a module of `commands`, imported when called.
 
-Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input.
+Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input, 141 where nobody read the output to its end.
 """
 
 from __future__ import annotations
 
 import argparse
-import errno
 import gc
 import os
 import re
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from io import TextIOWrapper
 
 from fieldspec import __version__
-from fieldspec.commands.usage import UsageError
+from fieldspec.commands import streams
+from fieldspec.commands.usage import WRONG_USE, UsageError
 
 TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any, NoReturn
 
-FINE, FINDINGS, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+INTERRUPTED = 130
 
 
 def _help(prog: str) -> argparse.HelpFormatter:
@@ -341,21 +340,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one verb and returns its exit code."""
     collecting = gc.isenabled()
     gc.disable()  # a run is short, and its trees are never garbage
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper):
-            stream.reconfigure(encoding="utf-8", errors="replace", newline="\n")
+    streams.prepare()
+    code: int | None = None
     try:
-        parsed = _parser().parse_args(arguments)
-        code: int = import_module(f"fieldspec.commands.{parsed.verb}").run(parsed)
-        sys.stdout.flush()
+        try:
+            parsed = _parser().parse_args(arguments)
+            code = int(import_module(f"fieldspec.commands.{parsed.verb}").run(parsed))
+            sys.stdout.flush()
+        except UsageError as error:
+            code = WRONG_USE
+            streams.print_error(error)
+        except KeyboardInterrupt:
+            code = INTERRUPTED
         return code
-    except UsageError as error:
-        print(f"fieldspec: {error}", file=sys.stderr)
-        return WRONG_USE
     except OSError as error:
-        return _unwritten(error)
-    except KeyboardInterrupt:
-        return INTERRUPTED
+        return streams.unwritten(error, code)
     finally:
         if collecting:
             gc.enable()
@@ -363,24 +362,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def command() -> NoReturn:
     """What a shell calls. Ends the process at once: freeing the objects of a run would take longer than a verb."""
-    code = main()
-    for stream in (sys.stdout, sys.stderr):
-        if stream is not None:
-            try:
-                stream.flush()
-            except OSError as error:
-                code = _unwritten(error)
-    os._exit(code)
-
-
-def _unwritten(error: OSError) -> int:
-    """The exit code after an output that could not be written; says so where somebody can still read it."""
-    # Nothing more may be written, not even by Python when it shuts down.
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
-        return FINE  # the reader has seen enough, as `head` has
-    print(f"fieldspec: cannot write the output: {error.strerror}", file=sys.stderr)
-    return WRONG_USE
+    os._exit(streams.finished(main()))
 
 
 if __name__ == "__main__":

@@ -18,10 +18,19 @@ def clean(text: str) -> str:
     return "".join(_picture(char) if _is_forbidden(char) else char for char in text)
 
 
+BIDIRECTIONAL = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+"""The characters with the property Bidi_Control of Unicode, which change the order in which others are shown."""
+
+
 def _is_forbidden(char: str) -> bool:
-    """Whether HTML forbids a character: a control character, half a character, or a code point that is no character."""
+    """Whether a page must not have a character.
+
+    HTML forbids control characters, half a character, and code points that are no characters. What changes the order of
+    letters could make a page show another fact than it has.
+    """
     code = ord(char)
-    return unicodedata.category(char) in ("Cc", "Cs") or code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
+    is_no_character = code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
+    return unicodedata.category(char) in ("Cc", "Cs") or is_no_character or char in BIDIRECTIONAL
 
 
 def _picture(char: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from functools import cache
 
 from fieldspec.classes import dataclass
@@ -45,6 +46,11 @@ class Name:
         """`Servo on`"""
         text = " ".join(self.words)
         return text[:1].upper() + text[1:]
+
+
+def folded(path: str) -> str:
+    """A path without what some file systems do not tell apart: small and capital letters, and forms of accents."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", path).casefold())
 
 
 def stem(device: str, version: str) -> str:

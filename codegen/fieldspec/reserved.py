@@ -6,6 +6,26 @@ from fieldspec.classes import dataclass
 
 # Fixed lists rather than those of some installed tool: an output is the same on every machine.
 
+_DEVICES = frozenset({"con", "prn", "aux", "nul", "conin$", "conout$", "clock$"}) | {
+    f"{port}{number}" for port in ("com", "lpt") for number in "0123456789\u00b9\u00b2\u00b3"
+}
+"""The names of devices in Windows, which no file can have, whatever follows behind a point."""
+_LONGEST_FILE_NAME = 255
+"""Bytes of the name of a file or a folder, on the usual file systems of Linux and macOS."""
+
+
+def file_name_fault(name: str) -> str:
+    """Why a file system of some user cannot have a file or a folder of a name; empty where all can."""
+    if name.partition(".")[0].rstrip(" ").lower() in _DEVICES:
+        return "is the name of a device in Windows"
+    if not name.isprintable() or any(char in '<>:"/\\|?*' for char in name):
+        return "has a character that no file name may have in Windows, or that cannot be seen"
+    if name in ("", ".", "..") or name != name.strip(" ") or name.endswith("."):
+        return "is empty, or begins or ends with a blank or a point"
+    if len(name.encode("utf-8", "surrogateescape")) > _LONGEST_FILE_NAME:
+        return f"has more than {_LONGEST_FILE_NAME} bytes"
+    return ""
+
 
 def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())

@@ -863,17 +863,29 @@ const MOST_PLACES = 6;
 const MOST_DIGITS = 8;
 const ROUNDED_DIGITS = 6;
 
+/** The fewest places, at least one, whose last digit is worth less than a count: `1/60`, or a decimal number. */
+function resolvingPlaces(count) {
+  const [above, below = "1"] = count.split("/");
+  const { coefficient, exponent } = decimalOf(above);
+  const top = coefficient < 0n ? -coefficient : coefficient;
+  const bottom = BigInt(below) * 10n ** BigInt(-exponent);
+  let places = 1;
+  while (top * 10n ** BigInt(places) <= bottom) places += 1;
+  return places;
+}
+
 /**
- * A number without an exponent, in full if it is short, else rounded to six digits. If the rounded number would look
- * exact, as 25 for 24.9999999 does, more digits are written.
+ * A number without an exponent: in full if it is short, else rounded behind the point. The last digit is worth less
+ * than a count. If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
  */
-function decimalText(number) {
+function decimalText(number, count = "1") {
   if (-number.exponent <= MOST_PLACES) return inFull(number);
   const short = shortest(number);
   if (-short.exponent <= MOST_PLACES || digitsOf(short) <= MOST_DIGITS) return inFull(short);
-  for (let digits = ROUNDED_DIGITS; digits < digitsOf(short); digits++) {
-    const rounded = shortest(decimalRounded(short, digits));
-    if (digitsOf(rounded) === digits) return inFull(rounded);
+  const adjusted = digitsOf(short) + short.exponent - 1;
+  for (let places = Math.max(resolvingPlaces(count), ROUNDED_DIGITS - 1 - adjusted); places < -short.exponent; places++) {
+    const rounded = decimalRounded(short, adjusted + 1 + places);
+    if (rounded.exponent === -places && rounded.coefficient % 10n !== 0n) return inFull(rounded);
   }
   return inFull(short);
 }
@@ -1302,11 +1314,11 @@ function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
 /** The quantity of a raw value with its unit; empty for a value without unit and scale, and for a sentinel. */
 function inUnit(value, number) {
   if ((value.unit === undefined && value.scale === undefined) || sentinelOf(value, number)) return "";
-  return `${decimalText(quantityOf(value, number))} ${value.unit ?? ""}`.trim();
+  return `${decimalText(quantityOf(value, number), value.scale)} ${value.unit ?? ""}`.trim();
 }
 
 function rangeInUnit(value, ranges) {
-  const bound = (count) => decimalText(quantityOf(value, count));
+  const bound = (count) => decimalText(quantityOf(value, count), value.scale);
   const text = ranges.map(([low, high]) => (low == high ? bound(low) : `${bound(low)}..${bound(high)}`)).join(", ");
   return `${text} ${value.unit ?? ""}`.trim();
 }
@@ -2281,7 +2293,7 @@ function withPercentages(device, row, field, number) {
   const meanings = conversions.map((conversion) => {
     const { name, label, complement, full, references } = conversion;
     const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
-    const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200));
+    const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200), `100/${full}`);
     return meaningOf(name, label, `${percent} % of ${references}`);
   });
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
@@ -3805,10 +3817,15 @@ function quantityEntry(name, value, text, quantity) {
   return count;
 }
 
-/** The word with the named bits set. `name=member` or `name=number` sets a field of several bits. */
+/**
+ * The word with the named bits set. `name=member` or `name=number` sets a field of several bits. Fields that are not
+ * named have their defaults, else 0; throws CodecError where 0 would mean something.
+ */
 function wordOf(device, name, value, text) {
   const word = device.flags.get(value.flags);
+  const named = new Set();
   let result = 0n;
+  for (const bit of word.bits ?? []) result |= (BigInt(bit.default ?? 0) << BigInt(bit.first)) & bitMask(bit);
   for (const item of text.split(/[, ]+/).filter(Boolean)) {
     const [bitName, setting] = item.split("=");
     const bit = word.bits?.find((other) => other.name === bitName);
@@ -3816,12 +3833,19 @@ function wordOf(device, name, value, text) {
       const names = (word.bits ?? []).filter(({ reserved }) => !reserved).map((other) => other.name).join(", ");
       throw new CodecError("unknown_value", `${name}: \`${bitName}\` is no bit of ${value.flags}: ${names}`);
     }
+    if (named.has(bitName)) throw new CodecError("wrong_type", `${name}: \`${bitName}\` has two values`);
+    named.add(bitName);
     const number = setting === undefined ? 1n : BigInt(countEntry(device, `${name}.${bitName}`, bit, setting));
     const high = (1n << BigInt(bit.width - (bit.signed ? 1 : 0))) - 1n;
     if (number > high || number < (bit.signed ? -high - 1n : 0n)) {
       throw new CodecError("out_of_range", `${name}: ${number} does not fit the ${bit.width} bits of ${bitName}`);
     }
-    result |= (number << BigInt(bit.first)) & bitMask(bit);
+    result = (result & ~bitMask(bit)) | ((number << BigInt(bit.first)) & bitMask(bit));
+  }
+  const missing = word.needed?.find(([, , names]) => !names.some((other) => named.has(other)));
+  if (missing) {
+    const [own, reason] = missing;
+    throw new CodecError("missing_value", `${name}: \`${own}\` is not given, and its ${reason}; give \`${own}=\`, or the whole word`);
   }
   return narrowed(result);
 }
@@ -4530,6 +4554,40 @@ class LogList {
   }
 }
 
+// Words of bits in the form: what an entry begins with, and what it becomes when a box is ticked.
+
+// The number of an entered word; undefined while the entry has no meaning.
+const wordNumber = (device, value, text) => {
+  try {
+    return BigInt(rawOf(device, value.flags, value, text));
+  } catch (error) {
+    if (error instanceof CodecError) return undefined;
+    throw error;
+  }
+};
+
+// The defaults of the bits of a word; nothing where one has to be entered.
+const initialWord = (device, value) => {
+  const raw = wordNumber(device, value, "");
+  return raw === undefined ? "" : entryOf(device, value, raw);
+};
+
+const namesInWord = (text) => text.split(/[, ]+/).filter(Boolean);
+
+// Whether a bit is set in an entry: in its number, or by its name while the entry has no meaning yet.
+const isBitSet = (raw, text, bit) => (raw === undefined ? namesInWord(text).includes(bit.name) : Boolean(raw & bitMask(bit)));
+
+// The entry of a word with one bit changed: a number, or names while it has no meaning yet.
+const wordWithBit = (device, value, text, { bit, name }, isSet) => {
+  const raw = wordNumber(device, value, text);
+  if (raw === undefined) {
+    const others = namesInWord(text).filter((item) => item !== name);
+    return [...others, ...(isSet ? [name] : [])].join(", ");
+  }
+  const mask = 1n << BigInt(bit);
+  return entryOf(device, value, isSet ? raw | mask : raw & ~mask);
+};
+
 // The form of a message: a frame is made of what is entered, with its lengths and checksums.
 
 const messageOption = ({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "));
@@ -4722,6 +4780,7 @@ class MessageForm {
     if (listing && !memberOf(listing, 0)) return listing.members.find(({ unavailable }) => !unavailable)?.name ?? "0";
     if (value.kind === "bytes") return "00".repeat(value.size);
     if (value.kind === "text") return "";
+    if (value.flags) return initialWord(device, value);
     const first = ranges && !isWithin(ranges, 0) ? ranges[0][0] : 0;
     return entryOf(device, value, value.kind === "boolean" ? false : first, this.isAddress(field));
   }
@@ -4770,14 +4829,9 @@ class MessageForm {
 
   bits(path, field, text) {
     const word = this.lab.device.flags.get(field.value.flags);
-    let raw = 0n;
-    try {
-      raw = BigInt(rawOf(this.lab.device, path, field.value, text));
-    } catch (error) {
-      if (!(error instanceof CodecError)) throw error;
-    }
+    const raw = wordNumber(this.lab.device, field.value, text);
     const boxes = (word.bits ?? []).filter(({ reserved, width }) => !reserved && width === 1).map((bit) => {
-      const box = element("input", { type: "checkbox", checked: Boolean(raw & bitMask(bit)), dataset: { path, bit: bit.first } });
+      const box = element("input", { type: "checkbox", checked: isBitSet(raw, text, bit), dataset: { path, bit: bit.first, name: bit.name } });
       return element("label", {}, box, ` ${bit.first} `, element("code", { textContent: bit.name }));
     });
     return element("details", {}, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
@@ -4797,9 +4851,7 @@ class MessageForm {
       this.draw();
     } else if (bit !== undefined) {
       const field = this.allLeaves().find((leaf) => leaf.path === path).field;
-      const mask = 1n << BigInt(bit);
-      const raw = BigInt(rawOf(this.lab.device, path, field.value, this.entries.get(path)));
-      this.entries.set(path, entryOf(this.lab.device, field.value, target.checked ? raw | mask : raw & ~mask));
+      this.entries.set(path, wordWithBit(this.lab.device, field.value, this.entries.get(path), target.dataset, target.checked));
       const input = [...this.fields.querySelectorAll("input[type=text]")].find(({ dataset }) => dataset.path === path);
       input.value = this.entries.get(path);
     } else {

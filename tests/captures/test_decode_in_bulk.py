@@ -120,7 +120,10 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_tables(tmp_path: Path) -> N
     assert {table: rows(again / "out", table) for table in ("frames", "values")} == whole
 
 
-def stopped_after_first_part(folder: Path, content: bytes) -> str:
+STOP_BATCH = 40_000
+
+
+def stopped_after_first_part(folder: Path, content: bytes, part_frames: str = "500") -> str:
     """Runs until the first part is noted, as a kill would end it."""
     from fieldspec.captures import capture_files
     from fieldspec.commands import bulk_decoding
@@ -135,9 +138,9 @@ def stopped_after_first_part(folder: Path, content: bytes) -> str:
         raise Stop
 
     bulk_decoding._Job._note = stop  # type: ignore[method-assign]
-    capture_files.BATCH = 40_000
+    capture_files.BATCH = STOP_BATCH
     try:
-        decode(folder, content, "--part-frames", "500")
+        decode(folder, content, "--part-frames", part_frames)
     except Stop:
         return "stopped"
     finally:
@@ -282,6 +285,18 @@ def test_the_folder_of_another_task_is_refused(tmp_path: Path) -> None:
     code, _, error = run("decode", "wattmeter@1", str(path), *options)
     assert code == 2
     assert "another task" in error
+
+
+def test_the_journal_of_another_version_is_refused(tmp_path: Path) -> None:
+    decode(tmp_path, pcap([READ, ANSWER], USER_0))
+    journal = tmp_path / "out" / "journal.json"
+    content = json.loads(journal.read_text(encoding="utf-8"))
+    del content["format"]
+    journal.write_text(json.dumps(content), encoding="utf-8")
+    files = [str(path) for path in tmp_path.iterdir() if path.is_file()]
+    code, _, error = run("decode", "wattmeter@1", *files, "--to", "parquet", "--out", str(tmp_path / "out"))
+    assert code == 2
+    assert "a journal of another version of fieldspec" in error
 
 
 def test_options_of_tables_need_a_format(tmp_path: Path) -> None:

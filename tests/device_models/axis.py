@@ -52,8 +52,8 @@ class Event:
 class State:
     """An axis at one moment.
 
-    `number` is that of the motion that it carries out by a command, and `waiting` that of the one that it has accepted
-    and not begun; both are 0 without one.
+    `number` is that of the motion that it carries out by a command, as long as nobody else stops it, and `waiting` that
+    of the one that it has accepted and not begun; both are 0 without one.
     """
 
     position: float = 0.0
@@ -74,7 +74,7 @@ class Axis:
         self.motion: Motion | None = None
         self.waiting: Motion | None = None
         self.wait = 0.0
-        self.stopping = False
+        self.stopping = self.foreign_stop = False
         self.deceleration = ACCELERATION
         self.homed = False
         self.number = 0
@@ -92,7 +92,7 @@ class Axis:
         return State(
             self.position,
             self.velocity,
-            motion.number if motion is not None and not motion.outside else 0,
+            motion.number if motion is not None and not motion.outside and not self.foreign_stop else 0,
             waiting.number if waiting is not None else 0,
             servo,
             self.homed,
@@ -123,20 +123,23 @@ class Axis:
         """Decelerates to a halt. `late_start` says whether a motion that has not begun yet begins nevertheless."""
         about = "outside" if outside else "command"
         self.record("stop", about, number=self.motion.number if self.motion else 0)
-        if self.waiting is not None and (
-            outside or self.draws.reading("late start", *["cancelled"] * 7, "goes on") == "cancelled"
+        waiting = self.waiting
+        if waiting is not None and (
+            outside
+            or waiting.kind.startswith("jog")
+            or self.draws.reading("late start", *["cancelled"] * 7, "goes on") == "cancelled"
         ):
-            self._end("interrupted", self.waiting)
+            self._end("interrupted", waiting)
             self.waiting = None
         if self.motion is not None:
-            self.stopping, self.deceleration = True, deceleration
+            self.stopping, self.deceleration, self.foreign_stop = True, deceleration, outside
 
     def cut(self) -> None:
         """Stands at once, whatever it does, as with an alarm or without power."""
         for motion in filter(None, (self.motion, self.waiting)):
             self._end("interrupted", motion)
         self.motion = self.waiting = None
-        self.velocity, self.stopping = 0.0, False
+        self.velocity, self.stopping, self.foreign_stop = 0.0, False, False
 
     def pass_time(self, seconds: float) -> None:
         """Some time goes by."""
@@ -158,7 +161,7 @@ class Axis:
         self.waiting = None
         if motion.kind == "relative" and motion.target is None:
             motion = Motion(motion.number, motion.kind, motion.value, self.position + motion.value, motion.speed)
-        self.motion, self.stopping = motion, False
+        self.motion, self.stopping, self.foreign_stop = motion, False, False
         self.record("began", motion.kind, motion.value, motion.number)
         if motion.kind == "home":
             self._homing = self.draws.dice.uniform(0.3, 1.5)
@@ -168,7 +171,8 @@ class Axis:
             self._ramp(0.0, step, self.deceleration)
             if abs(self.velocity) < NOTHING:
                 self._end("interrupted", motion)
-                self.motion, self.stopping, self.velocity = None, False, 0.0
+                self.motion, self.velocity = None, 0.0
+                self.stopping = self.foreign_stop = False
         elif motion.kind == "home":
             self._ramp(-motion.speed, step, ACCELERATION)
             self._homing -= step

@@ -26,7 +26,8 @@ class Carrier:
         self.model, self.now = model, 0.0
         latency = getattr(model, "latency", (0.001, 0.002))
         foreign = getattr(model, "foreign", lambda frame: frame)
-        self.line = Line(draws, answer or model.answer, foreign, latency, 1.0)
+        alike = getattr(model, "alike", lambda first, second: True)
+        self.line = Line(draws, answer or model.answer, foreign, alike, latency, 1.0)
         self.coming: list[tuple[float, bytes]] = []
         self.asked: list[str] = []
         self.later: list[tuple[Callable[[], bool], Callable[[], object]]] = []

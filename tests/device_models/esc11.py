@@ -103,6 +103,11 @@ class Esc11:
         """The same answer by another station, with other data."""
         return packet(bytes([7, answer[2] & ~EXECUTING]) + bytes(byte ^ 0x55 for byte in answer[3:-1]))
 
+    @staticmethod
+    def alike(first: bytes, second: bytes) -> bool:
+        """Whether two answers may be for the same request: they repeat nothing of it [8.2 L272]."""
+        return len(first) == len(second)
+
     def pass_time(self, seconds: float) -> None:
         """Some time goes by."""
         self.axis.pass_time(seconds)

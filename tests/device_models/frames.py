@@ -44,13 +44,16 @@ class Exchange:
 class Line:
     """Carries requests to a device and answers back, and loses, damages and delays them.
 
-    `chance` is how likely each of the faults is. `foreign` makes an answer of another station of one of the device.
+    `chance` is how likely each of the faults is. `foreign` makes an answer of another station of one of the device, and
+    `alike` says whether nothing in two answers tells which request they are for: only a pause could, so a late one is
+    lost then.
     `fates` are those of the next exchanges, ahead of all that is drawn. A device that is `silent` answers nothing.
     """
 
     draws: Draws
     answer: Callable[[bytes], bytes | None]
     foreign: Callable[[bytes], bytes]
+    alike: Callable[[bytes, bytes], bool]
     latency: tuple[float, float]
     timeout: float
     chance: float = 0.0
@@ -74,7 +77,7 @@ class Line:
         delay = dice.uniform(*self.latency)
         # An answer that was late for the request before is what arrives first.
         late, self.late = self.late, None
-        if late is not None:
+        if late is not None and not (reply is not None and self.alike(late, reply)):
             return Exchange(request, late, min(delay, 0.001), "overtaken")
         if reply is None or fate in ("lost request", "lost answer"):
             return Exchange(request, None, self.timeout, fate)

@@ -54,6 +54,11 @@ class ModbusDevice:
         body += bytes([answer[2], *(byte ^ 0x55 for byte in answer[3:-2])]) if answer[1] == READ else answer[2:-2]
         return with_crc(body)
 
+    @staticmethod
+    def alike(first: bytes, second: bytes) -> bool:
+        """Whether two answers may be for the same request: a read repeats its count alone, a write its address too."""
+        return len(first) == len(second) and first[1] == second[1] and (first[1] == READ or first[2:6] == second[2:6])
+
     def _answered(self, function: int, body: bytes) -> bytes:
         if function not in (READ, WRITE, WRITE_SEVERAL):
             raise RefusedError(FUNCTION)

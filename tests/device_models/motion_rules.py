@@ -23,7 +23,9 @@ def somebody_is_responsible(history: History) -> Iterator[Violation]:
             continue
         judged.add(number)
         begin = next((when for when, event in history.events if event.number == number), 0)
-        if not _disclaimed(history, begin, scan) and not any(begin < restart <= scan for restart in history.restarts):
+        if _begins_in_spite_of_a_stop(history, number, begin) or any(begin < item <= scan for item in history.restarts):
+            continue
+        if not _disclaimed(history, begin, scan):
             yield Violation(15, scan, "axis", f"it moves by command {number}, and no block is responsible")
 
 
@@ -135,6 +137,8 @@ def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
             elif ending[1] == "Done" and not _was_reached(history, number, ending[0]):
                 yield Violation(33, ending[0], calls.name, f"Done after the alarm of scan {scan}")
             elif ending[1] == "Error" and ending[2] != ALARM and ending[2] not in history.may_move:
+                if not all(history.scans[when].state.alarm for when in range(scan, ending[0] + 1)):
+                    continue
                 text = f"the alarm of scan {scan} is Error {ending[2]}"
                 yield Violation(33, ending[0], calls.name, text)
 
@@ -172,8 +176,9 @@ def a_valid_position_is_true(history: History) -> Iterator[Violation]:
             position = history.position_of(calls.name, entry.outputs)
             if position is None:
                 continue
-            first = scan
-            while first and history.times[scan] - history.times[first] < history.patience:
+            # What is shown after a gap in the calls is what was read before it.
+            first = calls.scans[index - 1] if index else scan
+            while first and history.times[calls.scans[max(index - 1, 0)]] - history.times[first] < history.patience:
                 first -= 1
             places = [history.scans[when].state.position for when in range(first, scan + 1)]
             if not min(places) - 5 <= position <= max(places) + 5:
@@ -219,7 +224,7 @@ def _ends_in_motion(history: History, end: str) -> Iterator[tuple[Calls, int, in
     """Where blocks end while the motion that they have asked for is on: with the call, the scan and the motion."""
     for calls in history.of_kind(*MOTIONS):
         for index, scan in enumerate(calls.scans):
-            if not calls.falls_busy(index) or end not in calls.ends[index]:
+            if not calls.falls_busy(index) or end not in calls.ends[index] or (calls.ends[index] and not end):
                 continue
             number = _owner_number(history, calls, scan)
             if history.is_on(number, scan):
@@ -239,9 +244,19 @@ def _disclaimed(history: History, begin: int, scan: int) -> bool:
     """Whether a block has said since a motion began that the device may be moving."""
     for calls in history.of_kind(*MOTIONS, *STOPS):
         for index in range(max(calls.index_at(begin), 0), calls.index_at(scan) + 1):
-            if "Error" in calls.ends[index] and calls.error[index] in history.may_move:
+            late = calls.scans[index] >= begin and calls.rises(index, "Error")
+            if late and calls.error[index] in history.may_move:
                 return True
     return False
+
+
+def _begins_in_spite_of_a_stop(history: History, number: int, accepted: int) -> bool:
+    """Whether the device has taken a stop before a motion began, and begins it all the same: no block can know."""
+    begun = next((when for when, event in history.events if event.kind == "began" and event.number == number), accepted)
+    return any(
+        event.kind == "stop" and event.about == "command" and accepted <= when <= begun
+        for when, event in history.events
+    )
 
 
 def _end_after(calls: Calls, scan: int) -> tuple[int, str, int] | None:

@@ -25,12 +25,11 @@ def an_edge_is_answered_at_once(history: History) -> Iterator[Violation]:
     """Rule 2: in the scan of an edge either Busy or Error is TRUE, and no ending output of before."""
     for calls in _edged(history):
         for index, scan in _edges(calls):
-            if calls.abort[index] or (index and calls.busy[index - 1]):
+            if calls.abort[index] or (index and calls.busy[index - 1]) or _both_directions(calls, index):
                 continue
             if calls.busy[index] == ("Error" in calls.ends[index]) or calls.ends[index] not in ("", "Error"):
-                text = (
-                    f"in the scan of an edge Busy is {calls.busy[index]}, and it shows {calls.ends[index] or 'no end'}"
-                )
+                ending = calls.ends[index] or "no end"
+                text = f"in the scan of an edge Busy is {calls.busy[index]}, and it shows {ending}"
                 yield Violation(2, scan, calls.name, text)
 
 
@@ -59,7 +58,8 @@ def a_falling_edge_ends_nothing(history: History) -> Iterator[Violation]:
         if calls.kind in (*JOGS, "velocity"):
             continue
         for index, scan in enumerate(calls.scans):
-            if calls.falls_busy(index) and not calls.ends[index]:
+            released = calls.kind in LOCKS and "Done" in calls.ends[index - 1]
+            if calls.falls_busy(index) and not calls.ends[index] and not released:
                 yield Violation(5, scan, calls.name, "Busy falls and nothing says how it has ended")
 
 
@@ -110,7 +110,7 @@ def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
             if not index or not calls.busy[index - 1]:
                 continue
             rule = 10 if calls.busy[index] else 11
-            if "CommandAborted" in calls.ends[index] and not calls.abort[index]:
+            if "CommandAborted" in calls.ends[index] and not calls.abort[index] and not _is_locked(history, scan):
                 yield Violation(11, scan, calls.name, "an edge in the scan of CommandAborted is swallowed")
             for following in range(index, calls.edge_after(index)):
                 if "Done" not in calls.ends[following]:
@@ -127,8 +127,8 @@ def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
         for index, scan in _edges(calls):
             if calls.name not in history.scans[scan].invalid or calls.abort[index]:
                 continue
-            locked = any(lock.busy_at(scan) or lock.execute[lock.index_at(scan)] for lock in history.of_kind(*LOCKS))
-            if "Error" not in calls.ends[index] or (calls.error[index] != REFUSED and not locked):
+            another = calls.error[index] != REFUSED and not _is_locked(history, scan)
+            if "Error" not in calls.ends[index] or another:
                 text = f"a value out of range has ErrorID {calls.error[index]}"
                 yield Violation(12, scan, calls.name, text)
             end = calls.edge_after(index)
@@ -160,6 +160,19 @@ def the_first_telegram_starts_nothing(history: History) -> Iterator[Violation]:
         word = history.scans[scan].word
         if word is not None and word & 0x0B49:
             yield Violation(40, scan, "telegram", f"the first control word is {word:04X}H")
+
+
+def _both_directions(calls: Calls, index: int) -> bool:
+    """Whether both directions of a jog are asked for in a call, or were in the one before."""
+    return any(len(item) == 2 and all(item) for item in calls.directions[max(index - 1, 0) : index + 1])
+
+
+def _is_locked(history: History, scan: int) -> bool:
+    """Whether a stop is Busy or asked for."""
+    return any(
+        lock.busy_at(scan) or (lock.index_at(scan) >= 0 and lock.execute[lock.index_at(scan)])
+        for lock in history.of_kind(*LOCKS)
+    )
 
 
 def _starts(history: History, asked: bool) -> Iterator[tuple[int, str]]:

@@ -70,11 +70,9 @@ def a_stop_locks_the_axis(history: History) -> Iterator[Violation]:
     """Rules 25 and 26: while a stop is Busy or its input TRUE, other motions end with Error and start nothing."""
     for calls in history.of_kind(*MOTIONS):
         for index, scan in enumerate(calls.scans):
-            if (
-                not calls.edges[index]
-                or calls.abort[index]
-                or not any(_locked(lock, scan) for lock in history.of_kind(*LOCKS))
-            ):
+            if not calls.edges[index] or calls.abort[index] or (index and calls.busy[index - 1]):
+                continue
+            if not any(_locked(lock, scan) for lock in history.of_kind(*LOCKS)):
                 continue
             last = _last_before_edge(history, calls, index)
             asked = [text for text in history.asked_between(scan, last) if text.startswith("start ")]
@@ -120,9 +118,12 @@ def a_jog_ends_with_its_input(history: History) -> Iterator[Violation]:
                 continue
             number = _owner_number(history, calls, scan)
             if calls.execute[index - 1] and not calls.execute[index] and history.is_on(number, scan):
-                following = [text for when, text in history.requests if when >= scan][:2]
-                if len(following) == 2 and not any(text in ("stop", "off") for text in following):
-                    yield Violation(29, scan, calls.name, f"{' and '.join(following)} go before the stop")
+                following = [item for item in history.requests if item[0] >= scan][:2]
+                texts = [text for _, text in following]
+                last = following[-1][0] if following else scan
+                stopped = any(text in ("stop", "off") for text in texts) or _is_followed(history, number, last)
+                if len(texts) == 2 and not stopped:
+                    yield Violation(29, scan, calls.name, f"{' and '.join(texts)} go before the stop")
             state = history.scans[scan].state
             if not (calls.busy[index] or calls.ends[index]) and number and state.number == number and state.velocity:
                 yield Violation(29, scan, calls.name, "it is not Busy any more, and the axis has not come to a halt")
@@ -132,11 +133,9 @@ def a_jog_stops_itself(history: History) -> Iterator[Violation]:
     """Rule 30: a jog that ends while it moves has asked for the stop, three times if need be, or has a successor."""
     for end in ("CommandAborted", "Error", ""):
         for calls, _, scan, number in _ends_in_motion(history, end):
-            if calls.kind not in JOGS:
+            if calls.kind not in JOGS or _is_followed(history, number, scan + 1):
                 continue
             accepted = next(when for when, event in history.events if event.number == number)
-            if any(event.kind == "accepted" and event.number > number for _, event in history.events):
-                continue
             asked = sum(text in ("stop", "off") for text in history.asked_between(accepted, scan + 1))
             stopped = any(event.kind == "stop" for when, event in history.events if accepted <= when <= scan + 1)
             if not stopped and asked < TRIES and scan + 1 < len(history.scans):
@@ -204,6 +203,11 @@ def _stop_edges(history: History) -> Iterator[tuple[Calls, int, int]]:
 def _asks_to_stop(word: int) -> bool:
     """Whether a control word lets nothing move."""
     return not word & START_BITS and (word & TASK_BITS != TASK_BITS or word & 0x0F != 0x0F)
+
+
+def _is_followed(history: History, number: int, last: int) -> bool:
+    """Whether the device has accepted a later command than a motion by a scan."""
+    return any(event.kind == "accepted" and event.number > number and when <= last for when, event in history.events)
 
 
 def _begin_of(history: History, number: int) -> int:

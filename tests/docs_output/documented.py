@@ -51,6 +51,7 @@ def with_ending(ending: str) -> list[str]:
 
 
 def visible_text(text: str) -> str:
-    """Text as a page shows it: blanks in one, control characters as pictures."""
+    """Text as a page shows it: blanks in one, and pictures for what controls a terminal or the order of letters."""
     text = re.sub(r"\s+", " ", text).strip()
+    text = re.sub(r"[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]", "\ufffd", text)
     return re.sub(r"[\x00-\x1f]", lambda match: chr(0x2400 + ord(match[0])), text)

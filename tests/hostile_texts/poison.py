@@ -85,6 +85,7 @@ FRAGMENTS: dict[str, tuple[str, ...]] = {
         "\u200b",
         "\ufeff",
     ),
+    "actions": ("\n::error file=a::pwned\n", "::error::pwned", "##[error]pwned", "%0A::error::pwned"),
     "template": ("{{ 7 * 7 }}", "{% raw %}", "{# x #}", "{%- endraw %}", "%s", "%n", "{n}", "{value:03X}"),
     "letters": ("伺服", "é", "🤖", "ß", "İ", "ﬁ", "e\u0301", "\u0130\u0307"),
 }

@@ -29,9 +29,10 @@ ENDS = ("Done", "CommandAborted", "Error", "Busy")
 class Bench:
     """Some blocks of a device, called in their order. `ports` are the structs and arrays that they are lent.
 
-    Blocks share what has one name and one type. `lent` has the variable for each parameter of each block. A `program`
-    has more blocks than are called, so that several benches have one program, which is compiled once. One that is
-    `ordered` calls them in an order that each scan states.
+    A name may have a number behind it, which makes it another instance. Blocks share what has one name and one type.
+    `lent` has the variable for each parameter of each block. A `program` has more blocks than are called, so that
+    several benches have one program, which is compiled once. One that is `ordered` calls them in an order that each
+    scan states.
     """
 
     def __init__(
@@ -47,7 +48,7 @@ class Bench:
         self.world, routines, spelling, content = _generated(root, device, dialect)
         by_name = {routine.name: routine for routine in routines}
         prefix = f"FB_{self.world.names.device}_"
-        blocks: dict[str, Routine] = {name: by_name[prefix + name] for name in program or names}
+        blocks: dict[str, Routine] = {name: by_name[prefix + name.split()[0]] for name in program or names}
         self.blocks = {name: blocks[name] for name in names}
         shared = _lent(blocks)
         self.lent = {key: name for name, (_, keys) in shared.items() for key in keys}

@@ -25,7 +25,7 @@ from model_rigs import FrameRig, rig
 from model_values import fitting, invalid
 
 from device_models.draws import Draws
-from device_models.history import ENDS, JOG_INPUTS, STARTS, History, Scan, Violation
+from device_models.history import ENDS, JOG_INPUTS, STARTS, STOPS, History, Scan, Violation
 from device_models.monitors import violations
 
 SCANS = 1500
@@ -33,6 +33,8 @@ SCANS = 1500
 CYCLES = (1, 5, 5, 10, 10, 10, 50, 50, 50, 200, 200)
 """Milliseconds from one scan to the next; one of them in each episode, with some that are longer."""
 ALARMS = (1, 3, 9)
+WEIGHTS = {"stop": 0.7, "quick_stop": 0.4, "power_off": 0.3, "power_on": 0.4, "reset": 0.4, "read": 0.4, "home": 0.5}
+"""How often blocks are touched, by their kinds; the others are 1."""
 
 
 class Driver:
@@ -76,7 +78,7 @@ class Driver:
         seconds = self.cycle / 1000
         for _ in range(3):
             if self.dice.random() < max(0.004, min(0.3, seconds * self.rate)):
-                self._touch(self.dice.choice(self.driven))
+                self._touch(self._chosen())
         if self.rough and self.dice.random() < max(0.0005, min(0.02, seconds * 0.1)):
             self._disturb()
         self._line(seconds)
@@ -87,6 +89,18 @@ class Driver:
         jitter = self.dice.random() < 0.01
         self.rig.scan(self.cycle * (3 if jitter else 1), called)
 
+    def _chosen(self) -> str:
+        """A block to touch: mostly one that moves the axis, or what it needs to move."""
+        state = self.rig.model.state
+        lacks = {"power_on": not state.servo, "reset": state.alarm, "home": state.servo and not state.homed}
+        weights = []
+        for block in self.driven:
+            kind = self.rig.kinds[block]
+            pressed = any(self.rig.bench.now[block, name] for name in self.starts[block])
+            hinders = pressed and kind in (*STOPS, "power_off")
+            weights.append(WEIGHTS.get(kind, 1.0) * (8.0 if lacks.get(kind) or hinders else 1.0))
+        return self.dice.choices(self.driven, weights)[0]
+
     def _touch(self, block: str) -> None:
         """Changes an input of a block: an edge, a level, a value, Abort."""
         dice, chance = self.dice, self.dice.random()
@@ -94,9 +108,15 @@ class Driver:
         if chance < 0.7:
             self._press(block, names)
         elif chance < 0.76 and (block, "Abort") in self.rig.bench.inputs:
-            self.rig.set(block, Abort=dice.random() < 0.4)
+            self.rig.set(block, Abort=True)
+            if dice.random() < 0.9:
+                self._single_scan()
+                self.rig.set(block, Abort=False)
         else:
             self._revalue(block, dice.random() < 0.15)
+
+    def _single_scan(self) -> None:
+        self.rig.scan(self.cycle, [entry for entry in self.order if entry not in self.gaps])
 
     def _press(self, block: str, names: Sequence[str]) -> None:
         dice = self.dice
@@ -111,7 +131,7 @@ class Driver:
         self.rig.set(block, **{name: level})
         # A pulse is what most programs give.
         if level and dice.random() < 0.3:
-            self.rig.scan(self.cycle, [entry for entry in self.order if entry not in self.gaps])
+            self._single_scan()
             self.rig.set(block, **{name: False})
 
     def _revalue(self, block: str, wrong: bool) -> None:

@@ -31,10 +31,11 @@ SIGNED = {"int": "h", "dint": "i", "sint": "b", "word": "H", "uint": "H", "dword
 
 
 @cache
-def bench(device: str, telegram: int, folder: Path) -> Bench:
-    """The blocks of a device that move it, in one program."""
-    names = list(kinds(block_names(SPECS, device), telegram))
-    return Bench(SPECS, device, names, folder, ordered=True)
+def bench(device: str, telegram: int, folder: Path, twice: bool) -> Bench:
+    """The blocks of a device that move it, in one program; `twice` with two instances of a move and of a stop."""
+    names = kinds(block_names(SPECS, device), telegram)
+    more = [f"{name} 2" for name, kind in names.items() if kind in ("absolute", "stop") and twice]
+    return Bench(SPECS, device, [*names, *more], folder, ordered=True)
 
 
 class ModelRig:
@@ -44,9 +45,9 @@ class ModelRig:
     notes what it has done to them, so that no monitor takes that for a mistake of a block.
     """
 
-    def __init__(self, device: str, folder: Path, draws: Draws, telegram: int = 0) -> None:
+    def __init__(self, device: str, folder: Path, draws: Draws, telegram: int = 0, twice: bool = False) -> None:
         self.name, self.draws = device, draws
-        self.bench = bench(device, telegram, folder)
+        self.bench = bench(device, telegram, folder, twice)
         self.kinds = kinds(self.bench.blocks, telegram)
         self.names = list(self.kinds)
         self.record: list[Scan] = []
@@ -168,14 +169,15 @@ class ModelRig:
 class FrameRig(ModelRig):
     """A device on a line with frames."""
 
-    def __init__(self, device: str, folder: Path, draws: Draws) -> None:
-        super().__init__(device, folder, draws)
-        self.line = Line(draws, self.model.answer, self.model.foreign, self.model.latency, TIMEOUT)
+    def __init__(self, device: str, folder: Path, draws: Draws, twice: bool = False) -> None:
+        super().__init__(device, folder, draws, twice=twice)
+        model = self.model
+        self.line = Line(draws, model.answer, model.foreign, model.alike, model.latency, TIMEOUT)
         self.exchange: Exchange | None = None
         self.number = 0
         self.variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
-        words = ("state", "error", "send", "received", "frame", "request", "answered", "urgent")
-        self._names = {name: self.bench.port(FRAMES, name) for name in words}
+        members = ("state", "error", "request", "answered", "send", "received", "frame", "urgent")
+        self._names = {name: self.bench.port(FRAMES, name) for name in members}
         for (block, name), of in self.bench.inputs.items():
             if of != "bool" and ("tation" in name or "ddress" in name):
                 self.set(block, **{name: self.model.STATION})
@@ -205,8 +207,8 @@ class FrameRig(ModelRig):
         elif state == ABANDONED:
             port[names["state"]] = FREE
         elif state == ASKED:
-            frame = bytes(port[names["frame"]][: port[names["send"]]])
             self.number = port[names["request"]]
+            frame = bytes(port[names["frame"]][: port[names["send"]]])
             self.asked.append(self.model.meaning(frame))
             self.exchange = self.line.send(frame)
 
@@ -214,8 +216,8 @@ class FrameRig(ModelRig):
 class TelegramRig(ModelRig):
     """A drive with a telegram. While `lost` is set, no response comes; `unheard` says that nothing goes out either."""
 
-    def __init__(self, folder: Path, draws: Draws, telegram: int) -> None:
-        super().__init__("hiwin-e", folder, draws, telegram)
+    def __init__(self, folder: Path, draws: Draws, telegram: int, twice: bool = False) -> None:
+        super().__init__("hiwin-e", folder, draws, telegram, twice)
         key = f"axis of telegram_{telegram}"
         names = {name: self.bench.port(key, name) for name in ("valid", "request", "response")}
         self.variable = next(name for name, port in self.bench.ports.items() if names["request"] in port)
@@ -257,10 +259,10 @@ class TelegramRig(ModelRig):
             port[self.response].update(zip((name for name, _ in self.received), got, strict=True))
 
 
-def rig(name: str, folder: Path, draws: Draws) -> Any:
+def rig(name: str, folder: Path, draws: Draws, twice: bool = False) -> Any:
     """The rig of a device, or of a drive with a telegram: "hiwin-e 111"."""
     device, _, telegram = name.partition(" ")
-    return TelegramRig(folder, draws, int(telegram)) if telegram else FrameRig(device, folder, draws)
+    return TelegramRig(folder, draws, int(telegram), twice) if telegram else FrameRig(device, folder, draws, twice)
 
 
 NAMES = ("tc100", "ck10", "esc11", "hiwin-e 9", "hiwin-e 111", "hiwin-e 3", "hiwin-e 102")

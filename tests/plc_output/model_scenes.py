@@ -26,13 +26,21 @@ CALM = {
 """How the models of the scenes read what the manuals leave open, where a scene says nothing else."""
 
 
-def ready(folder: Path, name: str, power: bool = True, home: bool = True, delay: float = 0.0, **readings: str) -> Any:
+def ready(
+    folder: Path,
+    name: str,
+    power: bool = True,
+    home: bool = True,
+    delay: float = 0.0,
+    twice: bool = False,
+    **readings: str,
+) -> Any:
     """A rig whose servo is on and whose axis is at home, unless a scene wants it otherwise.
 
     Readings of the manual have their names with underscores. Each motion begins `delay` seconds after its command.
     """
     draws = calm(**{key.replace("_", " "): value for key, value in {**CALM, **readings}.items()})
-    result = rig(name, folder, draws)
+    result = rig(name, folder, draws, twice)
     result.run(3)
     if power:
         assert result.finish(result.block("power_on")) == "Done"

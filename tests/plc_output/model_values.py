@@ -37,10 +37,10 @@ PERCENT = re.compile(r"override|acceleration|deceleration", re.IGNORECASE)
 
 
 def kinds(names: Iterable[str], telegram: int = 0) -> dict[str, str]:
-    """The blocks of one device, or of one of its telegrams, with their kinds."""
+    """The blocks of one device, or of one of its telegrams, with their kinds; another instance has a number behind."""
     result = {}
     for name in names:
-        bare = re.sub(r"Telegram(\d+)", "", name)
+        bare = re.sub(r"Telegram(\d+)", "", name).split()[0]
         number = re.search(r"Telegram(\d+)", name)
         if (int(number[1]) if number else 0) != telegram:
             continue

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from itertools import pairwise
 
-from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, EnumDraft, Spec, bounds, range_text
+from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, EnumDraft, Spec, bounds, number, range_text
 from random_devices.drawn_values import value
 
 
@@ -75,7 +76,10 @@ def _bit(draft: Draft, at: int, most: int) -> tuple[Spec, int]:
         bit["bits"] = f"{at}..{at + width - 1}"
         fitting = [e for e in draft.enums if all(0 <= n < 1 << width for n in e.members.values())]
         if fitting and draft.chance(40):
-            bit["enum"] = draft.pick(fitting).name
+            enum = draft.pick(fitting)
+            bit["enum"] = enum.name
+            if draft.chance(30):
+                bit["default"] = draft.pick(tuple(enum.members.values()))
         elif draft.chance(60):
             _number(draft, bit, width)
         return bit, width
@@ -88,11 +92,13 @@ def _bit(draft: Draft, at: int, most: int) -> tuple[Spec, int]:
         bit |= {"zero": "off", "one": "on"}
     if draft.chance(8):
         bit["reserved"] = True
+    elif draft.chance(15):
+        bit["default"] = draft.number(0, 1)
     return bit, 1
 
 
 def _number(draft: Draft, bit: Spec, width: int) -> None:
-    """A sign, a scale and a range for a field of bits."""
+    """A sign, a scale, a range and a default for a field of bits."""
     if draft.chance(50):
         bit["signed"] = True
     high = (1 << (width - ("signed" in bit))) - 1
@@ -100,8 +106,12 @@ def _number(draft: Draft, bit: Spec, width: int) -> None:
     if draft.chance(30):
         bit |= {"scale": 0.5, "unit": "mm"}
         bit["unit_range"] = ", ".join(f"{low / 2}..{high / 2}" for low, high in intervals)
+        if draft.chance(40):
+            bit["unit_default"] = number(Decimal(draft.number(*intervals[-1])) / 2)
     else:
         bit["range"] = range_text(intervals)
+        if draft.chance(40):
+            bit["default"] = draft.number(*intervals[0])
 
 
 def signals(draft: Draft, most: int = 4) -> list[Spec]:

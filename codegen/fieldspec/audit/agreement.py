@@ -135,9 +135,9 @@ def byte_pairs(line: str) -> Iterator[int]:
         yield int(match[1], 16)
 
 
-_ALSO = {"code": ("code", "number"), "number": ("number", "code")}
-_SCALED = ("min", "max", "default")
-_VALUES = ("code", "number", "address", "bit", "words", "bytes", "count", "position", "min", "max", "default", "scale")
+_ALSO = {"code": ("code", "number"), "number": ("number", "code"), "default": ("default", "const")}
+_SCALED = ("min", "max", "default", "const")
+_VALUES = ("code", "number", "address", "bit", "words", "bytes", "count", "position", *_SCALED, "scale")
 _INTERVAL = re.compile(r"(-?[0-9]+)(?:\.\.(-?[0-9]+))?")
 _INTEGER = re.compile("int")
 _BOUNDS = re.compile(r"(?:(?<![0-9A-Fa-f])-)?(?:0[xX][0-9A-Fa-f]+|[0-9][0-9A-Fa-f,]* ?[Hh]|[0-9][0-9,]*(?:\.[0-9]+)?)")

@@ -49,6 +49,7 @@ COLUMNS = {
     "max": "decimal",
     "range": "range",
     "default": "decimal",
+    "const": "decimal",
     "scale": "decimal",
     "access": "word",
     "type": "word",

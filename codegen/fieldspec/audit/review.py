@@ -156,7 +156,9 @@ def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
 
 
 def _fact_text(row: FactRow) -> str:
-    """The text of a fact that is hashed."""
+    """The text of a fact that is hashed. A constant counts as a default, as when the first facts were reviewed."""
+    if row["const"] is not None:
+        row = {**row, "default": row["const"]}
     cells = zip(_STATED, _stated(row), strict=True)
     texts = [f"{key}={cell}" for key, cell in cells if cell is not None and cell != []]
     return "\x1f".join([_RENAMED.get(text, text) for text in texts])

@@ -21,6 +21,13 @@ BATCH = 1 << 23
 LONGEST = 1 << 26
 """The bytes of the longest record or block that a capture may have; a greater length is no length."""
 
+INTERFACE, PACKET, SIMPLE, ENHANCED = 1, 2, 3, 6
+"""The kinds of blocks of pcapng that are read: interfaces, and packets as the first version of the format had them,
+without times, and with all."""
+
+NOTHING = bytes(16)
+"""The record of a packet without a time and without a byte: what a file has where nothing was written."""
+
 Read = Callable[[int], bytes]
 """Reads at most so many bytes; returns none at the end."""
 
@@ -37,12 +44,14 @@ class CaptureError(ValueError):
 class Packets:
     """Captured packets: `size` bytes each from `at` on in the buffer. `interface` is the place of the interface.
 
-    `time` is in nanoseconds since 1970. `end` is the offset in the file behind the last one.
+    `original` is the size that each had before the capture cut it short. `time` is in nanoseconds since 1970. `end` is
+    the offset in the file behind the last one.
     """
 
     buffer: Bytes
     at: Numbers
     size: Numbers
+    original: Numbers
     time: Numbers
     interface: Numbers
     end: int
@@ -60,11 +69,12 @@ class Interface:
 class CaptureReader:
     """Reads one capture. `interfaces` grows as the file describes them; `losses` counts what cannot be read.
 
-    `position` and `interfaces` are all that is needed to go on reading later, from that byte of the file on.
+    `position` and `interfaces` are all that is needed to go on reading later, from that byte of the file on. `rest`
+    counts the bytes that nobody has read; without it they are read to be counted.
     """
 
-    def __init__(self, read: Read, state: dict[str, Any] | None = None) -> None:
-        self.read = read
+    def __init__(self, read: Read, state: dict[str, Any] | None = None, rest: Callable[[], int] | None = None) -> None:
+        self.read, self.rest = read, rest or self._rest
         self.losses: Counter[str] = Counter()
         self.pending = b""
         self.position = 0
@@ -149,7 +159,7 @@ class CaptureReader:
         add = places.append
         while at + 16 <= end:
             (size,) = size_at(data, at + 8)
-            if size > LONGEST:
+            if size > LONGEST or (not size and data.startswith(NOTHING, at)):
                 self._lose(f"a packet of {size} bytes at byte {self.position + at}, which no packet has", end - at)
                 return places, end
             following = at + 16 + size
@@ -162,13 +172,16 @@ class CaptureReader:
     def _of_records(self, buffer: Bytes, heads: Numbers) -> Packets:
         interface = np.zeros(len(heads), np.int64)
         time = self._nanoseconds(self._word(buffer, heads), self._word(buffer, heads + 4), interface)
-        return Packets(buffer, heads + 16, self._word(buffer, heads + 8), time, interface, self.position)
+        size, original = self._word(buffer, heads + 8), self._word(buffer, heads + 12)
+        return Packets(buffer, heads + 16, size, original, time, interface, self.position)
 
     def _lose(self, why: str, size: int) -> None:
         """Counts the rest of a file from which no record can be told."""
-        while data := self.read(BATCH):
-            size += len(data)
-        self.losses[why] += size
+        self.losses[why] += size + self.rest()
+        self.read = lambda _: b""
+
+    def _rest(self) -> int:
+        return sum(map(len, iter(lambda: self.read(BATCH), b"")))
 
     def _blocks(self, data: bytes) -> tuple[list[int], int]:
         """The places of the packets in the whole blocks of a pcapng file in some bytes, and the bytes of these."""
@@ -186,9 +199,9 @@ class CaptureReader:
                 return places, end
             if at + size > end:
                 break
-            if (kind == 6 and size >= 32) or (kind == 3 and size >= 16):
+            if (kind in (PACKET, ENHANCED) and size >= 32) or (kind == SIMPLE and size >= 16):
                 places.append(at)
-            elif kind == 1:
+            elif kind == INTERFACE:
                 if places:
                     break  # the packets so far belong to the interfaces as they are
                 self._add_interface(data[at + 8 : at + size - 4])
@@ -196,22 +209,27 @@ class CaptureReader:
         return places, at
 
     def _of_blocks(self, buffer: Bytes, heads: Numbers) -> Packets:
-        """The packets of blocks. Simple blocks, of the kind 3, have no time and belong to the first interface."""
-        simple = self._word(buffer, heads) == 3
+        """The packets of blocks. Simple blocks have no time and belong to the first interface."""
+        kind = self._word(buffer, heads)
+        simple = kind == SIMPLE
         room = self._word(buffer, heads + 4) - np.where(simple, 16, 32)
         interface = np.where(simple, 0, self._word(buffer, heads + 8))
-        size = np.where(simple, np.minimum(self._word(buffer, heads + 8), room), self._word(buffer, heads + 20))
+        old = kind == PACKET  # its interface has two bytes, and the number of packets before it that are lost two more
+        interface[old] = number_at(buffer, heads[old] + 8, 2, "big" if self.order == ">" else "little")
+        original = np.where(simple, self._word(buffer, heads + 8), self._word(buffer, heads + 24))
+        size = np.where(simple, np.minimum(original, room), self._word(buffer, heads + 20))
         wrong = (size > room) | (interface >= len(self.interfaces))
         self.losses["packets whose block contradicts itself"] += int(room[wrong].sum())
         right = ~wrong
-        heads, size, interface, simple = heads[right], size[right], interface[right], simple[right]
+        heads, size, original = heads[right], size[right], original[right]
+        interface, simple = interface[right], simple[right]
         count = self._word(buffer, heads + 12) << 32 | self._word(buffer, heads + 16)
         count[simple | (count < 0)] = 0
         ticks = numbers([own.ticks for own in self.interfaces])[interface]
         offset = numbers([own.offset for own in self.interfaces])[interface]
         time = self._nanoseconds(count // ticks + offset, count % ticks, interface)
         time[simple] = NO_TIME
-        return Packets(buffer, heads + np.where(simple, 12, 28), size, time, interface, self.position)
+        return Packets(buffer, heads + np.where(simple, 12, 28), size, original, time, interface, self.position)
 
     def _add_interface(self, body: bytes) -> None:
         """Reads the description of an interface with the options that bear on times."""

@@ -8,11 +8,17 @@ from typing import Any, BinaryIO
 
 from fieldspec.captures.capture_files import CaptureError
 from fieldspec.captures.decoding import MOST_TEXTS, Batch, DeviceDecoder, SourceDecoder
+from fieldspec.captures.file_content import FileContent
+from fieldspec.captures.network import NO_DATA
 from fieldspec.captures.payloads import Names
 from fieldspec.captures.register_rows import RegisterRows, columns_of
-from fieldspec.captures.sources import LogSource, PacketSource, Source, is_capture
+from fieldspec.captures.sources import Lines, LogSource, PacketSource, Source, is_capture
 
 HEAD = 4096
+DAMAGE = "damage"
+PACKED = {b"\x28\xb5\x2f\xfd": "zstd", b"\x04\x22\x4d\x18": "lz4", b"\xfd7zX": "xz", b"BZh": "bzip2", b"PK\3\4": "zip"}
+"""What other packed files begin with."""
+
 CAPTURE, LOG, ROWS = "capture", "log", "rows"
 
 
@@ -25,6 +31,9 @@ def kind_of(head: bytes) -> str:
     controls = sum(byte < 32 and byte not in b"\t\r\n\x02\x03\x1b" for byte in (text if is_wide else head))
     if not head:
         raise CaptureError(0, "the file is empty")
+    for magic, program in PACKED.items():
+        if head.startswith(magic):
+            raise CaptureError(0, f"{program} has packed the file; unpack it, or pack it with gzip")
     if controls * 50 > len(head):
         raise CaptureError(0, f"the file begins with {head[:4].hex(' ').upper()}: neither a capture nor a text")
     first = text.decode("utf-8", "replace").removeprefix("\ufeff").partition("\n")[0]
@@ -38,30 +47,44 @@ class Conversion:
         self, file: BinaryIO, device: DeviceDecoder, ports: Collection[int], state: dict[str, Any] | None = None
     ) -> None:
         self.device = device
-        file.seek(0)
-        kind = state["kind"] if state else kind_of(file.read(HEAD))
+        kind = state["kind"] if state else _kind(FileContent(file))
         own = state["source"] if state else None
         self.kind = kind
         names = Names(state["names"] if state else ())
         self.decoder = SourceDecoder(device, names)
-        file.seek(_position(kind, own))
+        self.content = content = FileContent(file)
+        position = _position(kind, own)
+        content.skip(position)
         self.rows: RegisterRows | None = None
         self.source: Source | None = None
         if kind == ROWS:
-            self.rows = RegisterRows(file.readline, device, own)
+            self.rows = RegisterRows(Lines(content.readline, position, content.rest), device, own)
         elif kind == LOG:
             links = [link.link for link in device.layout.links.values()]
-            self.source = LogSource(file.readline, names, links, own)
+            self.source = LogSource(Lines(content.readline, position, content.rest), names, links, own)
         else:
             usual = {port for link in device.links for port in device.layout.links[link].link.ports}
-            self.source = PacketSource(file.read, names, ports, own, usual)
+            self.source = PacketSource(content.read, names, ports, own, usual, content.rest)
         if state:
             self.decoder.restore(state["decoder"])
 
     @property
     def position(self) -> int:
         """The bytes of the file that are decoded."""
-        return (self.source or self.rows).position  # type: ignore[union-attr]
+        return self.content.position if self.content.is_packed else self._own.position
+
+    @property
+    def _own(self) -> RegisterRows | Source:
+        own = self.rows or self.source
+        assert own is not None
+        return own
+
+    @property
+    def is_left_out(self) -> bool:
+        """Whether there was something to decode, and no byte of it is in a frame."""
+        frames = self.rows.frame if self.rows is not None else self.decoder.number
+        left_out = (what.partition(": ") for what, count in self.counters().items() if count)
+        return not frames and any(kind in ("skipped", "events") and what != NO_DATA for kind, _, what in left_out)
 
     def batches(self) -> Iterator[list[Batch]]:
         """The batches of the file in lists; between two of them, `state` says where it stands. Raises CaptureError."""
@@ -75,21 +98,19 @@ class Conversion:
 
     def state(self) -> dict[str, Any]:
         """Where it stands, as data that JSON can hold."""
-        own = self.rows or self.source
-        assert own is not None
         return {
             "kind": self.kind,
-            "source": own.state(),
+            "source": self._own.state(),
             "decoder": self.decoder.state(),
             "names": self.decoder.names.texts,
         }
 
     def counters(self) -> Counter[str]:
         """What this run has skipped, lost and noticed."""
-        own = self.rows or self.source
-        assert own is not None
         result: Counter[str] = Counter()
-        for kind, counts in own.counters().items():
+        if self.content.damage:
+            result[f"{DAMAGE}: {self.content.damage}"] = 1
+        for kind, counts in self._own.counters().items():
             for what, count in counts.items():
                 result[f"{kind}: {what}"] += count
         for what, count in self.decoder.skipped.items():
@@ -101,6 +122,14 @@ class Conversion:
         if len(self.device.texts.texts) > MOST_TEXTS:
             self.device.reset()
             self.decoder.refresh()
+
+
+def _kind(content: FileContent) -> str:
+    """What a file is, from its content. Raises CaptureError."""
+    head = content.read(HEAD)
+    if not head and content.damage:
+        raise CaptureError(0, content.damage)
+    return kind_of(head)
 
 
 def _position(kind: str, state: dict[str, Any] | None) -> int:

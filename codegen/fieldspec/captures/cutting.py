@@ -11,7 +11,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.simulator.codecs import Framer, device_module, framer
 
 SILENCE = 10**9
-"""The nanoseconds without bytes after which a frame that has begun does not go on."""
+"""The nanoseconds without bytes on a line after which a frame that has begun does not go on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +58,12 @@ class Cutter:
             self._framers = {way: each for way, each in framers if each is not None}
         return self._framers
 
+    def another(self) -> Cutter:
+        """Another one for the same link, to which no byte has come. It shares the framers, which keep none."""
+        other = Cutter(self.layout, self.link)
+        other._framers = self.framers
+        return other
+
     @property
     def cuts(self) -> bool:
         """Whether the link has framers. The frames of one without come whole."""
@@ -76,12 +82,14 @@ class Cutter:
         """Whether bytes of a stream wait."""
         return (stream, direction) in self.pending
 
-    def feed(self, stream: int, direction: int, data: bytes, time: int, packet: int, follows_loss: bool) -> list[Piece]:
-        """The frames and other bytes that a payload completes."""
+    def feed(
+        self, stream: int, direction: int, data: bytes, time: int, packet: int, follows_loss: bool, is_stream: bool
+    ) -> list[Piece]:
+        """The frames and other bytes that a payload completes. In a stream of TCP no silence ends a frame."""
         key = stream, direction
         pieces: list[Piece] = []
         waiting, marks = self.pending.pop(key, (b"", []))
-        if waiting and (follows_loss or _is_silent(marks[-1][1], time)):
+        if waiting and (follows_loss or (not is_stream and _is_silent(marks[-1][1], time))):
             pieces = self._cut(key, waiting, marks, True)
             waiting, marks = b"", []
         joined = waiting + data

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from fieldspec.captures.columns import Numbers, Texts, gathered, numbers, runs
 from fieldspec.captures.cutting import Cutter
 from fieldspec.captures.decoders import Decoders, TextList, ValueColumns
+from fieldspec.captures.detection import Detection
 from fieldspec.captures.frame_reading import FrameReader
 from fieldspec.captures.link_decoding import LinkDecoder, LinkFrames
 from fieldspec.captures.pairing import NONE
@@ -139,7 +140,7 @@ class SourceDecoder:
             link: LinkDecoder(layout.links[link], device.readers[link], Cutter(layout, link), device.bit_spaces)
             for link in device.links
         }
-        self.link_of: dict[int, str] = {}
+        self.detection = Detection(self.links)
         self.number = 0
         self.skipped: dict[str, int] = {}
 
@@ -147,14 +148,14 @@ class SourceDecoder:
         """What another object needs to go on."""
         return {
             "number": self.number,
-            "link_of": self.link_of,
+            "detection": self.detection.state(),
             "links": {name: link.state() for name, link in self.links.items()},
         }
 
     def restore(self, state: dict[str, Any]) -> None:
         """Goes on where another object was."""
         self.number = state["number"]
-        self.link_of = {int(stream): link for stream, link in state["link_of"].items()}
+        self.detection.restore(state["detection"])
         for name, link in self.links.items():
             link.restore(state["links"][name])
 
@@ -169,9 +170,13 @@ class SourceDecoder:
         if self.device.choices.direction:
             open_rows = payloads.direction == UNKNOWN
             payloads.direction[open_rows] = DIRECTION_CODES[self.device.choices.direction]
-        for place, rows in runs(self._links(payloads)):
+        if self.device.choices.link:
+            places = np.zeros(len(payloads), np.int64)
+        else:
+            payloads, places = self.detection.with_links(payloads)
+        for place, rows in runs(places):
             if place < 0:
-                self.skipped[FOREIGN] = self.skipped.get(FOREIGN, 0) + len(rows)
+                self._skip_foreign(len(rows))
                 continue
             link = self.links[self.device.links[place]]
             own = payloads if len(rows) == len(payloads) else payloads.at_rows(rows)
@@ -180,7 +185,12 @@ class SourceDecoder:
 
     def rest(self) -> list[Batch]:
         """What is left at the end of the source."""
+        self._skip_foreign(self.detection.rest())
         return [batch for link in self.links.values() for batch in self._batch(link, link.rest())]
+
+    def _skip_foreign(self, count: int) -> None:
+        if count:
+            self.skipped[FOREIGN] = self.skipped.get(FOREIGN, 0) + count
 
     def _batch(self, link: LinkDecoder, frames: Any) -> list[Batch]:
         if not len(frames.payloads):
@@ -189,31 +199,6 @@ class SourceDecoder:
         self.number += len(first)
         decoded = link.decoded(frames, first)
         return [tables(self.device, link, decoded, first, self.names)]
-
-    def _links(self, payloads: Payloads) -> Numbers:
-        """The link of each payload, by its connection; -1 for a connection that carries no frame of the device."""
-        if len(self.device.links) == 1 and self.device.choices.link:
-            return np.zeros(len(payloads), np.int64)
-        result = np.full(len(payloads), -1)
-        for stream, rows in runs(payloads.stream):
-            if stream not in self.link_of:
-                self._detect(payloads, stream, rows[:SAMPLE])
-            if stream in self.link_of:
-                result[rows] = self.device.links.index(self.link_of[stream])
-        return result
-
-    def _detect(self, payloads: Payloads, stream: int, rows: Numbers) -> None:
-        """Finds out the link of a connection: the one on which most of its first payloads are valid frames."""
-        sample = payloads.at_rows(rows)
-        best = 0
-        for name in self.device.links:
-            fits = self.links[name].fitting(sample)
-            if fits > best:
-                best, self.link_of[stream] = fits, name
-
-
-SAMPLE = 256
-"""The payloads of a connection from which its link is told."""
 
 
 def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, numbers_of: Numbers, names: Names) -> Batch:

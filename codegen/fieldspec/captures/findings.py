@@ -9,6 +9,7 @@ from fieldspec.captures.decoding import DeviceDecoder
 from fieldspec.captures.observations import AccessUse, Observations, RegisterUse
 from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.quantity import real_text
 
 UNCHANGED, MANY, OFTEN = 0.99, 100, 10**9
 """A read is too frequent if so many of at least so many answers are as before, and less than a second apart."""
@@ -229,7 +230,7 @@ def _bounds(use: RegisterUse) -> tuple[Cell, Cell]:
 def _number(number: float | None) -> Cell:
     if number is None or isinstance(number, int):
         return number
-    return int(number) if number.is_integer() and abs(number) < 2**53 else f"{number:g}"
+    return int(number) if number.is_integer() and abs(number) < 2**53 else real_text(number)
 
 
 def _texts(use: RegisterUse) -> str:

@@ -12,7 +12,7 @@ from fieldspec.captures.cutting import Cutter, Piece
 from fieldspec.captures.frame_reading import FrameReader, ReadFrames
 from fieldspec.captures.pairing import NO_EXCHANGES, NONE, Exchanges, joined, paired, still_open
 from fieldspec.captures.part_numbers import part_numbers
-from fieldspec.captures.payloads import REQUEST, RESPONSE, UNKNOWN, Payloads, payloads_of
+from fieldspec.captures.payloads import DATAGRAM, REQUEST, RESPONSE, STREAM, UNKNOWN, Payloads, payloads_of
 from fieldspec.captures.registers import Accesses
 from fieldspec.captures.verdicts import MISMATCH, NO_FRAME, NO_REQUEST, OK
 from fieldspec.classes import dataclass
@@ -66,20 +66,26 @@ class LinkDecoder:
     def frames(self, payloads: Payloads) -> Frames:
         """The frames in payloads. Those that are one frame each are taken as columns, others are cut one by one."""
         readings = self._readings(payloads)
-        whole = np.zeros(len(payloads), np.bool_)
-        for reading in readings.values():
-            whole[reading.rows] |= reading.frames.verdict == OK
-        cut = ~whole & ~payloads.is_datagram
+        whole = _whole(payloads, readings)
+        cut = ~whole & (payloads.carrier != DATAGRAM)
         if not self.cutter.pending and not (cut.any() and self.cutter.cuts):
             return Frames(payloads, np.zeros(len(payloads), np.bool_), readings)
         return self._cut(payloads, cut)
 
-    def fitting(self, payloads: Payloads) -> int:
-        """How many payloads are a valid frame."""
-        whole = np.zeros(len(payloads), np.bool_)
-        for reading in self._readings(payloads).values():
-            whole[reading.rows] |= reading.frames.verdict == OK
-        return int(whole.sum())
+    def whole(self, payloads: Payloads) -> Mask:
+        """Which payloads are a valid frame."""
+        return _whole(payloads, self._readings(payloads))
+
+    def frames_anywhere(self, payloads: Payloads) -> tuple[Payloads, ...]:
+        """The valid frames in payloads, in which they may begin and end anywhere. What waits, waits on."""
+        if not len(payloads):
+            return ()
+        own, self.cutter = self.cutter, self.cutter.another()
+        try:
+            parts = self.frames(payloads), self.rest()
+        finally:
+            self.cutter = own
+        return tuple(part.payloads.at_rows(self.whole(part.payloads) & ~part.noise) for part in parts)
 
     def _readings(self, payloads: Payloads) -> dict[int, Reading]:
         readings = {}
@@ -113,7 +119,8 @@ class LinkDecoder:
     def _pieces(self, payloads: Payloads, row: int) -> list[Piece]:
         stream, direction = int(payloads.stream[row]), int(payloads.direction[row])
         time, packet = int(payloads.time[row]), int(payloads.packet[row])
-        return self.cutter.feed(stream, direction, payloads.data(row), time, packet, bool(payloads.follows_loss[row]))
+        data, follows_loss = payloads.data(row), bool(payloads.follows_loss[row])
+        return self.cutter.feed(stream, direction, data, time, packet, follows_loss, payloads.carrier[row] == STREAM)
 
     def rest(self) -> Frames:
         """What is left at the end of the source."""
@@ -350,6 +357,14 @@ class LinkFrames:
         return buffer, Accesses(own, rows.address[own], rows.count[own], data, available, writes)
 
 
+def _whole(payloads: Payloads, readings: dict[int, Reading]) -> Mask:
+    """Which payloads are a valid frame in a direction that they may have."""
+    whole = np.zeros(len(payloads), np.bool_)
+    for reading in readings.values():
+        whole[reading.rows] |= reading.frames.verdict == OK
+    return whole
+
+
 def _with_pieces(payloads: Payloads, keep: Mask, pieces: list[tuple[int, Piece]]) -> Frames:
     """The payloads that stay, and what the others have been cut into, in the order of the payloads."""
     own = payloads.at_rows(keep)
@@ -375,7 +390,7 @@ def _with_pieces(payloads: Payloads, keep: Mask, pieces: list[tuple[int, Piece]]
             (own.direction, cut.direction),
         )
     ]
-    datagram = np.concatenate([own.is_datagram, cut.is_datagram])[order]
+    carrier = np.concatenate([own.carrier, cut.carrier])[order]
     lost = np.concatenate([own.follows_loss, cut.follows_loss])[order]
     joined_buffer = np.concatenate([own.buffer, cut.buffer])
-    return Frames(Payloads.of_columns(joined_buffer, columns, datagram, lost), noise[order])
+    return Frames(Payloads.of_columns(joined_buffer, columns, carrier, lost), noise[order])

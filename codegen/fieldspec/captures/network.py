@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from ipaddress import ip_address
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from fieldspec.captures.capture_files import Interface, Packets
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, numbers, runs
-from fieldspec.captures.payloads import REQUEST, RESPONSE, UNKNOWN, Names
+from fieldspec.captures.payloads import (
+    DATAGRAM,
+    PIECE,
+    REQUEST,
+    RESPONSE,
+    STREAM,
+    UNKNOWN,
+    Carriers,
+    Names,
+)
 from fieldspec.classes import dataclass
 
 ETHERNET, NULL, LOOP, COOKED, COOKED_2 = 1, 0, 108, 113, 276
@@ -28,37 +38,97 @@ CAN = 227
 CAN_HEADER, CAN_DATA, CAN_NO_DATA, CAN_FD = 8, 8, 0x60, 0x04
 """Bytes before the data and of the data, flags of remote requests and errors in the first byte, that of CAN FD."""
 
-DATAGRAM, PIECE = -1, -2
-"""In place of the number of the first byte: payloads that are sent as a unit, and pieces of a serial line."""
-
 TCP, UDP = 6, 17
-IPV4, IPV6, VLAN = 0x0800, 0x86DD, (0x8100, 0x88A8)
+IPV4, IPV6, VLAN = 0x0800, 0x86DD, (0x8100, 0x88A8, 0x9100)
+MOST_TAGS = 4
+
+FRAGMENT, AUTHENTICATION = 44, 51
+EXTENSIONS = (0, 43, FRAGMENT, AUTHENTICATION, 60, 135)
+"""The headers between that of IPv6 and that of TCP or UDP; each begins with the kind of the next one, and its size."""
+
+MOST_EXTENSIONS = 8
+
+FACTOR = 0x9E3779B97F4A7C1
+"""An odd number without a pattern, by whose powers the numbers of a connection become one, modulo 2^64."""
+
+NO_DATA = "packets without data"
+CUT_SHORT, BROKEN = "packets that the capture cut short", "packets whose headers contradict themselves"
 
 
 @dataclass(slots=True)
 class Segments:
     """Payloads of packets before streams are put in order, as columns of equal length.
 
-    `packet` is the number of the packet from 1, `stream` the place of the connection, `sequence` the number of the
-    first byte in a stream of TCP, with the `flags` of TCP; both are DATAGRAM or PIECE for others.
+    `length` is the size before the capture cut the packet short. `packet` is the number of the packet from 1, `stream`
+    the place of the connection. Streams of TCP have the `sequence` number of the first byte, the number of the byte
+    that the other side expects next, which it has `acknowledged`, and the `flags`; the three are -1 for others.
     """
 
     at: Numbers
     size: Numbers
+    length: Numbers
     time: Numbers
     packet: Numbers
     stream: Numbers
     direction: Numbers
+    carrier: Carriers
     sequence: Numbers
+    acknowledged: Numbers
     flags: Numbers
 
+    def columns(self) -> tuple[npt.NDArray[Any], ...]:
+        """All columns in their order."""
+        return (
+            self.at, self.size, self.length, self.time, self.packet, self.stream, self.direction, self.carrier,
+            self.sequence, self.acknowledged, self.flags,
+        )  # fmt: skip
 
-def concatenated(parts: Collection[Segments]) -> Segments:
+    def rows(self, rows: Numbers | Mask) -> Segments:
+        """Some of them."""
+        return Segments(*(column[rows] for column in self.columns()))
+
+
+_NONE = numbers([])
+NO_SEGMENTS = Segments(_NONE, _NONE, _NONE, _NONE, _NONE, _NONE, _NONE, np.zeros(0, np.int8), _NONE, _NONE, _NONE)
+
+
+def concatenated(parts: Sequence[Segments]) -> Segments:
     """Segments of several kinds in the order of their packets."""
-    names = ("at", "size", "time", "packet", "stream", "direction", "sequence", "flags")
-    columns = [np.concatenate([getattr(part, name) for part in parts] or [numbers([])]) for name in names]
-    order = np.argsort(columns[3], kind="stable")
-    return Segments(*(column[order] for column in columns))
+    if len(parts) == 1:
+        return parts[0]
+    columns = zip(*(part.columns() for part in (NO_SEGMENTS, *parts)), strict=True)
+    segments = Segments(*map(np.concatenate, columns))
+    return segments.rows(np.argsort(segments.packet, kind="stable"))
+
+
+@dataclass(frozen=True, slots=True)
+class _Transport:
+    """What IP packets carry, one row each: the packets' `rows`, where their `addresses` of `address_size` bytes are,
+    where the data begin, where the captured bytes `end`, and where the data `stop`."""
+
+    rows: Numbers
+    addresses: Numbers
+    address_size: int
+    at: Numbers
+    end: Numbers
+    stop: Numbers
+    protocol: Numbers
+
+
+def _lines(
+    packets: Packets,
+    rows: Numbers,
+    packet: Numbers,
+    at: Numbers,
+    size: Numbers,
+    length: Numbers,
+    streams: Numbers,
+    carrier: int,
+) -> Segments:
+    """What lines and buses carry, for which nothing tells the direction."""
+    none, carriers = np.full(len(rows), -1), np.full(len(rows), carrier, np.int8)
+    direction = np.full(len(rows), UNKNOWN)
+    return Segments(at, size, length, packets.time[rows], packet[rows], streams, direction, carriers, none, none, none)
 
 
 class Network:
@@ -90,20 +160,22 @@ class Network:
     def _serial(self, packets: Packets, rows: Numbers, packet: Numbers, link_type: int) -> Segments:
         """The packets of serial lines. What is recorded without bytes, such as a change of a signal, has none."""
         at, size = packets.at[rows], packets.size[rows]
-        direction = np.full(len(rows), UNKNOWN)
         if link_type == RTAC_SERIAL:
             whole = size >= 12
             self._skip("serial packets shorter than their header", ~whole)
-            rows, at, size = rows[whole], at[whole], size[whole]
-            direction = np.full(len(rows), UNKNOWN)
-            at, size = at + 12, size - 12
-        place = {each: self.names.place(f"serial {each}") for each in np.unique(packets.interface[rows]).tolist()}
-        streams = numbers([place[each] for each in packets.interface[rows].tolist()])
-        some = size > 0
-        self._skip("packets without data", ~some)
-        none = np.full(len(rows), PIECE)
-        columns = (at, size, packets.time[rows], packet[rows], streams, direction, none, none)
-        return Segments(*(column[some] for column in columns))
+            rows, at, size = rows[whole], at[whole] + 12, size[whole] - 12
+        length = size + np.maximum(packets.original[rows] - packets.size[rows], 0)
+        some = length > 0
+        self._skip(NO_DATA, ~some)
+        return _lines(packets, rows, packet, at, size, length, self._interfaces(packets, rows, "serial"), PIECE).rows(
+            some
+        )
+
+    def _interfaces(self, packets: Packets, rows: Numbers, kind: str) -> Numbers:
+        """The connection of each packet: its interface."""
+        own = packets.interface[rows].tolist()
+        place = {interface: self.names.place(f"{kind} {interface}") for interface in sorted(set(own))}
+        return numbers([place[interface] for interface in own])
 
     def _can(self, packets: Packets, rows: Numbers, packet: Numbers) -> Segments:
         """The frames of CAN buses, without what fills them up. Each bus is one connection."""
@@ -113,15 +185,12 @@ class Network:
         whole &= size >= CAN_HEADER + count
         is_wide = (count > CAN_DATA) | ((number_at(packets.buffer, at + 5, 1) & CAN_FD) != 0)
         carries = (number_at(packets.buffer, at, 1) & CAN_NO_DATA) == 0
-        self._skip("packets that the capture cut short", ~whole)
+        self._skip(CUT_SHORT, ~whole)
         self._skip("frames of CAN FD", whole & is_wide)
         self._skip("remote requests and errors of CAN buses", whole & ~is_wide & ~carries)
         some = whole & ~is_wide & carries
-        place = {each: self.names.place(f"can {each}") for each in np.unique(packets.interface[rows]).tolist()}
-        streams = numbers([place[each] for each in packets.interface[rows].tolist()])
-        none, direction = np.full(len(rows), DATAGRAM), np.full(len(rows), UNKNOWN)
-        columns = (at, CAN_HEADER + count, packets.time[rows], packet[rows], streams, direction, none, none)
-        return Segments(*(column[some] for column in columns))
+        length, streams = CAN_HEADER + count, self._interfaces(packets, rows, "can")
+        return _lines(packets, rows, packet, at, length, length, streams, DATAGRAM).rows(some)
 
     def _skip(self, why: str, which: Mask) -> None:
         count = int(np.count_nonzero(which))
@@ -137,7 +206,7 @@ class Network:
             kind_at = at + {ETHERNET: 12, COOKED: 14, COOKED_2: 0}[link_type]
             at = at + {ETHERNET: 14, COOKED: 16, COOKED_2: 20}[link_type]
             kind = number_at(buffer, kind_at, 2)
-            for _ in range(2):
+            for _ in range(MOST_TAGS):
                 tagged = np.isin(kind, VLAN) & (at + 4 <= end)
                 kind = np.where(tagged, number_at(buffer, at + 2, 2), kind)
                 at = at + 4 * tagged
@@ -148,66 +217,83 @@ class Network:
             self.skipped[f"packets of the unsupported link type {link_type}"] += len(rows)
             return []
         parts = []
-        is_ip = np.isin(kind, (IPV4, IPV6)) & (at + 20 <= end)
+        is_ip = np.isin(kind, (IPV4, IPV6))
         self._skip("packets other than IP", ~is_ip)
-        for version, size in ((IPV4, 4), (IPV6, 16)):
-            own = is_ip & (kind == version)
-            if own.any():
+        self._skip(CUT_SHORT, is_ip & (at + np.where(kind == IPV4, 20, 40) > end))
+        for version, head in ((IPV4, 20), (IPV6, 40)):
+            own = np.flatnonzero((kind == version) & (at + head <= end))
+            if len(own):
                 transport = self._transport(buffer, at[own], end[own], version)
-                parts += self._ported(packets, rows[own], packet, size, *transport)
+                parts += self._ported(packets, rows[own], packet, transport)
         return parts
 
-    def _transport(
-        self, buffer: Bytes, at: Numbers, end: Numbers, version: int
-    ) -> tuple[Numbers, Numbers, Numbers, Numbers, Mask]:
-        """Where addresses and data of IP packets begin, where the data end, the protocol, and which are whole."""
+    def _transport(self, buffer: Bytes, at: Numbers, end: Numbers, version: int) -> _Transport:
+        """What IP packets carry. Their headers say where the data end; the capture may have less."""
         if version == IPV4:
             head = (number_at(buffer, at, 1) & 15) * 4
             stop = at + number_at(buffer, at + 2, 2)
             stop = np.where(stop == at, end, stop)  # 0 where the network card divides packets
-            protocol = number_at(buffer, at + 9, 1)
-            fragment = (number_at(buffer, at + 6, 2) & 0x3FFF) != 0
-            self._skip("fragments of IP packets", fragment)
-            return at + 12, at + head, np.minimum(stop, end), protocol, ~fragment & (stop <= end) & (head >= 20)
-        stop = at + 40 + number_at(buffer, at + 4, 2)
-        protocol = number_at(buffer, at + 6, 1)
-        return at + 8, at + 40, np.minimum(stop, end), protocol, (stop <= end) & (at + 40 <= end)
+            is_fragment = (number_at(buffer, at + 6, 2) & 0x3FFF) != 0
+            self._skip("fragments of IP packets", is_fragment)
+            is_broken = ~is_fragment & (head < 20)
+            self._skip(BROKEN, is_broken)
+            own = np.flatnonzero(~is_fragment & ~is_broken)
+            return _Transport(
+                own, at[own] + 12, 4, (at + head)[own], end[own], stop[own], number_at(buffer, at[own] + 9, 1)
+            )
+        size = number_at(buffer, at + 4, 2)
+        stop = np.where(size == 0, end, at + 40 + size)
+        protocol, place = number_at(buffer, at + 6, 1), at + 40
+        is_fragment = np.zeros(len(at), np.bool_)
+        for _ in range(MOST_EXTENSIONS):
+            extended = np.isin(protocol, EXTENSIONS) & ~is_fragment & (place + 8 <= end)
+            if not extended.any():
+                break
+            units = number_at(buffer, place + 1, 1)
+            is_fragment |= extended & (protocol == FRAGMENT) & ((number_at(buffer, place + 2, 2) & 0xFFF9) != 0)
+            units = np.where(
+                protocol == AUTHENTICATION, 4 * units + 8, np.where(protocol == FRAGMENT, 8, 8 * units + 8)
+            )
+            protocol = np.where(extended, number_at(buffer, place, 1), protocol)
+            place = place + units * extended
+        self._skip("fragments of IP packets", is_fragment)
+        own = np.flatnonzero(~is_fragment)
+        return _Transport(own, at[own] + 8, 16, place[own], end[own], stop[own], protocol[own])
 
-    def _ported(
-        self,
-        packets: Packets,
-        rows: Numbers,
-        packet: Numbers,
-        address_size: int,
-        addresses: Numbers,
-        at: Numbers,
-        stop: Numbers,
-        protocol: Numbers,
-        is_whole: Mask,
-    ) -> list[Segments]:
-        """The payloads of TCP and UDP. A packet that the capture cut short is skipped and counted."""
-        self._skip("packets that the capture cut short", ~is_whole & np.isin(protocol, (TCP, UDP)))
-        self._skip("packets other than TCP and UDP", ~np.isin(protocol, (TCP, UDP)))
+    def _ported(self, packets: Packets, rows: Numbers, packet: Numbers, ip: _Transport) -> list[Segments]:
+        """The payloads of TCP and UDP. A datagram that the capture cut short is skipped and counted."""
+        rows = rows[ip.rows]
+        self._skip("packets other than TCP and UDP", ~np.isin(ip.protocol, (TCP, UDP)))
         parts = []
         for kind, least in ((TCP, 20), (UDP, 8)):
-            own = is_whole & (protocol == kind) & (at + least <= stop)
-            if not own.any():
+            of_kind = ip.protocol == kind
+            missing = of_kind & (ip.at + least > ip.end) | (of_kind & (ip.stop > ip.end) if kind == UDP else False)
+            self._skip(CUT_SHORT, missing)
+            is_broken = of_kind & ~missing & (ip.at + least > ip.stop)
+            self._skip(BROKEN, is_broken)
+            own = np.flatnonzero(of_kind & ~missing & ~is_broken)
+            if not len(own):
                 continue
-            place, buffer = at[own], packets.buffer
-            sequence = flags = np.full(len(place), DATAGRAM)
-            head = np.full(len(place), 8)
+            place, stop, buffer = ip.at[own], ip.stop[own], packets.buffer
+            sequence = acknowledged = flags = np.full(len(own), -1)
+            head = np.full(len(own), 8)
             if kind == TCP:
-                sequence = number_at(buffer, place + 4, 4)
+                sequence, acknowledged = number_at(buffer, place + 4, 4), number_at(buffer, place + 8, 4)
                 head = (number_at(buffer, place + 12, 1) >> 4) * 4
                 flags = number_at(buffer, place + 13, 1)
-            size = np.maximum(stop[own] - place - head, 0)
+            length = np.maximum(stop - place - head, 0)
+            size = np.clip(ip.end[own] - place - head, 0, length)
             source, target = number_at(buffer, place, 2), number_at(buffer, place + 2, 2)
-            ends = self._addresses(buffer, addresses[own], address_size)
+            ends = self._addresses(buffer, ip.addresses[own], ip.address_size)
             stream, direction = self._streams(kind, source, target, *ends)
-            columns = (place + head, size, packets.time[rows[own]], packet[rows[own]], stream, direction)
-            wanted = stream >= 0
-            self._skip("packets of other ports", ~wanted)
-            parts.append(Segments(*(column[wanted] for column in (*columns, sequence, flags))))
+            carrier = np.full(len(own), STREAM if kind == TCP else DATAGRAM, np.int8)
+            segments = Segments(
+                place + head, size, length, packets.time[rows[own]], packet[rows[own]], stream, direction, carrier,
+                sequence, acknowledged, flags,
+            )  # fmt: skip
+            is_wanted = stream >= 0
+            self._skip("packets of other ports", ~is_wanted)
+            parts.append(segments if is_wanted.all() else segments.rows(is_wanted))
         return parts
 
     def _addresses(self, buffer: Bytes, at: Numbers, size: int) -> tuple[npt.NDArray[np.void], npt.NDArray[np.void]]:
@@ -230,9 +316,8 @@ class Network:
         table[:, 0] = source << 16 | target
         table[:, 1 : 1 + words] = sender.view(">u4").reshape(-1, words)
         table[:, 1 + words :] = receiver.view(">u4").reshape(-1, words)
-        places = range(table.shape[1])
-        factors = numbers([0x9E3779B97F4A7C1 * (2 * place + 1) ^ 0x5BD1E995 << place for place in places])
-        mixed = (table * factors).sum(axis=1)
+        factors = [pow(FACTOR, place, 1 << 64) for place in range(1, 1 + table.shape[1])]
+        mixed = (table * np.array(factors, np.uint64).view(np.int64)).sum(axis=1)
         _, first, group = np.unique(mixed ^ mixed >> 29, return_index=True, return_inverse=True)
         if not bool((table == table[first][group]).all()):  # two connections with one mixed number: compare the rows
             _, first, group = np.unique(table, axis=0, return_index=True, return_inverse=True)

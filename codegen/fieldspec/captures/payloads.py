@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
-from fieldspec.captures.columns import NO_TIME, Bytes, Mask, Numbers, numbers
+from fieldspec.captures.columns import NO_TIME, Bytes, Mask, Numbers, gathered, numbers
 from fieldspec.classes import dataclass
+
+Carriers: TypeAlias = npt.NDArray[np.int8]
 
 REQUEST, RESPONSE, UNKNOWN = 0, 1, -1
 """The direction of a payload."""
+
+DATAGRAM, PIECE, STREAM = 0, 1, 2
+"""What carries a payload: a medium that sends it as a unit, a line that carries any pieces, or a stream of TCP."""
 
 DIRECTION_CODES = {"request": REQUEST, "response": RESPONSE, "": UNKNOWN}
 
@@ -20,8 +27,8 @@ class Payloads:
     """Payloads in the order of their capture, `size` bytes each from `at` on in the buffer.
 
     `time` is in nanoseconds since 1970, or NO_TIME. `packet` is the number of the packet or the line, from 1. `stream`
-    is the place of its connection in the names of the source. `is_datagram`: the medium sends a payload as a unit;
-    else payloads are pieces of a stream of bytes. `follows_loss`: bytes before it are missing in the capture.
+    is the place of its connection in the names of the source. `carrier` is DATAGRAM, PIECE or STREAM.
+    `follows_loss`: bytes before it are missing in the capture.
     """
 
     buffer: Bytes
@@ -31,14 +38,14 @@ class Payloads:
     packet: Numbers
     stream: Numbers
     direction: Numbers
-    is_datagram: Mask
+    carrier: Carriers
     follows_loss: Mask
 
     @staticmethod
-    def of_columns(buffer: Bytes, columns: Sequence[Numbers], is_datagram: Mask, follows_loss: Mask) -> Payloads:
+    def of_columns(buffer: Bytes, columns: Sequence[Numbers], carrier: Carriers, follows_loss: Mask) -> Payloads:
         """Payloads from the columns of numbers in their order."""
         at, size, time, packet, stream, direction = columns
-        return Payloads(buffer, at, size, time, packet, stream, direction, is_datagram, follows_loss)
+        return Payloads(buffer, at, size, time, packet, stream, direction, carrier, follows_loss)
 
     def __len__(self) -> int:
         return len(self.at)
@@ -47,7 +54,30 @@ class Payloads:
         """Some of them."""
         columns = (self.at, self.size, self.time, self.packet, self.stream, self.direction)
         own = [column[rows] for column in columns]
-        return Payloads.of_columns(self.buffer, own, self.is_datagram[rows], self.follows_loss[rows])
+        return Payloads.of_columns(self.buffer, own, self.carrier[rows], self.follows_loss[rows])
+
+    def columns(self) -> tuple[npt.NDArray[Any], ...]:
+        """All columns in their order."""
+        return (
+            self.at, self.size, self.time, self.packet, self.stream, self.direction, self.carrier, self.follows_loss
+        )  # fmt: skip
+
+    def compact(self) -> Payloads:
+        """The same without other bytes in the buffer."""
+        data, offsets = gathered(self.buffer, self.at, self.size)
+        return Payloads(np.append(data, np.uint8(0)), offsets[:-1], *self.columns()[1:])
+
+    def state(self) -> dict[str, Any]:
+        """The payloads as data that JSON can hold, if they are compact."""
+        return {"data": self.buffer.tobytes().hex(), "columns": [column.tolist() for column in self.columns()]}
+
+    @staticmethod
+    def of_state(state: dict[str, Any]) -> Payloads:
+        """The payloads that `state` has returned."""
+        *columns, carrier, loss = state["columns"]
+        buffer = np.frombuffer(bytes.fromhex(state["data"]), np.uint8)
+        carriers, losses = np.array(carrier, np.int8), np.array(loss, np.bool_)
+        return Payloads.of_columns(buffer, [numbers(column) for column in columns], carriers, losses)
 
     def data(self, row: int) -> bytes:
         """The bytes of a payload."""
@@ -69,9 +99,16 @@ def payloads_of(
         numbers([row[2] for row in table]),
         numbers([row[3] for row in table]),
         numbers([row[4] for row in table]),
-        np.full(len(table), is_datagram),
+        np.full(len(table), DATAGRAM if is_datagram else PIECE, np.int8),
         lost,
     )
+
+
+def joined(left: Payloads, right: Payloads) -> Payloads:
+    """The payloads of both."""
+    buffer = np.concatenate([left.buffer, right.buffer])
+    moved = Payloads(buffer, right.at + len(left.buffer), *right.columns()[1:])
+    return Payloads(buffer, *map(np.concatenate, zip(left.columns(), moved.columns(), strict=True)))
 
 
 class Names:

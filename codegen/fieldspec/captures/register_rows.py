@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from fieldspec.captures.decoding import Batch, DeviceDecoder, FrameTable, ValueT
 from fieldspec.captures.log_times import LogClock
 from fieldspec.captures.pairing import NONE
 from fieldspec.captures.registers import ADDRESSES, Accesses
-from fieldspec.captures.sources import LONGEST_LINE
+from fieldspec.captures.sources import Lines
 from fieldspec.classes import dataclass, field
 
 HEADINGS = {
@@ -81,15 +81,12 @@ class _Access:
 
 
 class RegisterRows:
-    """A file of rows. `position` counts the bytes that are read."""
+    """A file of rows."""
 
-    def __init__(
-        self, readline: Callable[[int], bytes], device: DeviceDecoder, state: dict[str, Any] | None = None
-    ) -> None:
-        self.readline, self.device = readline, device
+    def __init__(self, lines: Lines, device: DeviceDecoder, state: dict[str, Any] | None = None) -> None:
+        self.lines, self.device = lines, device
         self.skipped: Counter[str] = Counter()
         self.number = state["number"] if state else 0
-        self.position = state["position"] if state else 0
         self.frame = state["frame"] if state else 0
         self.clock = LogClock(state["time"] if state else None)
         self.layout: tuple[str, dict[str, int]] | None = (state["separator"], state["places"]) if state else None
@@ -99,6 +96,11 @@ class RegisterRows:
             self.waiting = _Access((place[0], place[1], place[2], place[3]), address, line, words)
         spaces = [space for space in device.spaces if space not in device.bit_spaces]
         self.first_space = spaces[0] if spaces else None
+
+    @property
+    def position(self) -> int:
+        """The bytes of the file that are read."""
+        return self.lines.position
 
     def state(self) -> dict[str, Any]:
         """What another object needs to go on behind the last batch."""
@@ -114,8 +116,8 @@ class RegisterRows:
         }
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped."""
-        return {"skipped": self.skipped}
+        """What is skipped and lost."""
+        return {"skipped": self.skipped, "bytes lost": self.lines.losses}
 
     def batches(self) -> Iterator[list[Batch]]:
         """All rows, decoded. Neighbouring words of one moment are one access, so that values of two words are whole."""
@@ -149,8 +151,7 @@ class RegisterRows:
         return accesses
 
     def _line(self) -> str:
-        data = self.readline(LONGEST_LINE)
-        self.position += len(data)
+        data = self.lines.line()
         self.number += bool(data)
         return data.decode("utf-8", "replace")
 

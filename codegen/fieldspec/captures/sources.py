@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from typing import Any, Protocol
 
 import numpy as np
 
-from fieldspec.captures.capture_files import CaptureReader, Read
-from fieldspec.captures.columns import Bytes, numbers
+from fieldspec.captures.capture_files import BATCH, CaptureReader, Read
+from fieldspec.captures.columns import Bytes
 from fieldspec.captures.log_times import LogClock
-from fieldspec.captures.network import Network, Segments
+from fieldspec.captures.network import Network
 from fieldspec.captures.payloads import DIRECTION_CODES, UNKNOWN, Names, Payloads, payloads_of
 from fieldspec.captures.tcp import StreamOrder
 from fieldspec.explain.log import Unreadable, log_line
@@ -26,9 +26,11 @@ _MAGICS = (b"\xd4\xc3\xb2\xa1", b"\xa1\xb2\xc3\xd4", b"\x4d\x3c\xb2\xa1", b"\xa1
 
 
 class Source(Protocol):
-    """What payloads come from. `position` counts the bytes of the file that are read; the counters say what is lost."""
+    """What payloads come from. The counters say what is lost."""
 
-    position: int
+    @property
+    def position(self) -> int:
+        """The bytes of the file that are read."""
 
     def payloads(self) -> Iterator[Payloads]:
         """All payloads in batches."""
@@ -38,6 +40,28 @@ class Source(Protocol):
 
     def counters(self) -> dict[str, Counter[str]]:
         """What is skipped, lost and remarkable, by kind."""
+
+
+class Lines:
+    """The lines of a file, of which it keeps at most LONGEST_LINE bytes each. A line that does not end is the last one.
+
+    `position` counts the bytes that are read, `losses` those behind such a line, which `rest` counts.
+    """
+
+    def __init__(self, readline: Read, position: int = 0, rest: Callable[[], int] = lambda: 0) -> None:
+        self.readline, self.position, self.rest = readline, position, rest
+        self.losses: Counter[str] = Counter()
+
+    def line(self) -> bytes:
+        """The beginning of the next line; nothing at the end."""
+        line = b"" if self.losses else self.readline(LONGEST_LINE)
+        self.position += len(line)
+        if len(line) == LONGEST_LINE and not line.endswith(b"\n"):
+            more = self.readline(BATCH)
+            self.position += len(more)
+            if len(more) == BATCH and not more.endswith(b"\n"):
+                self.losses[f"behind {BATCH} bytes without the end of a line"] += self.rest()
+        return line
 
 
 def is_capture(head: bytes) -> bool:
@@ -55,8 +79,9 @@ class PacketSource:
         ports: Collection[int],
         state: dict[str, Any] | None = None,
         usual: Collection[tuple[str, int]] = (),
+        rest: Callable[[], int] | None = None,
     ) -> None:
-        self.reader = CaptureReader(read, state["reader"] if state else None)
+        self.reader = CaptureReader(read, state["reader"] if state else None, rest)
         self.network = Network(ports, names, usual)
         self.order = StreamOrder(state["order"] if state else None)
         self.packets = state["packets"] if state else 0
@@ -78,7 +103,7 @@ class PacketSource:
             self.packets += len(packets.at)
             yield self.order.payloads(packets.buffer, segments)
         nothing: Bytes = np.zeros(1, np.uint8)
-        rest = self.order.rest(nothing, Segments(*(numbers([]) for _ in range(8))))
+        rest = self.order.rest(nothing)
         if len(rest):
             yield rest
 
@@ -87,35 +112,33 @@ class LogSource:
     """A log of a serial line: frames or pieces of frames, one in each line, with or without times and marks."""
 
     def __init__(
-        self, readline: Read, names: Names, links: Collection[Link], state: dict[str, Any] | None = None
+        self, lines: Lines, names: Names, links: Collection[Link], state: dict[str, Any] | None = None
     ) -> None:
-        self.readline, self.links = readline, links
-        self.names = names
+        self.lines, self.names, self.links = lines, names, links
         self.skipped: Counter[str] = Counter()
         self.number = state["number"] if state else 0
-        self.position = state["position"] if state else 0
         self.clock = LogClock(state["time"] if state else None)
         self.mark = state["mark"] if state else ""
+
+    @property
+    def position(self) -> int:
+        """The bytes of the file that are read."""
+        return self.lines.position
 
     def state(self) -> dict[str, Any]:
         """What another source needs to go on behind the last batch."""
         return {"number": self.number, "position": self.position, "time": self.clock.last, "mark": self.mark}
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped, by kind."""
-        return {"skipped": self.skipped}
+        """What is skipped and lost, by kind."""
+        return {"skipped": self.skipped, "bytes lost": self.lines.losses}
 
     def payloads(self) -> Iterator[Payloads]:
         """All payloads in batches."""
         stream = self.names.place("log")
         rows: list[tuple[bytes, int | None, int, int, int]] = []
-        while line := self.readline(LONGEST_LINE):
+        while line := self.lines.line():
             self.number += 1
-            self.position += len(line)
-            rest = line
-            while len(rest) == LONGEST_LINE and not rest.endswith(b"\n"):
-                rest = self.readline(LONGEST_LINE)
-                self.position += len(rest)
             row = self._row(line, stream)
             if row is not None:
                 rows.append(row)

@@ -8,29 +8,33 @@ from typing import Any
 import numpy as np
 
 from fieldspec.captures.columns import Bytes, Mask, Numbers, numbers, runs
-from fieldspec.captures.network import DATAGRAM, Segments
-from fieldspec.captures.payloads import Payloads
-from fieldspec.classes import dataclass
+from fieldspec.captures.network import NO_SEGMENTS, Segments
+from fieldspec.captures.payloads import PIECE, STREAM, Payloads
+from fieldspec.classes import dataclass, field
 
-SYN = 2
+SYN, ACK = 2, 16
 NUMBERS = 1 << 32
-MOST_WAITING = 3
-"""The segments that wait for an earlier one. With one more, the missing bytes count as lost: in a capture they are."""
+MOST_WAITING = 64
+"""The segments that wait for an earlier one. With one more, the missing bytes count as lost."""
+
+FARTHEST = 1 << 24
+"""The bytes between two segments of a connection. Farther away, another connection has the same ports."""
 
 
 @dataclass(frozen=True, slots=True)
 class Waiting:
-    """A segment that came before its turn."""
+    """A segment that came before its turn. `length` is the size of its data before the capture cut it short."""
 
     sequence: int
     data: bytes
+    length: int
     time: int
     packet: int
 
 
 @dataclass(slots=True)
 class _Late:
-    """A segment that has waited: `order` is its place among the others, `after_loss` whether bytes before it lack."""
+    """A segment that has waited. It comes behind the packet `order`; `after_loss`: bytes before it lack."""
 
     key: int
     segment: Waiting
@@ -41,15 +45,18 @@ class _Late:
 class StreamOrder:
     """The order of all streams of a source. `events` counts what is not as it should be.
 
-    `expected` has the number of the next byte by stream and direction, `waiting` the segments that are too early.
+    By stream and direction, `expected` has the number of the next byte, and `waiting` the segments that are too early.
+    `captured` has the number behind the last byte that the capture has, where that is not the number of the next one.
     """
 
     def __init__(self, state: dict[str, Any] | None = None) -> None:
         self.events: Counter[str] = Counter()
         self.expected: dict[int, int] = {}
+        self.captured: dict[int, int] = {}
         self.waiting: dict[int, list[Waiting]] = {}
         if state:
             self.expected = {int(key): number for key, number in state["expected"].items()}
+            self.captured = {int(key): number for key, number in state["captured"].items()}
             for key, segments in state["waiting"].items():
                 own = [Waiting(sequence, bytes.fromhex(data), *rest) for sequence, data, *rest in segments]
                 self.waiting[int(key)] = own
@@ -57,124 +64,191 @@ class StreamOrder:
     def state(self) -> dict[str, Any]:
         """What another object needs to go on."""
         waiting = {
-            key: [(each.sequence, each.data.hex(), each.time, each.packet) for each in segments]
+            key: [(each.sequence, each.data.hex(), each.length, each.time, each.packet) for each in segments]
             for key, segments in self.waiting.items()
             if segments
         }
-        return {"expected": self.expected, "waiting": waiting}
+        return {"expected": self.expected, "captured": self.captured, "waiting": waiting}
 
     def payloads(self, buffer: Bytes, segments: Segments) -> Payloads:
         """The payloads in the order of their streams. Datagrams stay as they are.
 
         Segments that follow one another are taken as columns; only the others are looked at one by one.
         """
-        is_tcp = segments.sequence >= 0
-        step = _Step(buffer, segments, segments.size > 0, np.zeros(len(is_tcp), np.bool_), [])
-        for key, own in runs(np.where(is_tcp, segments.stream * 2 + segments.direction, -1)):
-            if key >= 0:
-                self._stream(key, own, step)
-        return step.payloads(segments.sequence == DATAGRAM)
+        step = _Step(buffer, segments, segments.size > 0, np.zeros(len(segments.at), np.bool_))
+        cut_short = int(np.count_nonzero(segments.length > segments.size))
+        if cut_short:
+            self.events["payloads that the capture cut short"] += cut_short
+        keys = np.where(segments.carrier == STREAM, segments.stream * 2 + segments.direction, -1)
+        rows = {key: own for key, own in runs(keys) if key >= 0}
+        for key, own in rows.items():
+            self._stream(key, own, step)
+        for key in self.waiting:
+            self._acknowledge(key, rows.get(key ^ 1), step)
+        if cut_short or self.captured:
+            for stream, own in runs(np.where(segments.carrier == PIECE, segments.stream, -1)):
+                self._line(stream, own, step)
+        return step.payloads()
 
-    def rest(self, buffer: Bytes, nothing: Segments) -> Payloads:
+    def rest(self, buffer: Bytes) -> Payloads:
         """The payloads that still wait at the end of a source."""
-        step = _Step(buffer, nothing, np.zeros(0, np.bool_), np.zeros(0, np.bool_), [])
-        for key in list(self.waiting):
+        step = _Step(buffer, NO_SEGMENTS, np.zeros(0, np.bool_), np.zeros(0, np.bool_))
+        for key in self.waiting:
             while self.waiting[key]:
                 self._give_up(key, step)
-        return step.payloads(np.zeros(0, np.bool_))
+        return step.payloads()
 
     def _stream(self, key: int, own: Numbers, step: _Step) -> None:
         segments = step.segments
         starts = (segments.flags[own] & SYN) != 0
         sequence = (segments.sequence[own] + starts) % NUMBERS
-        after = (sequence + segments.size[own]) % NUMBERS
-        breaks = np.flatnonzero((sequence[1:] != after[:-1]) | starts[1:]) + 1
+        size, length = segments.size[own], segments.length[own]
+        after = (sequence + length) % NUMBERS
+        breaks = np.flatnonzero((sequence[1:] != after[:-1]) | starts[1:] | (length > size)[:-1]) + 1
         expected, at = self.expected.get(key), 0
         while at < len(own):
             first = int(sequence[at])
-            if not self.waiting.get(key) and not starts[at] and expected in (None, first):
+            if not self.waiting.get(key) and not starts[at] and expected in (None, first) and key not in self.captured:
                 following = int(np.searchsorted(breaks, at, "right"))
                 at = int(breaks[following]) if following < len(breaks) else len(own)
-                expected = int(after[at - 1])
+                expected, step.last[key] = int(after[at - 1]), int(segments.packet[own[at - 1]])
+                if size[at - 1] < length[at - 1]:
+                    self.captured[key] = int(sequence[at - 1] + size[at - 1]) % NUMBERS
             else:
-                self.expected[key] = first if expected is None or starts[at] else expected
-                self._single(key, int(own[at]), first, step)
+                self.expected[key] = first if expected is None else expected
+                self._single(key, int(own[at]), first, bool(starts[at]), step)
                 expected = self.expected[key]
                 at += 1
         assert expected is not None
         self.expected[key] = expected
 
-    def _single(self, key: int, row: int, sequence: int, step: _Step) -> None:
+    def _single(self, key: int, row: int, sequence: int, starts: bool, step: _Step) -> None:
         """Takes one segment: in its turn, again, or too early."""
         segments = step.segments
-        size, packet = int(segments.size[row]), int(segments.packet[row])
-        ahead = (sequence - self.expected[key] + NUMBERS // 2) % NUMBERS - NUMBERS // 2
-        if segments.flags[row] & SYN and self.waiting.get(key):
-            while self.waiting[key]:
+        size, length, packet = int(segments.size[row]), int(segments.length[row]), int(segments.packet[row])
+        if starts or (length and abs(_ahead(sequence, self.expected[key])) > FARTHEST):
+            while self.waiting.get(key):
                 self._give_up(key, step)
             self.expected[key] = sequence
-        elif ahead > 0 and size:
+            self.captured[key] = (sequence - 1) % NUMBERS  # nothing before it belongs to it
+        ahead = _ahead(sequence, self.expected[key])
+        if not length:
+            return
+        if ahead > 0:
             step.keep[row] = False
             start = int(segments.at[row])
             data = step.buffer[start : start + size].tobytes()
-            self.waiting.setdefault(key, []).append(Waiting(sequence, data, int(segments.time[row]), packet))
+            self.waiting.setdefault(key, []).append(Waiting(sequence, data, length, int(segments.time[row]), packet))
             self.events["segments out of order"] += 1
             if len(self.waiting[key]) > MOST_WAITING:
                 self._give_up(key, step)
             return
-        elif ahead < 0 and size:
+        again = min(max(_ahead(self.captured.get(key, self.expected[key]), sequence), 0), length)
+        if again:
             self.events["segments sent again"] += 1
-            again = min(-ahead, size)
             segments.at[row] += again
-            segments.size[row] -= again
+            segments.size[row] = max(size - again, 0)
             step.keep[row] = size > again
-            size, sequence = size - again, (sequence + again) % NUMBERS
-        if size:
-            self.expected[key] = (sequence + size) % NUMBERS
-            self._in_turn(key, packet, step)
+        if length > again:
+            taken = max(size - again, 0)
+            step.loss[row] = self._take(key, (sequence + again) % NUMBERS, taken, length - again)
+            step.last[key] = packet
+            self._in_turn(key, step)
 
-    def _in_turn(self, key: int, packet: int, step: _Step) -> None:
-        """Takes the waiting segments whose turn has come with a packet."""
-        waiting = self.waiting.get(key)
-        while waiting:
-            ready = min(waiting, key=lambda each: (each.sequence - self.expected[key] + NUMBERS // 2) % NUMBERS)
-            ahead = (ready.sequence - self.expected[key] + NUMBERS // 2) % NUMBERS - NUMBERS // 2
+    def _take(self, key: int, sequence: int, size: int, length: int) -> bool:
+        """Goes on behind a segment that is in its turn. Returns whether bytes before it lack."""
+        before = self.captured.pop(key, sequence)
+        end = (sequence + length) % NUMBERS
+        if _ahead(end, self.expected[key]) > 0:
+            self.expected[key] = end
+        captured = (sequence + size) % NUMBERS if size else before
+        if captured != self.expected[key]:
+            self.captured[key] = captured
+        return before != sequence
+
+    def _line(self, stream: int, own: Numbers, step: _Step) -> None:
+        """Notes where a line goes on behind a payload that the capture cut short."""
+        if stream < 0:
+            return
+        is_cut = step.segments.length[own] > step.segments.size[own]
+        key = -1 - stream
+        step.loss[own] = np.append(key in self.captured, is_cut[:-1])
+        self.captured.pop(key, None)
+        if is_cut[-1]:
+            self.captured[key] = 0
+
+    def _in_turn(self, key: int, step: _Step) -> None:
+        """Takes the waiting segments whose turn has come."""
+        while self.waiting.get(key):
+            ready = self._next(key)
+            ahead = _ahead(ready.sequence, self.expected[key])
             if ahead > 0:
                 return
-            waiting.remove(ready)
-            data = ready.data[-ahead:]
-            if data:
-                step.late.append(_Late(key, Waiting(ready.sequence, data, ready.time, ready.packet), packet, False))
-                self.expected[key] = (self.expected[key] + len(data)) % NUMBERS
+            self.waiting[key].remove(ready)
+            if ready.length + ahead > 0:
+                self._take_late(key, ready, -ahead, False, step)
+
+    def _take_late(self, key: int, ready: Waiting, again: int, after_loss: bool, step: _Step) -> None:
+        """Takes a segment that has waited, without the bytes that came before it."""
+        data, sequence = ready.data[again:], (ready.sequence + again) % NUMBERS
+        after_loss |= self._take(key, sequence, len(data), ready.length - again)
+        order = step.last[key] = max(ready.packet, step.last.get(key, 0))
+        if data:
+            step.late.append(
+                _Late(key, Waiting(sequence, data, len(data), ready.time, ready.packet), order, after_loss)
+            )
+
+    def _next(self, key: int) -> Waiting:
+        """The first of the waiting segments in the order of their stream."""
+        return min(self.waiting[key], key=lambda each: _ahead(each.sequence, self.expected[key]))
 
     def _give_up(self, key: int, step: _Step) -> None:
         """Takes the first waiting segment although the bytes before it lack."""
-        waiting = self.waiting[key]
-        ready = min(waiting, key=lambda each: (each.sequence - self.expected[key]) % NUMBERS)
-        waiting.remove(ready)
+        ready = self._next(key)
+        self.waiting[key].remove(ready)
         self.events["gaps in streams"] += 1
-        step.late.append(_Late(key, ready, ready.packet, True))
-        self.expected[key] = (ready.sequence + len(ready.data)) % NUMBERS
-        self._in_turn(key, ready.packet, step)
+        self.expected[key] = ready.sequence
+        self.captured.pop(key, None)
+        self._take_late(key, ready, 0, True, step)
+        self._in_turn(key, step)
+
+    def _acknowledge(self, key: int, opposite: Numbers | None, step: _Step) -> None:
+        """Gives up the bytes that the other side has at the end of a batch: if the capture had them, they were here."""
+        if opposite is None or not self.waiting[key]:
+            return
+        answers = opposite[(step.segments.flags[opposite] & ACK) != 0]
+        while len(answers) and self.waiting[key]:
+            if _ahead(int(step.segments.acknowledged[answers[-1]]), self._next(key).sequence) < 0:
+                return
+            self._give_up(key, step)
+
+
+def _ahead(number: int, other: int) -> int:
+    """How far a number of a stream is ahead of another one; less than 0 behind it."""
+    return (number - other + NUMBERS // 2) % NUMBERS - NUMBERS // 2
 
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """One batch of segments while it is put in order: those to keep, those behind a loss, and those that waited."""
+    """One batch of segments while it is put in order: those to keep, those behind a loss, and those that waited.
+
+    `last` has by stream and direction the packet behind which a segment that has waited comes.
+    """
 
     buffer: Bytes
     segments: Segments
     keep: Mask
     loss: Mask
-    late: list[_Late]
+    late: list[_Late] = field(default_factory=list)
+    last: dict[int, int] = field(default_factory=dict)
 
-    def payloads(self, is_datagram: Mask) -> Payloads:
+    def payloads(self) -> Payloads:
         """The payloads of the batch."""
         own = self.segments
         rows = np.flatnonzero(self.keep)
         columns = [column[rows] for column in (own.at, own.size, own.time, own.packet, own.stream, own.direction)]
         if not self.late:
-            return Payloads.of_columns(self.buffer, columns, is_datagram[rows], self.loss[rows])
+            return Payloads.of_columns(self.buffer, columns, own.carrier[rows], self.loss[rows])
         data = b"".join(each.segment.data for each in self.late)
         buffer = np.concatenate([self.buffer, np.frombuffer(data, np.uint8)])
         sizes = numbers([len(each.segment.data) for each in self.late])
@@ -189,6 +263,6 @@ class _Step:
         places = np.concatenate([columns[3], numbers([each.order for each in self.late])])
         order = np.argsort(places, kind="stable")
         joined = [np.concatenate([left, right])[order] for left, right in zip(columns, more, strict=True)]
-        datagram = np.concatenate([is_datagram[rows], np.zeros(len(self.late), np.bool_)])[order]
+        carrier = np.concatenate([own.carrier[rows], np.full(len(self.late), STREAM, np.int8)])[order]
         loss = np.concatenate([self.loss[rows], np.array([each.after_loss for each in self.late])])[order]
-        return Payloads.of_columns(buffer, joined, datagram, loss)
+        return Payloads.of_columns(buffer, joined, carrier, loss)

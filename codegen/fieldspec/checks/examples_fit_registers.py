@@ -20,7 +20,7 @@ from fieldspec.checks.occupants import Addressed, Addresses
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
-from fieldspec.model.raw_numbers import orders_of
+from fieldspec.model.raw_numbers import SinglePrecision, orders_of
 from fieldspec.model.record import Field, Message, RegisterAccess
 from fieldspec.model.registers import Register
 from fieldspec.model.texts import Example
@@ -91,7 +91,7 @@ def _valued(
         return
     why = legal.objection(value, number, writes)
     if why:
-        own = f"{number:.7g}" if isinstance(number, float) and value.size == 4 else number
+        own = SinglePrecision(number) if isinstance(number, float) and value.size == 4 else number
         text = f"{name} is {own} in {example.id}, which {why}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
         there = label(occupant.fact.place, key, "its permitted values")

@@ -11,7 +11,7 @@ Cure: Remove one of the two keys.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.checks.facts import values
 from fieldspec.checks.finding import default_key, finding, label
@@ -37,11 +37,11 @@ def keys_have_effect(device: Device) -> Iterator[Diagnostic]:
             yield from _reserved(fact, fact.reserved)
     for flags in device.flags.values():
         for bit in flags.bits:
-            yield from _reserved(bit, bit.reserved)
+            yield from _reserved(bit, bit.reserved, (*_MEANINGS, "default", "unit_default"))
 
 
-def _reserved(fact: Fact, is_reserved: bool) -> Iterator[Diagnostic]:
-    for key in _MEANINGS if is_reserved else ():
+def _reserved(fact: Fact, is_reserved: bool, keys: Sequence[str] = _MEANINGS) -> Iterator[Diagnostic]:
+    for key in keys if is_reserved else ():
         if key in fact.place:
             text = f"{fact.name} is reserved, so that `{key}` has no effect"
             help = "remove it, or remove `reserved` if the value has this meaning"

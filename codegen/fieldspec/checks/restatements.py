@@ -97,7 +97,9 @@ def _other(device: Device, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Bit):
         in_unit = _in_unit(fact.as_value) if fact.ranges is not None else None
         number = fact.first if fact.width == 1 else None
-        return {"bit": number, "range": _merged(fact.ranges), "unit_range": in_unit}
+        default = None if fact.default is None else fact.as_value.in_unit(fact.default)
+        defaults = {"default": fact.default, "unit_default": default}
+        return {"bit": number, "range": _merged(fact.ranges), "unit_range": in_unit, **defaults}
     if isinstance(fact, Enum):
         return {"count": len(fact.members), "enum_values": _member_intervals(fact)}
     if isinstance(fact, Flags):

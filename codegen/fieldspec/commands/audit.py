@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from fieldspec.audit.register_dump import compared, judged, section
 from fieldspec.commands import audit_files, list_files, specs
 from fieldspec.commands.storage import write
+from fieldspec.commands.streams import print_document, print_line
 from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import Diagnostic, has_errors, in_order
@@ -228,11 +229,11 @@ def _print_report(
         if arguments.out:
             write(Path(arguments.out), text.encode("utf-8"))
         else:
-            print(text, end="")
+            print_document(text)
     elif form == "json":
         from fieldspec.render.audit_formats import rendered
 
-        print(rendered(report), end="")
+        print_document(rendered(report))
     elif form == "sarif":
         print_findings(findings, "sarif", "")
     else:
@@ -240,7 +241,7 @@ def _print_report(
 
         print_blocks(blocks(report, arguments.all or arguments.as_printed))
         if findings:
-            print()
+            print_line("")
             print_findings(findings, "text", "")
 
 
@@ -261,7 +262,7 @@ def _print_table(report: Report, arguments: argparse.Namespace) -> None:
     if arguments.out:
         write(Path(arguments.out), data)
     elif arguments.format != "xlsx":
-        print(data.decode("utf-8"), end="")
+        print_document(data.decode("utf-8"))
     elif sys.stdout.isatty():
         raise UsageError("a workbook cannot be printed; name a file with --out")
     else:

@@ -13,6 +13,7 @@ from fieldspec.audit.sources import section_order
 from fieldspec.commands import regular_file, specs, storage
 from fieldspec.commands.regular_file import SizeError
 from fieldspec.commands.storage import exclusive_folder, replace
+from fieldspec.commands.streams import print_line
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.facts import of_versions
 from fieldspec.layout.device import DeviceLayout
@@ -89,7 +90,7 @@ def record(specs_option: str | None, device: Device, name: str | None) -> int:
     folder = specs.writable_folder(specs_option)
     storage.write(folder / device.id / NAME, index_text(manual, device.id).encode())
     label = "/".join(filter(None, (specs.relative_path(folder), device.id, NAME)))
-    print(f"wrote {label}: {len(manual.lines)} lines")
+    print_line(f"wrote {label}: {len(manual.lines)} lines")
     return 0
 
 
@@ -118,7 +119,9 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
         _must_be_sound(folder, spec.id, text)
         replace(path, text.encode("utf-8"))
     count = sum(len(state.digests) for state in signed.values())
-    print(f"{specs.relative_path(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}")
+    print_line(
+        f"{specs.relative_path(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}"
+    )
     return 0
 
 

@@ -24,6 +24,7 @@ from fieldspec.commands.freshness import (
 from fieldspec.commands.overviews import stage_overviews
 from fieldspec.commands.placement import Staging
 from fieldspec.commands.plugins import package_hashes
+from fieldspec.commands.streams import print_error, print_line
 from fieldspec.commands.usage import UsageError, unknown
 
 
@@ -72,14 +73,14 @@ def build(arguments: argparse.Namespace) -> int:
             beside.place(stale, gone)
         if not wanted.picked:
             earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
-    print(f"{len(hashes)} files, {len(result.stale)} written, {len(gone)} removed")
+    print_line(f"{len(hashes)} files, {len(result.stale)} written, {len(gone)} removed")
     return 0
 
 
 def _print_refusal(sound: Sequence[str]) -> None:
     """Says that a build is refused as a whole, and how the devices without errors are built all the same."""
     advice = f"; build what has no errors alone: fieldspec build {' '.join(sound)}" if sound else ""
-    print(f"fieldspec: nothing is written{advice}", file=sys.stderr)
+    print_error(f"nothing is written{advice}")
 
 
 def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
@@ -118,15 +119,15 @@ def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
 
 def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: Sequence[str]) -> int:
     for text in unfinished:
-        print(text)
+        print_line(text)
     for path, reason in stale:
-        print(f"not fresh: {path}" + (f" ({reason})" if path != MANIFEST else ""))
+        print_line(f"not fresh: {path}" + (f" ({reason})" if path != MANIFEST else ""))
     for path in gone:
-        print(f"no longer produced: {path}")
+        print_line(f"no longer produced: {path}")
     if not (stale or gone or unfinished):
-        print("everything is fresh")
+        print_line("everything is fresh")
         return 0
-    print("build again with: fieldspec build")
+    print_line("build again with: fieldspec build")
     return 1
 
 
@@ -161,10 +162,11 @@ def _build(arguments: argparse.Namespace, first: bool) -> None:
     except UsageError as error:
         if first:
             raise
-        print(f"fieldspec: {error}", file=sys.stderr, flush=True)
+        print_error(error)
         code = 2
     done = "built" if code == 0 else "not built"
-    print(f"{done} in {time.perf_counter() - start:.2f} s, waiting for a spec to change", flush=True)
+    print_line(f"{done} in {time.perf_counter() - start:.2f} s, waiting for a spec to change")
+    sys.stdout.flush()
     gc.collect()  # nobody else does, and this runs for long
     if first:
         from fieldspec.backends.templates import prepare

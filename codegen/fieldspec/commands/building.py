@@ -79,7 +79,7 @@ def _build_stale(
     from fieldspec.reading.project import read
 
     load_checks()
-    if earlier.trusted:
+    if earlier.trusted and cache_folder.is_usable(TEMPLATES):
         templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
     project = read(files, only)  # without the folder, which outputs must not depend on
     outputs = not has_errors(project.findings)

@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, Any
 from fieldspec.commands import specs
 from fieldspec.commands.frame_options import frame_options
 from fieldspec.commands.storage import exclusive_folder, replace
+from fieldspec.commands.streams import print_note
 from fieldspec.commands.table_parts import TableParts
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.line_text import visible_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,6 +28,8 @@ if TYPE_CHECKING:
     from fieldspec.captures.decoding import Choices
 
 JOURNAL, SUMMARY = "journal.json", "summary.json"
+JOURNAL_FORMAT = 2
+"""The number of what a journal holds: a run goes on from journals of this form alone."""
 PART = 1_000_000
 """The frames of a part, unless --part-frames says another number."""
 
@@ -105,7 +109,7 @@ def source_files(names: list[str]) -> list[tuple[str, Path]]:
             raise UsageError(f"there is no file {name}")
     if not files:
         raise UsageError(f"there are no files in {' and '.join(names)}")
-    return list(files.items())
+    return [(visible_text(name), path) for name, path in files.items()]  # tables cannot have what is not UTF-8
 
 
 class _Job:
@@ -154,7 +158,7 @@ class _Job:
             self.totals, first, state = Totals.of_data(journal["totals"]), journal["source"], journal["state"]
             self.sources, part = journal["faults"], journal["part"]
             where = f"going on in file {first + 1} of {len(self.files)}"
-            print(where if first < len(self.files) else "all files are decoded already", file=sys.stderr)
+            print_note(where if first < len(self.files) else "all files are decoded already")
         parts = TableParts(self.out, self.form, part)
         try:
             with _progress(sum(path.stat().st_size for _, path in self.files)) as advance:
@@ -197,6 +201,8 @@ class _Job:
                         conversion.forget_texts()
                         self._note(parts.number, number, conversion.state(), conversion.counters())
                 self.totals.counters += conversion.counters()
+                if conversion.is_left_out:
+                    self.sources[name] = "nothing in it is a frame of the device; the counts say what is left out"
         except CaptureError as error:
             self.sources[name] = str(error)
         except OSError as error:
@@ -212,8 +218,11 @@ class _Job:
         try:
             journal = json.loads(path.read_bytes())
             same = journal["task"] == json.loads(_json(self.task))
-        except (ValueError, KeyError, TypeError):
+            known = journal.get("format") == JOURNAL_FORMAT
+        except (ValueError, KeyError, TypeError, AttributeError):
             raise UsageError(f"{path} is no journal of this command; name a new folder") from None
+        if not known:
+            raise UsageError(f"{path} is a journal of another version of fieldspec; name a new folder")
         if not same:
             raise UsageError(f"{self.out} has the tables of another task; name a new folder, or repeat that task")
         return journal
@@ -223,6 +232,7 @@ class _Job:
         totals = self.totals.as_data()
         totals["counters"] = dict(Counter(totals["counters"]) + counters)
         content = {
+            "format": JOURNAL_FORMAT,
             "task": self.task,
             "part": part,
             "source": source,
@@ -234,7 +244,7 @@ class _Job:
 
     def _is_flawed(self) -> bool:
         valid, every = self.totals.whole
-        lost = [what for what in self.totals.counters if what.startswith("bytes lost")]
+        lost = [what for what in self.totals.counters if what.startswith(("bytes lost", "damage"))]
         return valid < every or bool(lost) or bool(self.sources)
 
     def _summary(self) -> dict[str, Any]:
@@ -247,7 +257,7 @@ class _Job:
 
 
 def _json(content: Any) -> bytes:
-    return (json.dumps(content, ensure_ascii=False, sort_keys=True) + "\n").encode()
+    return (json.dumps(content, sort_keys=True) + "\n").encode()
 
 
 @contextmanager

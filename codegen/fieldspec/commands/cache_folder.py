@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 import sys
 from contextlib import suppress
 from importlib.machinery import PathFinder
 
 from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands.streams import print_error
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -16,7 +18,8 @@ if TYPE_CHECKING:
 
 # A file in the cache begins with the hash of its content: one that is half written, or changed by hand, is ignored, and
 # so is one that another user owns or could write to. The content is never executed, but for compiled
-# templates. Where the folder cannot be written to, nothing is cached.
+# templates. Where the folder cannot be written to, nothing is cached. Only files with names of the cache are ever
+# removed, and only in a folder that carries its tag.
 
 try:
     from _blake2 import blake2b  # `hashlib` loads OpenSSL first, which takes as long as to read a compiled device
@@ -31,7 +34,7 @@ MOST = 100
 def folder() -> str:
     """The folder: FIELDSPEC_CACHE, or where the system keeps caches. Raises OSError for a user without a home."""
     if named := os.environ.get(VARIABLE):
-        return named
+        return named.rstrip(os.sep) or named  # behind a link, a separator would lead to its target
     home = os.path.expanduser("~")
     if home == "~":
         raise FileNotFoundError("this user has no home")
@@ -53,44 +56,112 @@ def checksum(*contents: bytes) -> str:
 def cached(kind: str, name: str) -> bytes | None:
     """The content stored under a name; None where there is none, or where it is damaged."""
     try:
-        number = os.open(_path(kind, name), _READ)
-        try:
-            state = os.fstat(number)
-            if not _ours(state):
-                return None
-            with open(number, "rb", closefd=False) as file:
-                expected, _, content = file.read(state.st_size + 1).partition(b"\n")
-        finally:
-            os.close(number)
+        expected, _, content = _content(_path(kind, name)).partition(b"\n")
     except OSError:
         return None
     return content if expected == checksum(content).encode() else None
 
 
-def store(kind: str, name: str, content: bytes) -> None:
-    """Stores a content under a name, replacing an earlier one. Does nothing where that is not possible."""
+def _content(path: str) -> bytes:
+    """The bytes of a file; none where it does not exist, or where others may have written it. Raises OSError."""
     try:
-        _write(_path(kind, name), checksum(content).encode() + b"\n" + content)
-    except OSError:
+        number = os.open(path, _READ)
+    except FileNotFoundError:
+        return b""
+    try:
+        state = os.fstat(number)
+        if not _ours(state):
+            return b""
+        with open(number, "rb", closefd=False) as file:
+            return file.read(state.st_size + 1)
+    finally:
+        os.close(number)
+
+
+def store(kind: str, name: str, content: bytes) -> None:
+    """Stores a content under a name, replacing an earlier one. Does nothing where that is not possible.
+
+    Says once where it refuses a folder that is not the cache's own.
+    """
+    if not is_usable(kind):
         return
+    with suppress(OSError):
+        _write(_path(kind, name), checksum(content).encode() + b"\n" + content)
+
+
+_refused: set[str] = set()
+"""The folders that the user has been told of."""
+
+
+def is_usable(kind: str) -> bool:
+    """Whether a kind of files can be cached: creates its folder, and the tag of the whole cache."""
+    try:
+        root = folder()
+        path = os.path.join(root, kind)
+        reason = _foreign(root) or _untagged(root)
+        if not reason:
+            root = path
+            reason = _foreign(path)
+    except OSError:
+        return False
+    if reason and root not in _refused:
+        _refused.add(root)
+        print_error(f"nothing is cached in {root}: {reason}; set {VARIABLE} to a folder that is empty or new")
+    return not reason
+
+
+def _foreign(path: str) -> str:
+    """Why a folder, which is created where it is absent, is not the user's own; empty where it is. Raises OSError."""
+    with suppress(FileExistsError):
+        os.makedirs(path, mode=0o700)
+    state = os.lstat(path)
+    if stat.S_ISLNK(state.st_mode) or (hasattr(os.path, "isjunction") and os.path.isjunction(path)):
+        return "it is a link"
+    if not stat.S_ISDIR(state.st_mode):
+        raise NotADirectoryError(path)
+    return "it belongs to another user" if os.name == "posix" and state.st_uid != os.geteuid() else ""
+
+
+TAG = "CACHEDIR.TAG"
+_TAG_TEXT = b"""Signature: 8a477f597d28d172789f06886806bc55
+# This folder is a cache of fieldspec, which removes files from it. See https://bford.info/cachedir/
+"""
+
+
+def _untagged(root: str) -> str:
+    """Why a folder does not carry the tag of the cache; empty where it does, and in a new one. Raises OSError."""
+    path = os.path.join(root, TAG)
+    if _content(path) == _TAG_TEXT:
+        return ""
+    from fieldspec.commands.storage import lock, unlock, write_through
+
+    number = lock(root, patient=False)
+    try:
+        # Where nobody names another folder, it is that of an earlier fieldspec, which wrote no tag.
+        if os.environ.get(VARIABLE) and {*os.listdir(root)} - {TAG}:
+            return f"it has files and no {TAG} of fieldspec"
+        write_through(path, _TAG_TEXT, 0o644)
+    finally:
+        unlock(number)
+    return ""
 
 
 _READ = os.O_RDONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
 _LARGEST = 1 << 30
 _BESIDE = ".new"
+_ENTRY = re.compile("[0-9a-f]{32}")
+_UNFINISHED = re.compile("[0-9a-f]{32}" + re.escape(_BESIDE))
 
 
 def _write(path: str, content: bytes) -> None:
-    """Writes a file all or nothing, one process at a time. Raises OSError."""
+    """Writes a file all or nothing, one process at a time, and removes what is too much. Raises OSError."""
     from fieldspec.commands.storage import lock, unlock, write_through
 
     within = os.path.dirname(path)
-    os.makedirs(within, mode=0o700, exist_ok=True)
     number = lock(within, patient=False)
     try:
-        for entry in [*os.scandir(within)]:
-            if not entry.name.isalnum():  # left by a process that was killed while it wrote
-                os.unlink(entry)
+        for entry in _files_named(within, _UNFINISHED):  # left by a process that was killed while it wrote
+            os.unlink(entry)
         try:
             write_through(path + _BESIDE, content, 0o600)
             os.replace(path + _BESIDE, path)
@@ -98,11 +169,17 @@ def _write(path: str, content: bytes) -> None:
             with suppress(OSError):
                 os.unlink(path + _BESIDE)
             raise
-        files = sorted(os.scandir(within), key=lambda entry: entry.stat().st_mtime_ns)
+        files = sorted(_files_named(within, _ENTRY), key=lambda entry: entry.stat().st_mtime_ns)
         for old in files[:-MOST]:
             os.unlink(old)
     finally:
         unlock(number)
+
+
+def _files_named(folder: str, pattern: re.Pattern[str]) -> list[os.DirEntry[str]]:
+    """The regular files of a folder whose names the cache could have written. Raises OSError."""
+    with os.scandir(folder) as entries:
+        return [entry for entry in entries if pattern.fullmatch(entry.name) and entry.is_file(follow_symlinks=False)]
 
 
 def _ours(state: os.stat_result) -> bool:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from fieldspec.commands.bulk_decoding import JOURNAL, require_captures, source_files
 from fieldspec.commands.storage import exclusive_folder, replace
+from fieldspec.commands.streams import print_error
 from fieldspec.commands.usage import UsageError
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def _decode(name: str, decoder: DeviceDecoder, observations: Observations) -> No
         try:
             _decode_file(source, path, decoder, observations)
         except CaptureError as error:  # noqa: PERF203 - the other files are decoded
-            print(f"fieldspec: {source} could not be read: {error}", file=sys.stderr)
+            print_error(f"{source} could not be read: {error}")
 
 
 def _decode_file(source: str, path: Path, decoder: DeviceDecoder, observations: Observations) -> None:
@@ -89,7 +89,7 @@ def _decode_file(source: str, path: Path, decoder: DeviceDecoder, observations: 
                     observations.add_frames(tables["frames"])
                     observations.add_values(tables["values"])
             for what, count in sorted(conversion.counters().items()):
-                print(f"fieldspec: {source}: {what}: {count}", file=sys.stderr)
+                print_error(f"{source}: {what}: {count}")
     except OSError as error:
         raise UsageError(f"cannot read {path}: {error.strerror}") from None
 

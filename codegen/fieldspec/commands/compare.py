@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import json
 
 from fieldspec.commands import layout_cache, list_files
+from fieldspec.commands.streams import print_document, print_json
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 
@@ -30,9 +30,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{arguments.file} {error}") from None
     result = compared(items(layout), register_list, arguments.offset, ignored)
     if arguments.format == "json":
-        print(json.dumps(comparison.as_data(result, register_list), ensure_ascii=False, indent=1))
+        print_json(comparison.as_data(result, register_list), indent=1)
     elif arguments.format == "csv":
-        print(comparison.as_csv(result), end="")
+        print_document(comparison.as_csv(result))
     else:
         print_blocks(comparison.blocks(result, register_list))
     return 0 if result.same else 1

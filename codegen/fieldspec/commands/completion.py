@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from fieldspec.commands import specs
+from fieldspec.commands.streams import print_document
 from fieldspec.commands.usage import UsageError
 from fieldspec.explain.readings import DIRECTIONS, option_word
 from fieldspec.model.link import Link
@@ -21,7 +22,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     parser = arguments.parser()
     suggest(parser)
-    print(shtab.complete(parser, shell=arguments.shell))
+    print_document(shtab.complete(parser, shell=arguments.shell) + "\n")
     return 0
 
 

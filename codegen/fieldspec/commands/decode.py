@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import frame_options
+from fieldspec.commands.streams import print_error, print_json, print_line, print_note
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.explain.explanation import Explanation
@@ -43,19 +44,18 @@ class FramePrinter:
         sys.stdout.flush()
 
     def _json(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
-        import json
 
         from fieldspec.render.explanation import as_data
 
         data = as_data(self.layout, reading.explanation, reading.readings, reading.chosen, remarks, reading.wrong)
         if number:
-            print(json.dumps({"line": number, **data}, ensure_ascii=False))
+            print_json({"line": number, **data})
         else:
-            print(json.dumps(data, ensure_ascii=False, indent=1))
+            print_json(data, indent=1)
 
     def _text(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
         if not self.first:
-            print()
+            print_line("")
         self.first = False
         print_blocks(self._blocks(reading, remarks, number))
 
@@ -104,7 +104,7 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin is None:
             raise UsageError("there is no standard input to read frames from")
         if sys.stdin.isatty():
-            print("reading frames from the terminal, one on each line", file=sys.stderr)
+            print_note("reading frames from the terminal, one on each line")
         gc.enable()  # a log may be long
         return Log(layout, options, asked, printer).explain(sys.stdin.buffer)
     line = _frame(layout, text)
@@ -168,14 +168,14 @@ class Log:
                     raise Unreadable(f"it has {LONGEST_LINE} characters or more")
                 log_record = log_line(line, self.links)
             except Unreadable as error:
-                print(f"fieldspec: line {number}: {error}", file=sys.stderr, flush=True)
+                print_error(f"line {number}: {error}")
                 self.wrong = True
                 continue
             if log_record is not None:
                 has_frames = has_frames or bool(log_record.frame)
                 self._line(number, log_record)
         if not has_frames and not self.wrong:
-            print("fieldspec: standard input has no frames", file=sys.stderr)
+            print_error("standard input has no frames")
         return int(self.wrong)
 
     def _line(self, number: int, line: LogLine) -> None:

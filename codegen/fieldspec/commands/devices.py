@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
 from fieldspec.commands import specs
+from fieldspec.commands.streams import print_error
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.diagnostics import has_errors
 from fieldspec.reading.project import DeviceSpec
@@ -22,7 +22,7 @@ def run(arguments: argparse.Namespace) -> int:
     project = specs.project(arguments.specs)
     print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
     if has_errors(project.findings):
-        print("fieldspec: the specs have findings; see them with: fieldspec check", file=sys.stderr)
+        print_error("the specs have findings; see them with: fieldspec check")
         return 1
     return 0
 

@@ -11,6 +11,7 @@ from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged
 from fieldspec.changes.rules.facts import device_added, device_removed
 from fieldspec.classes import dataclass
 from fieldspec.commands.spec_states import SpecState, spec_state
+from fieldspec.commands.streams import print_document
 from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import Diagnostic, in_order
@@ -43,11 +44,11 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         from fieldspec.render.changes_formats import format_changes
 
-        print(format_changes(differences, arguments.format), end="")
+        print_document(format_changes(differences, arguments.format))
     if unused and arguments.format not in REVIEWS:
         from fieldspec.render.finding_text import rendered
 
-        print(rendered(unused), end="", file=sys.stderr)
+        print_document(rendered(unused), sys.stderr)
     failed = arguments.fail_on is not None and hurts(differences, arguments.fail_on)
     return 1 if failed or unused else 0
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import sys
 import webbrowser
 from pathlib import Path
 
 from fieldspec.carriers.carrier import CarrierError
 from fieldspec.carriers.pages import PageServer
 from fieldspec.commands.build import build
+from fieldspec.commands.streams import print_line
 from fieldspec.commands.usage import UsageError
 
 OUTPUT = "docs"
@@ -32,9 +34,11 @@ def run(arguments: argparse.Namespace) -> int:
     except CarrierError as error:
         raise UsageError(f"{error}; choose another one with --port, or 0 for one that is free") from None
     try:
-        print(f"serving {folder} at {server.address}, until interrupted", flush=True)
+        print_line(f"serving {folder} at {server.address}, until interrupted")
+        sys.stdout.flush()
         if not arguments.no_open and not webbrowser.open(server.address):
-            print("there is no browser to open it", flush=True)
+            print_line("there is no browser to open it")
+            sys.stdout.flush()
         server.serve()
     except KeyboardInterrupt:
         return 0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import re
-import sys
 from collections.abc import Collection, Iterator, Mapping
 
 from fieldspec.classes import dataclass
@@ -12,6 +11,7 @@ from fieldspec.commands import layout_cache
 from fieldspec.commands.encode_computed import computed
 from fieldspec.commands.encode_parameters import with_parameter
 from fieldspec.commands.frame_options import frame_options, number_of
+from fieldspec.commands.streams import print_error, print_json, print_line
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.parameters import nearest, parameter_number
@@ -25,7 +25,6 @@ from fieldspec.layout.value_texts import spec_text
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
 from fieldspec.model.quantity import count_of
 from fieldspec.model.record import Message, RegisterAccess
-from fieldspec.render.blocks import visible_text
 
 _MOST = 20
 
@@ -244,7 +243,7 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> objec
     if count is None or count.is_whole:
         return text
     which = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
-    print(f"fieldspec: {name}: {text} is {count.exact} counts; {count.raw} is sent{which}", file=sys.stderr)
+    print_error(f"{name}: {text} is {count.exact} counts; {count.raw} is sent{which}")
     return count.raw
 
 
@@ -259,8 +258,6 @@ def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
 def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
     characters = frame.decode("latin-1") if layout.links[way.link].link.encoding == "hex_ascii" else None
     if form == "json":
-        import json
-
         data = {
             "device": layout.device.id,
             "version": layout.device.version,
@@ -271,11 +268,11 @@ def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
             "frame": frame.hex().upper(),
             "characters": characters,
         }
-        print(json.dumps(data, ensure_ascii=False, indent=1))
+        print_json(data, indent=1)
         return
-    print(frame.hex(" ").upper())
+    print_line(frame.hex(" ").upper())
     if form == "text" and characters is not None:
-        print(visible_text(characters))
+        print_line(characters)
 
 
 _BITS = {"true": 1, "false": 0, "on": 1, "off": 0}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING
 from fieldspec.audit.register_dump import compared
 from fieldspec.commands import list_files, regular_file
 from fieldspec.commands.regular_file import SizeError
+from fieldspec.commands.streams import print_error
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.evidence.dump_values import add_dump, add_scan
@@ -195,7 +195,7 @@ def _add_capture(unit: UnitEvidence, observables: Observables, path: Path, sourc
                 for batch in batches:
                     values.add(batch)
             for what, count in sorted(conversion.counters().items()):
-                print(f"fieldspec: {path}: {what}: {count}", file=sys.stderr)
+                print_error(f"{path}: {what}: {count}")
     except CaptureError as error:
         raise UsageError(f"{path} could not be read: {error}") from None
     except OSError as error:

@@ -9,6 +9,7 @@ from pathlib import Path
 from fieldspec.classes import replace
 from fieldspec.commands import layout_cache
 from fieldspec.commands.storage import write
+from fieldspec.commands.streams import print_document
 from fieldspec.commands.usage import UsageError
 from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.omissions import expressed
@@ -25,7 +26,7 @@ def run(arguments: argparse.Namespace) -> int:
         from fieldspec.render.finding_text import rendered
 
         help = "it is left out; name its values in `fieldspec live`, which reads where they are"
-        print(rendered([replace(finding, help=help) for finding in remaining.findings]), end="", file=sys.stderr)
+        print_document(rendered([replace(finding, help=help) for finding in remaining.findings]), sys.stderr)
     layout = remaining.layout
     entries = items(layout)
     if not entries:
@@ -37,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.out is not None:
         write(Path(arguments.out), data)
     elif arguments.to != "xlsx":
-        print(data.decode("utf-8"), end="")
+        print_document(data.decode("utf-8"))
     elif sys.stdout.isatty():
         raise UsageError("a workbook cannot be printed; name a file with --out")
     else:

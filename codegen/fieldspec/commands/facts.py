@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from decimal import Decimal
 
 from fieldspec.commands import layout_cache
+from fieldspec.commands.streams import print_json, print_rows
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -16,13 +16,9 @@ def run(arguments: argparse.Namespace) -> int:
 
     fact_rows = rows(layout_cache.requested_layout(arguments))
     if arguments.format == "csv":
-        import csv
-
-        writer = csv.writer(sys.stdout, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        writer.writerows([_csv(row[column]) for column in COLUMNS] for row in fact_rows)
+        print_rows([COLUMNS, *([_csv(row[column]) for column in COLUMNS] for row in fact_rows)])
     else:
-        print(json.dumps(fact_rows, ensure_ascii=False, indent=1, default=_number))
+        print_json(fact_rows, indent=1, default=_number)
     return 0
 
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from fieldspec.classes import TYPE_CHECKING, attributes, dataclass
 from fieldspec.commands import cache_folder
@@ -109,11 +110,12 @@ class EarlierBuild:
         self.trusted = trusted
         self._compiler = _running(packages or {}) if trusted else ""
         note = cache_folder.cached(KIND, self._name) if self._compiler else None
-        earlier_data = json.loads(note) if note else {}
-        if earlier_data.get("compiler") == self._compiler:
-            self._note = earlier_data
-            self._specs, self.shared = earlier_data["specs"], earlier_data["shared"]
-            self.devices = {name: Built(**device_data) for name, device_data in earlier_data["devices"].items()}
+        with suppress(*_WRONG_SHAPE):  # another program has written it
+            data = json.loads(note or b"{}")
+            if data["compiler"] == self._compiler:
+                specs, shared, devices = _hashes(data["specs"]), _by_name(data["shared"], _hashes), data["devices"]
+                self.devices = _by_name(devices, _built)
+                self._note, self._specs, self.shared = data, specs, shared
 
     def changed(self, device: str) -> list[str]:
         """The files for which a device must be read again: changed, new or gone; `*` where nothing is known of it."""
@@ -160,6 +162,32 @@ class EarlierBuild:
         }
         if data != self._note:
             cache_folder.store(KIND, self._name, json.dumps(data, separators=(",", ":")).encode())
+
+
+_WRONG_SHAPE = (ValueError, KeyError, TypeError, AttributeError, RecursionError)
+"""What reading data of another shape raises."""
+_Entry = TypeVar("_Entry")
+
+
+def _by_name(data: Any, entry: Callable[[Any], _Entry]) -> dict[str, _Entry]:
+    """Entries by their names. Raises what is in `_WRONG_SHAPE`."""
+    return {name: entry(value) for name, value in data.items()}
+
+
+def _text(data: Any) -> str:
+    if not isinstance(data, str):
+        raise TypeError("not a text")
+    return data
+
+
+def _hashes(data: Any) -> Hashes:
+    return _by_name(data, _text)
+
+
+def _built(data: Any) -> Built:
+    return Built(
+        _hashes(data["inputs"]), _hashes(data["identities"]), data["warned"] is True, _by_name(data["outputs"], _hashes)
+    )
 
 
 def devices_in(paths: Iterable[str]) -> list[str]:
@@ -264,7 +292,7 @@ def read_manifest(out: Path) -> Manifest:
     """The manifest of the last build; an empty one where it cannot be read."""
     try:
         data = json.loads(content(out / MANIFEST, LARGEST_OUTPUT))
-        specs = {device: dict(files) for device, files in data.get("specs", {}).items()}
-        return Manifest(dict(data["identities"]), specs, dict(data["files"]), dict(data.get("packages", {})))
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        specs, packages = _by_name(data.get("specs", {}), _hashes), _hashes(data.get("packages", {}))
+        return Manifest(_hashes(data["identities"]), specs, _hashes(data["files"]), packages)
+    except (OSError, *_WRONG_SHAPE):
         return Manifest({}, {}, {}, {})

@@ -5,14 +5,15 @@ from __future__ import annotations
 import argparse
 import hashlib
 import re
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 from fieldspec.commands import list_files, specs, storage
+from fieldspec.commands.streams import print_document, print_line, print_note
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import has_errors
 from fieldspec.reading.findings import MAIN
+from fieldspec.reserved import file_name_fault
 from fieldspec.schema import schema
 
 _FOLDER = re.compile(r"[^a-z0-9]+")
@@ -46,13 +47,13 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{arguments.file} {error}") from None
     _passes(device, text, arguments.file)
     if arguments.to == "-":
-        print(text, end="")
+        print_document(text)
         return 0
     storage.write(path, text.encode("utf-8"), new=True)
     skipped = f", {len(register_list.skipped)} rows without an address" if register_list.skipped else ""
-    print(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
+    print_line(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
     for remark in _remarks(text):
-        print(remark, file=sys.stderr)
+        print_note(remark)
     return 0
 
 
@@ -79,6 +80,8 @@ def _device(path: Path) -> str:
     identity = name if re.fullmatch(form["pattern"], name) else _FOLDER.sub("-", name.lower()).strip("-") or "device"
     if path.name == MAIN and identity != name:
         raise UsageError(f"the folder {name} is not a valid name of a device: {form['description']}")
+    if fault := file_name_fault(path.name) or file_name_fault(identity):
+        raise UsageError(f"the name in {path} {fault}; choose another one")
     if not re.fullmatch(form["pattern"], identity) or len(identity) > form["maxLength"]:
         raise UsageError(f"{identity} is not a valid name of a device: {form['description']}")
     return str(identity)

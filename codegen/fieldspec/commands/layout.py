@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
+from fieldspec.commands.streams import print_line
 from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
@@ -30,13 +31,13 @@ def run(arguments: argparse.Namespace) -> int:
     wrong = []
     for number, (record, fact, title) in enumerate(_matching_records(layout, arguments.record)):
         if number:
-            print()
+            print_line("")
         images = Images(layout, SpecNaming(), packed=memory.bits)
         image = placed(images.of(record, "record", fact, title), memory, images.structs)
         print_blocks(blocks(image, title))
         wrong += misfit_findings(image)
     if wrong:
-        print()
+        print_line("")
         print_findings(wrong, "text", "")
     return 1 if wrong else 0
 

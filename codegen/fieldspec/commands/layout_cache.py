@@ -7,6 +7,7 @@ stored as lines of JSON, and an object is rebuilt when it is first accessed.
 from __future__ import annotations
 
 import json
+import os
 from enum import Enum
 from importlib import import_module
 
@@ -63,8 +64,8 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
 def _key(text: str, files: dict[str, bytes]) -> str:
     """The key of a layout; empty where the files of the compiler cannot be read."""
     try:
-        named = [part for path, content in files.items() for part in (path.encode(), content)]
-        return cache_folder.checksum(cache_folder.state().encode(), text.encode(), *named)
+        named = [part for path, content in files.items() for part in (os.fsencode(path), content)]
+        return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named)
     except OSError:
         return ""
 
@@ -92,8 +93,14 @@ HOMES = ("fieldspec.model.", "fieldspec.layout.", "fieldspec.names:")
 
 
 def to_json(root: object) -> bytes:
-    """An object, and all objects in it, as lines of JSON. Of source files, only paths are stored."""
-    return _Freezing().lines(root)
+    """An object, and all objects in it, as lines of JSON behind their seal. Of source files, only paths are stored."""
+    lines = _Freezing().lines(root)
+    return _seal(lines) + b"\n" + lines
+
+
+def _seal(lines: bytes) -> bytes:
+    """What only `to_json` writes before lines, so that none are of a wrong shape when they are read, one by one."""
+    return cache_folder.checksum(b"layout", lines).encode()
 
 
 def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
@@ -101,7 +108,10 @@ def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
 
     Raises ValueError for other content, and for a class that does not belong to a layout.
     """
-    head, *lines = content.decode().split("\n")
+    seal, _, sealed_lines = content.partition(b"\n")
+    if seal != _seal(sealed_lines):
+        raise ValueError("the lines are not those of a layout")
+    head, *lines = sealed_lines.decode().split("\n")
     classes, files = _parse_line(head)
     if not all(name.startswith(HOMES) for name in classes):
         raise ValueError("the classes do not belong to a layout")

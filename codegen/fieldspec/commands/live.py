@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from fieldspec.commands.live_output import print_values, progress
 from fieldspec.commands.live_transfer import TRANSFERS, transfer_values
 from fieldspec.commands.live_writing import write_values
 from fieldspec.commands.scan import scan_device
+from fieldspec.commands.streams import print_document, print_error, print_note
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.live.access import find
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
@@ -68,7 +68,7 @@ def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace
     except NoAnswerError as error:
         unit = f"unit {client.unit_address} on " if client.head else ""
         text = f"{error} from {unit}{client.frames.link.name}"
-    print(f"fieldspec: {client.layout.device.id}: {text}", file=sys.stderr)
+    print_error(f"{client.layout.device.id}: {text}")
     return 1
 
 
@@ -91,10 +91,10 @@ def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
     if not firmware.text:
         text = f"{firmware.doubt}, and the verb is for {own}"
     if any_version or not firmware.is_asked:
-        print(f"{layout.device.id}: {text}", file=sys.stderr)
+        print_note(f"{layout.device.id}: {text}")
         return True
     advice = f"say {layout.device.id}@{firmware.version}" if firmware.version else "see what the manual says of it"
-    print(f"fieldspec: {text}; nothing is written: {advice}, or --any-version", file=sys.stderr)
+    print_error(f"{text}; nothing is written: {advice}, or --any-version")
     return False
 
 
@@ -117,7 +117,7 @@ def _read(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
     with progress(access.size(items), "reading") as done:
         values = list(access.read(client, items, done))
     for text in remarks:
-        print(f"{client.layout.device.id}: {text}", file=sys.stderr)
+        print_note(f"{client.layout.device.id}: {text}")
     return print_values(access, values, arguments.format)
 
 
@@ -153,7 +153,7 @@ def _dump(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
     rows = access.dump_rows(items, values)
     text = dump_text(rows)
     if arguments.arguments[0] == "-":
-        print(text, end="")
+        print_document(text)
     else:
         try:
             Path(arguments.arguments[0]).write_text(text, "utf-8", newline="\n")
@@ -161,7 +161,7 @@ def _dump(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
             raise UsageError(f"cannot write {arguments.arguments[0]}: {error.strerror}") from None
     refused = [value.path for value in values if value.refusal and not value.is_absent]
     note = f", {len(refused)} values refused: {', '.join(refused[:5])}" if refused else ""
-    print(f"{len(rows)} {'words' if access.heading == 'address' else 'parameters'}{note}", file=sys.stderr)
+    print_note(f"{len(rows)} {'words' if access.heading == 'address' else 'parameters'}{note}")
     return int(bool(refused))
 
 

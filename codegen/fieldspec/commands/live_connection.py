@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
@@ -11,6 +10,7 @@ from fieldspec.carriers.carrier import Carrier, CarrierError
 from fieldspec.carriers.sockets import Connection, Datagrams
 from fieldspec.carriers.terminals import SerialPort
 from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands.streams import print_note
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.hazards import is_bare
 from fieldspec.layout.device import DeviceLayout
@@ -164,7 +164,7 @@ def _client(
     timing = Timing(arguments.timeout, pause, arguments.retries)
 
     def trace(direction: str, frame: bytes) -> None:
-        print(f"{direction} {frame.hex(' ').upper()}", file=sys.stderr)
+        print_note(f"{direction} {frame.hex(' ').upper()}")
 
     return Client(layout, link.name, carrier, unit, timing, trace=trace if arguments.trace else None, fixed=fixed)
 
@@ -185,7 +185,7 @@ def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.
     if ranges is not None and unit not in ranges:
         unit = ranges.low
     if arguments.format == "text":
-        print(unit_address_text(unit), file=sys.stderr, flush=True)
+        print_note(unit_address_text(unit))
     return unit
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands.streams import print_document, print_json, print_note
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.explain.values import DecodedValue
@@ -73,11 +73,11 @@ def print_values(access: Access, values: Sequence[Reading], form: str) -> int:
             }
             for value in values
         ]
-        print(json.dumps(rows, ensure_ascii=False, indent=1), flush=True)
+        print_json(rows, indent=1)
     else:
         table = tuple((v.path, access.number_text(access.number(v)), number(v), meaning(v)) for v in values)
         print_blocks([Table(("name", access.heading, "value", "meaning"), table)])
-        sys.stdout.flush()
+    sys.stdout.flush()
     return int(any(value.refusal for value in values))
 
 
@@ -96,8 +96,8 @@ def confirmed(arguments: argparse.Namespace) -> bool:
         return True
     if not can_ask(arguments):
         raise UsageError("nothing is written: confirm what stands above with --yes")
-    print("Write? [y/N] ", end="", file=sys.stderr, flush=True)
+    print_document("Write? [y/N] ", sys.stderr)
     if sys.stdin.readline().strip().lower() in ("y", "yes"):
         return True
-    print("nothing was written", file=sys.stderr)
+    print_note("nothing was written")
     return False

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,6 +11,7 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import list_files, storage
 from fieldspec.commands.journal_file import JournalFile
 from fieldspec.commands.live_output import confirmed, progress
+from fieldspec.commands.streams import print_error, print_json, print_note
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.lists.sheet import ListError, Sheet, letters
@@ -79,8 +79,8 @@ def _print_findings(name: str, sheet: Sheet, findings: Sequence[ListFinding]) ->
             place = str(finding.row or 1)
         elif form == ".json":
             place = f"item {finding.row - 1}" if finding.row > 1 else "keys"
-        print(f"{name}:{place}: {finding.text}", file=sys.stderr)
-    print(f"{len(findings)} finding{'s' * (len(findings) > 1)}; nothing was written", file=sys.stderr)
+        print_note(f"{name}:{place}: {finding.text}")
+    print_note(f"{len(findings)} finding{'s' * (len(findings) > 1)}; nothing was written")
 
 
 def _save(client: Client, access: Access, path: Path, verb: str, arguments: argparse.Namespace) -> int:
@@ -88,7 +88,7 @@ def _save(client: Client, access: Access, path: Path, verb: str, arguments: argp
     table = _table(client, arguments) if verb == "download" else ""
     chosen = elements(access, table) if table else settings(access)
     for text in left_out(access, table) if table else ():
-        print(f"left out: {text}", file=sys.stderr)
+        print_note(f"left out: {text}")
     if not chosen:
         raise UsageError(f"{client.layout.device.id} has no values that can be both read and written")
     with progress(access.size(chosen), "reading") as done:
@@ -97,7 +97,7 @@ def _save(client: Client, access: Access, path: Path, verb: str, arguments: argp
     storage.write(path, content)
     refused = [value.path for value in values if value.refusal]
     note = f", {len(refused)} refused: {', '.join(refused[:5])}" if refused else ""
-    print(f"{len(values) - len(refused)} values{note}", file=sys.stderr)
+    print_note(f"{len(values) - len(refused)} values{note}")
     return int(bool(refused))
 
 
@@ -119,7 +119,7 @@ def _differences(client: Client, access: Access, wanted: Sequence[Assignment]) -
 def _compare(client: Client, access: Access, wanted: Sequence[Assignment], arguments: argparse.Namespace) -> int:
     plan = _differences(client, access, wanted)
     if arguments.format == "json":
-        print(json.dumps([_row(access, change) for change in plan], ensure_ascii=False, indent=1))
+        print_json([_row(access, change) for change in plan], indent=1)
     else:
         _print_plan(client, access, plan, False)
         print_blocks([Line(f"{len(plan)} of {len(wanted)} values differ")])
@@ -171,7 +171,7 @@ class _Upload:
             _print_plan(self.client, self.access, plan, self.arguments.dry_run)
         except WriteError as error:
             raise UsageError(str(error)) from None
-        print(f"{len(plan)} of {len(wanted)} values differ", file=sys.stderr)
+        print_note(f"{len(plan)} of {len(wanted)} values differ")
         if self.arguments.dry_run:
             return 0
         if not plan:
@@ -180,9 +180,9 @@ class _Upload:
         for hazard in sorted({hazard for change in plan for hazard in change.chosen.hazards}):
             own = [change.path for change in plan if hazard in change.chosen.hazards]
             more = f" and {len(own) - 3} more" if len(own) > 3 else ""
-            print(f"{', '.join(own[:3])}{more}: {hazard}", file=sys.stderr)
+            print_note(f"{', '.join(own[:3])}{more}: {hazard}")
         for text in active_states(self.access, self.client):
-            print(text, file=sys.stderr)
+            print_note(text)
         if not confirmed(self.arguments):
             return 1
         return self._write(wanted, plan)
@@ -199,7 +199,7 @@ class _Upload:
 
                 transfer(self.access, self.client, plan, self._before, after)
         except TransferError as error:
-            print(f"fieldspec: {error}", file=sys.stderr)
+            print_error(error)
             self._print_state(plan, "" if error.uncertain else self.open)
             return 1
         except BaseException:
@@ -209,9 +209,9 @@ class _Upload:
             self.journal.close()
         rest = _differences(self.client, self.access, wanted)
         self.journal.remove()
-        print(f"{len(plan)} value{'s' * (len(plan) > 1)} written and verified", file=sys.stderr)
+        print_note(f"{len(plan)} value{'s' * (len(plan) > 1)} written and verified")
         if rest:
-            print(f"{len(rest)} of {len(wanted)} values differ again: writing others has changed them", file=sys.stderr)
+            print_note(f"{len(rest)} of {len(wanted)} values differ again: writing others has changed them")
             _print_plan(self.client, self.access, rest, False)
         return int(bool(rest))
 
@@ -221,31 +221,31 @@ class _Upload:
 
     def _print_state(self, plan: Sequence[Change], settled: str = "") -> None:
         """What is written after a break; `settled` is a path of which the state is known."""
-        print(f"written and verified: {_names(self.verified)}", file=sys.stderr)
+        print_note(f"written and verified: {_names(self.verified)}")
         if self.open and self.open != settled:
-            print(f"may be written or not: {self.open}", file=sys.stderr)
+            print_note(f"may be written or not: {self.open}")
         rest = [change.path for change in plan if change.path not in self.verified and change.path != self.open]
         rest += [self.open] if settled else []
-        print(f"not as the file says: {_names(rest)}", file=sys.stderr)
-        print(f"{self.journal.path} has this state; the same command continues", file=sys.stderr)
+        print_note(f"not as the file says: {_names(rest)}")
+        print_note(f"{self.journal.path} has this state; the same command continues")
 
     def _print_earlier(self, wanted: Sequence[Assignment], plan: Sequence[Change]) -> None:
         """What an earlier run, which did not end, has left."""
         state = self.journal.state
         if state is None:
             return
-        print(f"an earlier run was interrupted; it has written and verified: {_names(state.verified)}", file=sys.stderr)
+        print_note(f"an earlier run was interrupted; it has written and verified: {_names(state.verified)}")
         if state.digest != self.journal.digest:
-            print("the file has changed since then", file=sys.stderr)
+            print_note("the file has changed since then")
         if not state.path:
             return
         own = next((item for item in wanted if item.path == state.path), None)
         if own is None:
-            print(f"it may have written {state.path}, which the file no longer has", file=sys.stderr)
+            print_note(f"it may have written {state.path}, which the file no longer has")
             return
         present = next((change.before.words for change in plan if change.path == state.path), own.words)
         has = {state.before: "what it had before", state.after: "what was to be written"}.get(present, "neither value")
-        print(f"it was writing {state.path}, which has {has}", file=sys.stderr)
+        print_note(f"it was writing {state.path}, which has {has}")
 
 
 def _names(paths: Sequence[str]) -> str:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 
 from fieldspec.carriers.carrier import CarrierError
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.live_output import can_ask, confirmed, meaning, number
+from fieldspec.commands.streams import print_error, print_line, print_note
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.live.access import differs
@@ -27,15 +27,15 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
     frames = _frames(client, access, chosen)
     for item in chosen:
         for hazard in item.hazards:
-            print(f"{item.path}: {hazard}", file=sys.stderr)
+            print_note(f"{item.path}: {hazard}")
     if arguments.dry_run:
         for names, frame in frames:
-            print(f"{names}: {frame.hex(' ').upper()}")
+            print_line(f"{names}: {frame.hex(' ').upper()}")
         return 0
     if any(item.hazards for item in chosen):
         if can_ask(arguments):
             for state in active_states(access, client):
-                print(state, file=sys.stderr)
+                print_note(state)
         if not confirmed(arguments):
             return 1
     code = 0
@@ -44,7 +44,7 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
         reason, holds = _outcome(client, access, item, is_sent)
         if reason:
             before = ", ".join(other.path for other in chosen[:at]) or "nothing"
-            print(f"fieldspec: {item.path} {reason}; written before it: {before}", file=sys.stderr)
+            print_error(f"{item.path} {reason}; written before it: {before}")
             return 1
         code = code or int(not holds)
     return code
@@ -94,7 +94,9 @@ def _outcome(client: Client, access: Access, item: Assignment, is_sent: bool) ->
         if not is_sent:
             access.write(client, item)
     except RefusedError as error:
-        return f"is not written: {error}", False
+        if error.is_known:
+            return f"is not written: {error}", False
+        return f"may be written or not: {error}, which the spec does not list", False
     except (NoAnswerError, CarrierError) as error:
         return f"may be written or not: {error}", False
     try:

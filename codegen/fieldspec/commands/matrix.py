@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import sys
 from itertools import pairwise
 
 from fieldspec.changes.comparison import Comparison
 from fieldspec.changes.reasons import stated_reasons
 from fieldspec.commands import specs
+from fieldspec.commands.streams import print_document, print_rows
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.commands.versions import each
@@ -34,13 +33,12 @@ def run(arguments: argparse.Namespace) -> int:
             [_table(fact_matrix)] if fact_matrix.rows else [Line(f"all versions of {name} have the same facts")]
         )
     elif arguments.format == "csv":
-        writer = csv.writer(sys.stdout, lineterminator="\n")
-        writer.writerow(("path", "kind", *fact_matrix.versions))
-        writer.writerows((row.path, row.kind, *row.cells) for row in fact_matrix.rows)
+        head = ("path", "kind", *fact_matrix.versions)
+        print_rows([head, *((row.path, row.kind, *row.cells) for row in fact_matrix.rows)])
     else:
         from fieldspec.render.matrix_html import rendered
 
-        print(rendered(spec.id, fact_matrix), end="")
+        print_document(rendered(spec.id, fact_matrix))
     return 0
 
 

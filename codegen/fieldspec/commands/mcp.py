@@ -121,8 +121,8 @@ def _add_writes(server: MCPServer[None], places: Places) -> None:
     def write(device: str, assignments: list[str], confirmed: bool = False) -> str:
         """Writes values, each as NAME=VALUE, and reads them back. A machine may move.
 
-        Without `confirmed`, nothing is written that starts something, is stored for good or wears a memory: the answer
-        then says what. Confirm only what a person has agreed to.
+        Without `confirmed`, nothing is written that starts, energizes or releases something, is stored for good or
+        wears a memory: the answer then says what. Confirm only what a person has agreed to.
         """
         own = ("--port", _place(places, device), *(["--yes"] if confirmed else []), *places.options)
         return _verb("live", (device, "write", *assignments), own)

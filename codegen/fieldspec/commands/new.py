@@ -13,6 +13,7 @@ from string import Template
 from fieldspec.commands import regular_file, spec_files, specs
 from fieldspec.commands.spec_files import INSTALLED
 from fieldspec.commands.storage import write
+from fieldspec.commands.streams import print_line
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.model.address_space import BIT, WORD
 from fieldspec.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
@@ -20,6 +21,7 @@ from fieldspec.reading.nodes import Mapping, Scalar, identity, mappings
 from fieldspec.reading.project import DeviceSpec, read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.reserved import file_name_fault
 from fieldspec.schema import schema
 
 SHAPES = ("packet", "telegram")
@@ -51,7 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.protocol is not None and arguments.protocol not in SHAPES:
         _bring_protocols(path.parent.parent, arguments.protocol)
     write(path, text.encode("utf-8"), new=True)
-    print(specs.relative_path(path))
+    print_line(specs.relative_path(path))
     return 0
 
 
@@ -145,7 +147,7 @@ def _bring_protocols(folder: Path, name: str) -> None:
             used = (use.values.get("protocol") for use in mappings(tree.values.get("uses")))
             waiting += [use.text for use in used if isinstance(use, Scalar) and use.text not in waiting]
         write(folder / path, data, new=True)
-        print(specs.relative_path(folder / path))
+        print_line(specs.relative_path(folder / path))
 
 
 def _overlays(path: Path) -> Iterator[str]:
@@ -209,6 +211,8 @@ def _text(mapping: Mapping, key: str) -> str:
 
 def _fits(text: str, form: str, what: str) -> None:
     part = schema()["$defs"][form]
+    if fault := file_name_fault(text):
+        raise UsageError(f"{text} is not a valid name of {what}: it {fault}; choose another one")
     if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
         raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
 

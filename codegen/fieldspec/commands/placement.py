@@ -18,7 +18,7 @@ from pathlib import Path
 
 from fieldspec.classes import attributes, dataclass
 from fieldspec.commands.regular_file import content
-from fieldspec.commands.storage import BESIDE, lock, missing_folders, sync_folder, unlock, write_through
+from fieldspec.commands.storage import BESIDE, lock, locked_folder, missing_folders, sync_folder, unlock, write_through
 from fieldspec.commands.usage import UsageError
 
 _FOLDER = re.compile(re.escape(BESIDE) + "[0-9a-f]{16}")
@@ -59,11 +59,7 @@ class Staging:
 
     def _enter(self) -> None:
         self._absent = missing_folders(self.out)
-        while self._lock is None:
-            with suppress(FileNotFoundError):  # another build has removed the folder again
-                self.out.mkdir(parents=True, exist_ok=True)
-                self._lock = lock(self.out)
-                break
+        self._lock = locked_folder(self.out)
         for folder in _left_over(self.out):
             self._recover(folder)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
 from typing import Any
@@ -15,6 +14,7 @@ from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
+from fieldspec.reserved import file_name_fault
 from fieldspec.spreadsheet import Workbook
 
 
@@ -81,8 +81,10 @@ def _checked_files(plugin: Plugin, files: Any) -> Files:
     if not isinstance(files, dict):
         raise plugin.error("its files are not a dict of contents by path")
     for path, value in files.items():
-        if not isinstance(path, str) or not all(step not in ("", ".", "..") for step in re.split(r"[/\\:]", path)):
+        if not isinstance(path, str):
             raise plugin.error(f"{path!r} is no path of a file below the folder of the output")
+        for fault in filter(None, map(file_name_fault, path.split("/"))):
+            raise plugin.error(f"{path!r} is no path of a file below the folder of the output: a name in it {fault}")
         if not isinstance(value, (str, Workbook)):
             raise plugin.error(f"the content of {path} is neither a text nor a workbook")
     return files

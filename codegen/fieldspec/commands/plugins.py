@@ -82,15 +82,26 @@ def _installed(anew: bool) -> tuple[Plugin, ...]:
     except OSError:
         return _searched()
     if state not in _known:
-        stored = None if anew else cache_folder.cached(KIND, state)
-        if stored is not None:
-            _known[state] = tuple(Plugin(*row) for row in json.loads(stored))
-        else:
-            _known[state] = _searched()
-            if not anew:
-                rows = [[getattr(plugin, name) for name in attributes(Plugin)] for plugin in _known[state]]
-                cache_folder.store(KIND, state, json.dumps(rows).encode())
+        stored = None if anew else _stored(state)
+        _known[state] = _searched() if stored is None else stored
+        if stored is None and not anew:
+            rows = [[getattr(plugin, name) for name in attributes(Plugin)] for plugin in _known[state]]
+            cache_folder.store(KIND, state, json.dumps(rows).encode())
     return _known[state]
+
+
+def _stored(state: str) -> tuple[Plugin, ...] | None:
+    """What an earlier run has found; None where nothing is stored, or another program has written it."""
+    content = cache_folder.cached(KIND, state)
+    try:
+        rows = json.loads(content or b"")
+        if not isinstance(rows, list) or not all(
+            isinstance(row, list) and all(isinstance(text, str) for text in row) for row in rows
+        ):
+            return None
+        return tuple(Plugin(*row) for row in rows)
+    except (ValueError, TypeError, RecursionError):
+        return None
 
 
 def _searched() -> tuple[Plugin, ...]:

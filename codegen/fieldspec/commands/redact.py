@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,6 +14,7 @@ from fieldspec.commands import list_files, regular_file, specs, storage
 from fieldspec.commands.bulk_decoding import require_captures
 from fieldspec.commands.evidence_audit import is_dump
 from fieldspec.commands.regular_file import SizeError
+from fieldspec.commands.streams import print_error
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.evidence.notes import FILE, REDACTED
@@ -236,5 +236,5 @@ def _report(layout: DeviceLayout, redaction: Redaction, outputs: Sequence[_Outpu
     print_blocks(blocks)
     problems = [problem for output in outputs for problem in output.problems]
     for problem in problems:
-        print(f"fieldspec: left out: {problem}", file=sys.stderr)
+        print_error(f"left out: {problem}")
     return int(bool(problems))

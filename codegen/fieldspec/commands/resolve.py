@@ -6,6 +6,7 @@ import argparse
 
 from fieldspec.classes import replace
 from fieldspec.commands import specs
+from fieldspec.commands.streams import print_document
 from fieldspec.reading.nodes import Mapping, Sequence
 from fieldspec.render.resolved import resolved
 
@@ -26,5 +27,5 @@ def run(arguments: argparse.Namespace) -> int:
         if isinstance(section_items, Sequence):
             items = tuple(item.without(key) if isinstance(item, Mapping) else item for item in section_items.items)
             tree = tree.with_value(section, replace(section_items, items=items))
-    print(resolved(tree), end="")
+    print_document(resolved(tree))
     return 0

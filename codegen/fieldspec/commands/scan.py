@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import json
 import re
-import sys
 from collections.abc import Sequence
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import specs
 from fieldspec.commands.live_connection import connected, unsent
 from fieldspec.commands.live_output import progress
+from fieldspec.commands.streams import print_error, print_json
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.live.bases import located
@@ -34,7 +33,7 @@ def run(arguments: argparse.Namespace) -> int:
         with connected(layout, arguments) as client:
             return scan_device(client, spec, arguments)
     except (NoAnswerError, RefusedError) as error:
-        print(f"fieldspec: {layout.device.id}: {error}", file=sys.stderr)
+        print_error(f"{layout.device.id}: {error}")
         return 1
     except CodecError as error:
         raise unsent(error) from None
@@ -53,7 +52,7 @@ def scan_device(client: Client, spec: DeviceSpec, arguments: argparse.Namespace)
     }
     alike = [version for version, count in differences.items() if count == min(differences.values())]
     if arguments.format == "json":
-        print(json.dumps(_data(client, results, differences, alike), indent=1))
+        print_json(_data(client, results, differences, alike), indent=1)
     else:
         _print(client, results, differences, alike)
     return 0

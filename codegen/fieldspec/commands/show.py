@@ -6,6 +6,7 @@ import argparse
 
 from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
+from fieldspec.commands.streams import print_line
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout, TableLayout
@@ -24,7 +25,7 @@ def run(arguments: argparse.Namespace) -> int:
     number = number_of(arguments.item)
     for at, item in enumerate(_meant(layout, arguments.item, number)):
         if at:
-            print()
+            print_line("")
         print_blocks(blocks(layout, item, _address_in(layout, item, number)))
     return 0
 

@@ -14,6 +14,7 @@ from fieldspec.carriers.carrier import CarrierError, LineSettings
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import list_files, specs
 from fieldspec.commands.live_connection import unit_address_text
+from fieldspec.commands.streams import print_error, print_json, print_note
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.dump import dump, object_sheet
@@ -71,12 +72,12 @@ def run(arguments: argparse.Namespace) -> int:
         for link, place in places:
             settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity)
             name = _served(simulation, link, place, settings, is_stated=bool(arguments.port))
-            print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
+            print_note(f"{layout.device.id} {layout.device.version}, {link}: {name}")
         if arguments.websocket is not None:
             for link, name in _serve_browsers(simulation, arguments.websocket).items():
-                print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
+                print_note(f"{layout.device.id} {layout.device.version}, {link}: {name}")
         if arguments.unit is None and _has_unit_address(layout):
-            print(unit_address_text(simulation.server.unit_address), file=sys.stderr, flush=True)
+            print_note(unit_address_text(simulation.server.unit_address))
         if arguments.view:
             from fieldspec.commands.simulation_view import show
 
@@ -217,7 +218,7 @@ def _seed(simulation: Simulation, name: str) -> None:
     except ListError as error:
         raise UsageError(f"{name} {error}") from None
     count, unused = seed(simulation.engine, rows)
-    print(f"{count} words from {name}" + (f", {unused} without a register" if unused else ""), file=sys.stderr)
+    print_note(f"{count} words from {name}" + (f", {unused} without a register" if unused else ""))
 
 
 def _print_assumptions(layout: DeviceLayout, behaviour: Behaviour) -> None:
@@ -248,7 +249,8 @@ def _control(simulation: Simulation) -> None:
             result = carried_out(simulation, command)
         except (CommandError, ValueError) as error:
             result = {"ok": False, "error": str(error)}
-        print(json.dumps(result, ensure_ascii=False), flush=True)
+        print_json(result)
+        sys.stdout.flush()
 
 
 def report_silence(server: Server) -> None:
@@ -258,7 +260,7 @@ def report_silence(server: Server) -> None:
     def complain(reason: str) -> None:
         if reason not in printed and len(printed) < _MOST_REASONS:
             printed.add(reason)
-            print(f"fieldspec: {reason}", file=sys.stderr, flush=True)
+            print_error(reason)
 
     server.complain = complain
 

@@ -10,8 +10,9 @@ from textual.containers import Horizontal
 from textual.widgets import DataTable, Footer, Header, RichLog, Static
 
 from fieldspec.behaviour.part import AXIS_PROPERTIES
+from fieldspec.line_text import visible_text
 from fieldspec.model.operand import Operand
-from fieldspec.render.blocks import visible_text
+from fieldspec.model.quantity import real_text
 from fieldspec.simulator.simulation import Simulation
 
 _PERIOD = 0.2
@@ -62,7 +63,7 @@ class SimulationView(App[None]):
                 cells = simulation.engine.cells.of(operand.path)
                 if cells:
                     table.update_cell(operand.path, "value", str(cells[0].read()))
-            axis = [f"{name:16} {float(simulation.engine.of_axis(name)):g}" for name in AXIS_PROPERTIES]
+            axis = [f"{name:16} {real_text(float(simulation.engine.of_axis(name)))}" for name in AXIS_PROPERTIES]
             states = [f"{name:16} {state}" for name, state in simulation.engine.states.items()]
         self.query_one("#motion", Static).update(visible_text("\n".join([f"{simulation.now():.1f} s", *states, *axis])))
         log = self.query_one("#traffic", RichLog)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import errno
 import os
 import re
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from fieldspec.commands.streams import print_error
 from fieldspec.commands.usage import UsageError
 
 BESIDE = ".fieldspec-"
@@ -59,11 +59,7 @@ def exclusive_folder(folder: Path) -> Iterator[None]:
     absent = missing_folders(folder)
     number = None
     try:
-        while True:
-            with suppress(FileNotFoundError):
-                folder.mkdir(parents=True, exist_ok=True)
-                number = lock(folder)
-                break
+        number = locked_folder(folder)
         for entry in [*os.scandir(folder)]:
             if LEFT_OVER.fullmatch(entry.name) and entry.is_file(follow_symlinks=False):
                 with suppress(OSError):  # it may belong to another user
@@ -137,6 +133,17 @@ def lock(folder: str | os.PathLike[str], shared: bool = False, patient: bool = T
         os.close(number)  # the folder was removed and created again
 
 
+def locked_folder(folder: Path, attempts: int = 100) -> int | None:
+    """Creates a folder and waits for its lock, as `lock` does. Raises OSError where the folder cannot exist."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return lock(folder)
+    except FileNotFoundError:  # another process has removed the folder again, or nobody can create it
+        if not attempts:
+            raise
+    return locked_folder(folder, attempts - 1)
+
+
 def unlock(number: int | None) -> None:
     """Releases a lock."""
     if number is not None:
@@ -151,7 +158,7 @@ def _locked(number: int, shared: bool, patient: bool, folder: str | os.PathLike[
     except BlockingIOError:
         if not patient:
             raise
-        print(f"fieldspec: waiting for another process that uses {os.fspath(folder)}", file=sys.stderr, flush=True)
+        print_error(f"waiting for another process that uses {os.fspath(folder)}")
         fcntl.flock(number, kind)
     except OSError:
         return False

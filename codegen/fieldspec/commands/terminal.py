@@ -10,7 +10,8 @@ from itertools import zip_longest
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.render.blocks import Block, Line, Table, aligned, split, visible_text
+from fieldspec.line_text import visible_text
+from fieldspec.render.blocks import Block, Line, Table, aligned, split
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+WRONG_USE = 2
+"""The exit code of wrong use and of unreadable input."""
+
 
 class UsageError(Exception):
     """Wrong use: one line that says what is wrong and what to do. Exit code 2."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from fieldspec.classes import dataclass, field
+from fieldspec.model.quantity import real_text
 
 MOST_VALUES = 1 << 12
 """The different values that are remembered of one series."""
@@ -61,4 +62,4 @@ class Series:
 
 
 def _text(value: SeriesValue) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return real_text(value) if isinstance(value, float) else str(value)

@@ -43,7 +43,7 @@ def percentage_text(device: Device, conversion: Conversion, number: int) -> str:
 
     percent = conversion.quantity(number, Fraction(100))
     exact = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
-    return f"{decimal_text(exact)} % of {references_text(device, conversion)}"
+    return f"{decimal_text(exact, Fraction(100, conversion.full_scale))} % of {references_text(device, conversion)}"
 
 
 def references_text(device: Device, conversion: Conversion) -> str:

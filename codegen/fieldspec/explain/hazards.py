@@ -2,30 +2,66 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import FieldLayout
+from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter, Register
-from fieldspec.model.value import Handling
+from fieldspec.model.value import Handling, Value
 
 CLEARS = "reading it clears it"
+_STARTS = "writing it starts something"
+_GOES_ON = "it decides whether a move may go on"
+_ENERGIZES = "it energizes the motor, or releases what the motor holds"
+_STORED = "it is stored for good"
+
+COMMANDING = {
+    **dict.fromkeys(("command", "homing_start", "move_start", "jog_positive", "jog_negative"), _STARTS),
+    **dict.fromkeys(("jog_start", "point_start"), _STARTS),
+    **dict.fromkeys(("move_enable", "pause_released"), _GOES_ON),
+    **dict.fromkeys(("servo_enable", "switch_on", "coast_stop_released", "quick_stop_released"), _ENERGIZES),
+    "control_request": _ENERGIZES,
+    "alarm_reset": "it resets the alarm, after which the device may go on",
+    **dict.fromkeys(("save", "save_points"), _STORED),
+    "restart": "it restarts the device",
+}
+"""What writing a fact with a role does. A stop is not among them: it must not wait for an answer."""
 
 
-def write_hazards(*, trigger: bool, access: str, restart: bool | None, handlings: Iterable[Handling]) -> Iterator[str]:
+def roles_of(device: Device, fact: Fact, value: Value | None) -> Iterator[str]:
+    """The roles of a fact, of the signal that a field places, and of the bits of its value."""
+    yield from fact.roles
+    if isinstance(fact, Field) and fact.signal:
+        yield from device.signals[fact.signal].roles
+    for bit in device.flags[value.flags].bits if value is not None and value.flags else ():
+        yield from bit.roles
+
+
+def write_hazards(
+    *, trigger: bool, access: str, restart: bool | None, handlings: Iterable[Handling], roles: Iterable[str]
+) -> Iterator[str]:
     """The hazards of writing a value. The first of `handlings` that states something counts, the own one first."""
-    known = list(handlings)
+    hazards = _hazards_of(trigger, access, restart, list(handlings), list(roles))
+    yield from dict.fromkeys(hazards)
+
+
+def _hazards_of(
+    trigger: bool, access: str, restart: bool | None, known: Sequence[Handling], roles: Sequence[str]
+) -> Iterator[str]:
     if trigger:
-        yield "writing it starts something"
+        yield _STARTS
+    yield from (COMMANDING[role] for role in roles if role in COMMANDING)
     if access == "":
         yield "the manual does not say that it can be written"
     if restart:
         yield "it takes effect after a restart"
     if next((handling.memory for handling in known if handling.memory), "") == "nonvolatile":
-        yield "it is stored for good"
+        yield _STORED
     endurance = next((handling.endurance for handling in known if handling.endurance), "")
     if endurance not in ("", "unlimited"):
         yield f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes"
@@ -103,20 +139,22 @@ def hazards_by_fact(layout: DeviceLayout) -> dict[str, dict[str, list[str]]]:
 def _hazards(layout: DeviceLayout) -> Iterator[tuple[Fact, str, str]]:
     for message in layout.messages.values():
         own = message.message
-        hazards = write_hazards(trigger=False, access="rw", restart=False, handlings=(own.handling,))
+        fields = ((field.field, field.value) for field in message.request.fields)
+        roles = [*own.roles, *(role for fact in fields for role in roles_of(layout.device, *fact))]
+        hazards = write_hazards(trigger=False, access="rw", restart=False, handlings=(own.handling,), roles=roles)
         yield from ((own, "write", text) for text in hazards)
         if any(field.field.handling.clears_on_read for field in message.response.fields):
             yield own, "read", CLEARS
     for register in layout.registers:
-        yield from _of_value(register.register)
+        yield from _of_value(layout.device, register.register)
     for table in layout.tables.values():
-        yield from _of_table(table)
+        yield from _of_table(layout.device, table)
     for parameter_set in layout.device.parameters.values():
         for parameter in parameter_set.parameters:
-            yield from _of_value(parameter)
+            yield from _of_value(layout.device, parameter)
 
 
-def _of_table(table: TableLayout) -> Iterator[tuple[Fact, str, str]]:
+def _of_table(device: Device, table: TableLayout) -> Iterator[tuple[Fact, str, str]]:
     seen: set[tuple[int, ...]] = set()
     for nested in nested_fields(table.record):
         own, holders = nested.field.field, [holder.field for holder in reversed(nested.holders)]
@@ -129,15 +167,22 @@ def _of_table(table: TableLayout) -> Iterator[tuple[Fact, str, str]]:
             yield own, "read", CLEARS
         if access != "ro":
             handlings = (own.handling, *(holder.handling for holder in holders), table.table.handling)
-            hazards = write_hazards(trigger=False, access=access, restart=nested.restart, handlings=handlings)
+            roles = roles_of(device, own, nested.field.value)
+            hazards = write_hazards(
+                trigger=False, access=access, restart=nested.restart, handlings=handlings, roles=roles
+            )
             yield from ((own, "write", text) for text in hazards)
 
 
-def _of_value(fact: Register | Parameter) -> Iterator[tuple[Fact, str, str]]:
+def _of_value(device: Device, fact: Register | Parameter) -> Iterator[tuple[Fact, str, str]]:
     if fact.handling.clears_on_read:
         yield fact, "read", CLEARS
     if fact.access != "ro":
         hazards = write_hazards(
-            trigger=fact.trigger, access=fact.access, restart=fact.restart, handlings=(fact.handling,)
+            trigger=fact.trigger,
+            access=fact.access,
+            restart=fact.restart,
+            handlings=(fact.handling,),
+            roles=roles_of(device, fact, fact.value),
         )
         yield from ((fact, "write", text) for text in hazards)

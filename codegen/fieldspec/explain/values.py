@@ -2,45 +2,25 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Iterator
-from decimal import ROUND_HALF_UP, Context, Decimal
-from math import isfinite
+from decimal import Context, Decimal
 
-from fieldspec.classes import dataclass, replace
+from fieldspec.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Bit, Enum, Flags, State
 from fieldspec.model.ranges import Ranges
-from fieldspec.model.raw_numbers import number_in
+from fieldspec.model.raw_numbers import SinglePrecision, number_in
 from fieldspec.model.text_form import decoded_text, encoding_title, text_form_title
 from fieldspec.model.value import Kind, Value
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
-"""Numbers with at most so many places, or digits, are written in full; others are rounded to so many digits."""
-_SINGLE_DIGITS = 10
-"""Nine digits tell all numbers of four bytes apart."""
-_INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
-"""The least number that four bytes have as infinity."""
-
-
-class SinglePrecision(float):
-    """A number of a floating-point value of four bytes, whose text has the fewest digits that lead to these bytes.
-
-    Its text is `50.02`; that of the same number as a double is `50.02000045776367`.
-    """
-
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        if isfinite(self):
-            exact, four_bytes = Decimal(self), struct.pack("f", self)
-            for digits in range(1, _SINGLE_DIGITS):
-                rounded = float(Context(prec=digits, rounding=ROUND_HALF_UP).plus(exact))
-                if abs(rounded) < _INFINITE_SINGLE and struct.pack("f", rounded) == four_bytes:
-                    return repr(rounded)
-        return float.__repr__(self)
+"""Numbers with at most so many places, or digits, are written in full; others are rounded to no fewer digits."""
+_EXACT = Context(prec=200)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,21 +81,31 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
     return data if number is None else number
 
 
-def decimal_text(number: Decimal) -> str:
-    """A number without an exponent, in full if it is short, else rounded to six digits.
+def decimal_text(number: Decimal, count: Decimal | Fraction) -> str:
+    """A number without an exponent: in full if it is short, else rounded behind the point.
 
+    The last digit is worth less than a `count`, so that no two multiples of it, from any offset, have the same text.
     If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
     """
-    short = number.normalize(Context(prec=200))
+    short = number.normalize(_EXACT)
     if -_exponent(number) <= _MOST_PLACES:
         return format(number, "f")
     if -_exponent(short) <= _MOST_PLACES or len(short.as_tuple().digits) <= _MOST_DIGITS:
         return format(short, "f")
-    for digits in range(_ROUNDED_DIGITS, len(short.as_tuple().digits)):
-        rounded = Context(prec=digits).plus(short).normalize()
-        if len(rounded.as_tuple().digits) == digits:
+    for places in range(max(_resolving_places(count), _ROUNDED_DIGITS - 1 - short.adjusted()), -_exponent(short)):
+        rounded = short.quantize(Decimal(1).scaleb(-places), context=_EXACT)
+        if rounded.as_tuple().digits[-1]:
             return format(rounded, "f")
     return format(short, "f")
+
+
+def _resolving_places(count: Decimal | Fraction) -> int:
+    """The fewest places, at least one, whose last digit is worth less than a count."""
+    above, below = count.as_integer_ratio()
+    places = 1
+    while abs(above) * 10**places <= below:
+        places += 1
+    return places
 
 
 def _exponent(number: Decimal) -> int:
@@ -130,14 +120,14 @@ def in_unit(value: Value, number: int) -> str:
     """
     if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
         return ""
-    return f"{decimal_text(value.in_unit(number))} {value.unit}".strip()
+    return f"{decimal_text(value.in_unit(number), value.scale)} {value.unit}".strip()
 
 
 def range_in_unit(value: Value, ranges: Ranges) -> str:
     """Intervals of raw values as quantities with their unit: `0.00..20.00, 30.00 mm`."""
 
     def bound(count: int) -> str:
-        return decimal_text(value.in_unit(count))
+        return decimal_text(value.in_unit(count), value.scale)
 
     text = ", ".join(bound(low) if low == high else f"{bound(low)}..{bound(high)}" for low, high in ranges.intervals)
     return f"{text} {value.unit}".strip()

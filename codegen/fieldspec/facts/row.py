@@ -32,6 +32,7 @@ COLUMNS = (
     "max",
     "ranges",
     "default",
+    "const",
     "section",
     "line",
     "printed",
@@ -145,7 +146,7 @@ def _reported(kind: str, value: Value | None, report: Report, known: FactRow) ->
 
 
 def of_value(value: Value | None) -> FactRow:
-    """The cells of a value. Bounds and defaults are raw values."""
+    """The cells of a value. Bounds, defaults and constants are raw values."""
     if value is None:
         return {}
     return {
@@ -153,7 +154,8 @@ def of_value(value: Value | None) -> FactRow:
         "bytes": value.size,
         "unit": value.quantity_unit,
         "scale": f"10^{value.scale_by}" if value.scale_by else value.scale_number if value.scaled else None,
-        "default": value.default if value.const is None else value.const,
+        "default": value.default,
+        "const": value.const,
         **of_ranges(value.ranges),
         "write_ranges": value.write_ranges.text() if value.write_ranges is not None else None,
     }

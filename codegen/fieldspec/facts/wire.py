@@ -55,7 +55,7 @@ def _flags(word: Flags) -> Iterator[FactRow]:
     yield from of_fact("flags", word, None, **cells)
     for bit in word.bits:
         number: Cell = bit.first if bit.width == 1 else f"{bit.first}..{bit.last}"
-        cells = {"bit": number, **of_ranges(bit.ranges)}
+        cells = {"bit": number, "default": bit.default, **of_ranges(bit.ranges)}
         if bit.is_number:
             scale = bit.as_value.scale_number if bit.as_value.scaled else None
             cells |= {"type": f"{'i' if bit.signed else 'u'}{bit.width}", "unit": bit.unit, "scale": scale}

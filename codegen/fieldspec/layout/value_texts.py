@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from decimal import Decimal
 from typing import Any
 
 
@@ -19,6 +20,8 @@ def spec_text(raw: Any) -> str:
         return json.dumps(raw, ensure_ascii=False)
     if isinstance(raw, Mapping):
         return f"{{{', '.join(f'{name}: {spec_text(value)}' for name, value in raw.items())}}}"
+    if isinstance(raw, Decimal):
+        return f"{raw:f}"
     if isinstance(raw, list | tuple):
         return f"[{', '.join(map(spec_text, raw))}]"
     return str(raw)

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterable, Mapping
-from decimal import Decimal
+from decimal import Context, Decimal
 from math import ceil, floor
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.quantity import count_of, number_of
+from fieldspec.model.quantity import count_of, number_of, point_text
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Sentinel, Value
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
 
+_EXACT = Context(prec=200)
 _DIGITS = re.compile("[-+]?(?:0x[0-9A-Fa-f]+|[1-9][0-9]*)")
 
 
@@ -161,8 +163,10 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         return number
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
-    if isinstance(entered, str) or (isinstance(entered, float) and value.scaled and not value.unit):
-        return _text(device, path, value, str(entered))
+    if isinstance(entered, float | Decimal) and value.scaled and not value.unit:
+        entered = point_text(entered)
+    if isinstance(entered, str):
+        return _text(device, path, value, entered)
     unit = "; with its unit it may be a fraction" if value.unit else ""
     raise MeaningError(path, f"`{entered}` is no whole number of counts{unit}")
 
@@ -200,16 +204,10 @@ def _near(value: Value, quantity: Fraction) -> str:
     count = (quantity - Fraction(value.offset)) / Fraction(value.scale)
     if not isinstance(value.scale, Decimal):
         return f"; the nearest counts are {floor(count)} and {ceil(count)}"
-    quantities = sorted(value.in_unit(whole).normalize() for whole in (floor(count), ceil(count)))
-    below, above = (f"{near:f}{value.unit}" if value.unit else _with_point(near) for near in quantities)
+    quantities = sorted(value.in_unit(whole).normalize(_EXACT) for whole in (floor(count), ceil(count)))
+    below, above = (f"{near:f}{value.unit}" if value.unit else point_text(near) for near in quantities)
     offset = f"; it has the offset {value.offset:f} {value.unit}".rstrip() if value.offset else ""
     return f"; the nearest ones are {below} and {above}{offset}"
-
-
-def _with_point(number: Decimal) -> str:
-    """A number with a decimal point, without which it would be a count."""
-    text = f"{number:f}"
-    return text if "." in text else f"{text}.0"
 
 
 def _example(value: Value) -> str:
@@ -255,19 +253,29 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
 
 
 def _word(device: Device, path: str, value: Value, entered: list[object] | str) -> int:
-    """The word with the named bits set. `name=member` or `name=number` sets a field of several bits."""
+    """The word with the named bits set. `name=member` or `name=number` sets a field of several bits.
+
+    Fields that are not named have their defaults, else 0. Raises MeaningError where 0 would mean something.
+    """
     flags = device.flags[value.flags]
-    word = 0
+    word, names = flags.initial, set()
     for item in entered if isinstance(entered, list) else [piece for piece in re.split(r"[, ]+", entered) if piece]:
         name, _, setting = str(item).partition("=")
         bit = flags.named(name)
         if bit is None:
-            names = ", ".join(other.name for other in flags.bits if not other.reserved)
-            raise MeaningError(path, f"`{name}` is no bit of {value.flags}: {names}")
+            known = ", ".join(other.name for other in flags.bits if not other.reserved)
+            raise MeaningError(path, f"`{name}` is no bit of {value.flags}: {known}")
+        if name in names:
+            raise MeaningError(path, f"`{name}` has two values")
+        names.add(name)
         number = 1
         if setting:
             number = _text(device, f"{path}.{name}", bit.as_value, setting)
         if not bit.low <= number <= bit.high:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
-        word |= (number << bit.first) & bit.mask
+        word = word & ~bit.mask | (number << bit.first) & bit.mask
+    missing = next((needed for needed in needed_bits(flags, device.enums) if names.isdisjoint(needed.names)), None)
+    if missing is not None:
+        own = missing.bit.name
+        raise MeaningError(path, f"`{own}` is not given, and its {missing.reason}; give `{own}=`, or the whole word")
     return word

@@ -55,6 +55,7 @@ HEADINGS: dict[str, tuple[str, ...]] = {
         """default defaultvalue initial initialvalue factory factorydefault *default 默认 默认值 預設 預設值 初始值
         出厂值 出廠值 *默认 *預設 *初始"""
     ),
+    "const": _words("const constant constantvalue fixed fixedvalue 常数 常數 固定值"),
     "count": _words("count elements repeat instances"),
     "stride": _words("stride"),
     "space": _words("space area"),

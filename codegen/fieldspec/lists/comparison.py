@@ -13,7 +13,7 @@ from fieldspec.lists.item import REGISTERS, Item
 from fieldspec.lists.listing import Listing, ListRow, moved
 from fieldspec.model.value import exact_scale
 
-ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "count", "stride")
+ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "const", "count", "stride")
 """What is compared if both state it."""
 
 _OFFSETS = (0, 1, -1)
@@ -251,12 +251,13 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
     if scale is not None and (scale != value.scale or value.scale_by):
         exact = f"10^{value.scale_by}" if value.scale_by else value.scale_number
         yield Difference("scale", exact if isinstance(exact, str) else f"{exact:f}", texts["scale"])
-    default = value.default if value.const is None else value.const
+    default = value.default if value.const is None else value.const  # what never changes begins as it is
     ranges = value.writable_ranges
     bounds = (
         ("min", ranges.low if ranges else None, row.low),
         ("max", ranges.high if ranges else None, row.high),
         ("default", default if isinstance(default, int) else None, row.default),
+        ("const", value.const, row.const),
     )
     for aspect, ours, theirs in bounds:
         if aspect in aspects and ours is not None and theirs is not None and not _is_same_value(item, ours, theirs):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Sequence
 from decimal import Decimal
 from typing import TypeAlias
 
+from fieldspec.line_text import visible_json
 from fieldspec.lists.item import Item, exact_number
 from fieldspec.lists.packing import workbook
 from fieldspec.model.value import Value
@@ -31,6 +31,7 @@ COLUMNS = (
     "min",
     "max",
     "default",
+    "const",
     "count",
     "stride",
     "first",
@@ -54,7 +55,6 @@ def row(item: Item) -> dict[str, Cell]:
     """The cells of an item by column; None is empty."""
     value, source = item.value, item.source
     many = item.count > 1
-    default = None if value is None else value.default if value.const is None else value.const
     ranges = None if value is None else value.writable_ranges
     return {
         "space": item.space,
@@ -70,7 +70,8 @@ def row(item: Item) -> dict[str, Cell]:
         "offset": exact_number(value.offset) if value and value.offset else None,
         "min": ranges.low if ranges else None,
         "max": ranges.high if ranges else None,
-        "default": default,
+        "default": value.default if value else None,
+        "const": value.const if value else None,
         "count": item.count if many else None,
         "stride": item.stride if many and item.stride else None,
         "first": item.first if many and item.stride else None,
@@ -94,7 +95,7 @@ def as_csv(items: Sequence[Item]) -> str:
 
 def as_json(items: Sequence[Item]) -> str:
     """A JSON list of objects with all columns. Numbers are numbers, empty cells are null."""
-    return json.dumps([row(item) for item in items], ensure_ascii=False, indent=1, default=_number) + "\n"
+    return visible_json([row(item) for item in items], 1, _number) + "\n"
 
 
 def as_xlsx(items: Sequence[Item], title: str) -> bytes:

@@ -39,6 +39,7 @@ class ListRow:
     low: Decimal | None
     high: Decimal | None
     default: Decimal | None
+    const: Decimal | None
     count: int
     stride: int
     texts: Mapping[str, str]
@@ -154,6 +155,7 @@ def _list_row(columns: Columns, row: SheetRow, address: AddressRange, base: str)
         low=low,
         high=high,
         default=cells.number(texts.get("default", "")),
+        const=cells.number(texts.get("const", "")),
         count=count if 1 <= count <= HIGHEST else 1,
         stride=max(cells.whole(texts.get("stride", "")) or 0, 0),
         texts=texts,

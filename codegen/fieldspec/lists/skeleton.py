@@ -197,7 +197,7 @@ def _row(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: boo
 def _numbers(
     row: ListRow, is_integer: bool, lowest: int, highest: int, has_exponent: bool, doubts: list[str]
 ) -> list[str]:
-    """Scale, range and default, if they are whole counts of the type; else they become doubts."""
+    """Scale, range, default and constant, if they are whole counts of the type; else they become doubts."""
     texts, parts = row.texts, []
     scale = _decimal(texts.get("scale", ""))
     if has_exponent:
@@ -206,28 +206,23 @@ def _numbers(
         parts += [f"scale: {scale:f}"] if scale != 1 else []
     elif "scale" in texts:
         doubts.append(f"Scale in the list: {texts['scale']}.")
-    low, high, default = row.low, row.high, row.default
+    low, high = row.low, row.high
     ranged = low is not None and high is not None and is_integer and _counts(low, high, lowest, highest)
     if ranged:
         parts.append(f"range: {low:f}..{high:f}")
     else:
         unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
         doubts += [f"{what} in the list: {text}." for what, text in unread.items() if text]
-    if "default" in texts:
-        inside = (low, high) if ranged else (Decimal(lowest), Decimal(highest))
-        if (
-            default is not None
-            and is_integer
-            and _counts(default, default, lowest, highest)
-            and (inside[0] is not None and inside[1] is not None and inside[0] <= default <= inside[1])
-        ):
-            parts.append(f"default: {default:f}")
-        else:
-            doubts.append(f"Default in the list: {texts['default']}.")
+    inside = (low, high) if ranged and low is not None and high is not None else (lowest, highest)
+    for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
+        if key in texts and number is not None and is_integer and _counts(number, number, *inside):
+            parts.append(f"{key}: {number:f}")
+        elif key in texts:
+            doubts.append(f"{word} in the list: {texts[key]}.")
     return parts
 
 
-def _counts(low: Decimal, high: Decimal, lowest: int, highest: int) -> bool:
+def _counts(low: Decimal, high: Decimal, lowest: Decimal | int, highest: Decimal | int) -> bool:
     """Whether two numbers are whole, in order, and fit a type."""
     whole = low == low.to_integral_value() and high == high.to_integral_value()
     return whole and lowest <= low <= high <= highest

@@ -42,8 +42,12 @@ def check_workbook(content: bytes) -> None:
                         counts.count(file)
     except (zipfile.BadZipFile, zipfile.LargeZipFile, EOFError, RuntimeError, ValueError, OSError, expat.ExpatError):
         raise ListError("is a truncated or protected workbook; save it again as .xlsx, or as CSV") from None
+    except ListError:
+        raise
     except MemoryError:
         raise ListError("unpacks to more than a list of registers holds") from None
+    except Exception:  # zipfile lets pass whatever its decompressors raise
+        raise ListError("is a damaged workbook; save it again as .xlsx, or as CSV") from None
 
 
 class _Counts:

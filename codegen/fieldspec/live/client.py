@@ -10,6 +10,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.exception_mark import reason_field
 from fieldspec.layout.open_parts import open_parts
 from fieldspec.layout.repeated_parts import repeated_fields
+from fieldspec.model.enums import Member
 from fieldspec.reference.frames import Decoded, codec
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import codecs
@@ -28,11 +29,15 @@ class NoAnswerError(Exception):
 
 
 class RefusedError(Exception):
-    """The device has refused a request. `number` is that of the exception, `name` its name in the spec, or empty."""
+    """The device has refused a request. `number` is that of the exception, `name` its name in the spec, or empty.
 
-    def __init__(self, number: int, name: str) -> None:
+    An exception with a number that the spec does not list proves nothing: the device may have carried out the request,
+    or a part of it, before it failed.
+    """
+
+    def __init__(self, number: int, name: str, is_known: bool = True) -> None:
         super().__init__(f"exception {number}" + (f", {name}" if name else ""))
-        self.number, self.name = number, name
+        self.number, self.name, self.is_known = number, name, is_known
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,10 +275,15 @@ class Client:
             part = next(part for part in self.frames.link.response.header if part.name == mark.part)
             enum = self.layout.device.enums.get(part.value.enum) if part.value is not None else None
             member = enum.member(number) if enum is not None else None
-            return RefusedError(number, member.name if member is not None else "")
+            return _refused_with(number, member)
         field = reason_field(decoded.body) if decoded.body is not None else None
         if field is None or field.value is None:
             return RefusedError(0, "")
         number = int(decoded.values[field.name])
         member = self.layout.device.enums[field.value.enum].member(number) if field.value.enum else None
-        return RefusedError(number, member.name if member is not None else "")
+        return _refused_with(number, member)
+
+
+def _refused_with(number: int, member: Member | None) -> RefusedError:
+    """The error for an exception, which is listed if it has a member."""
+    return RefusedError(number, "" if member is None else member.name, member is not None)

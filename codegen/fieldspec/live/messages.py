@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.explain.hazards import is_bare, is_query, is_single, reads_state, write_hazards
+from fieldspec.explain.hazards import is_bare, is_query, is_single, reads_state, roles_of, write_hazards
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
@@ -190,14 +190,8 @@ def named_signals(layout: DeviceLayout, known: Sequence[Signal], name: str) -> l
         for signal in known
         if signal.path.startswith((f"{name}.", f"{name}["))
         or (signal.fact.printed_name and name == signal.fact.printed_name)
-        or name in roles_of(layout, signal)
+        or name in roles_of(layout.device, signal.fact, signal.value)
     ]
-
-
-def roles_of(layout: DeviceLayout, signal: Signal) -> set[str]:
-    """The roles of a value and of its bits."""
-    word = layout.device.flags.get(signal.value.flags)
-    return {*signal.fact.roles, *(role for bit in (word.bits if word is not None else ()) for role in bit.roles)}
 
 
 def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalReading]:
@@ -292,7 +286,7 @@ def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal,
         raw = encoded_value(signal.path, value, raw_value(layout.device, signal.path, value, text), layout.device)
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
-    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(signal, message)))
+    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(layout, signal, message)))
 
 
 def writes_elements(message: MessageLayout) -> bool:
@@ -302,12 +296,18 @@ def writes_elements(message: MessageLayout) -> bool:
     return has_bytes and part_of(message.request, "subindex") is not None
 
 
-def _hazards(signal: Signal, message: MessageLayout) -> Iterator[str]:
+def _hazards(layout: DeviceLayout, signal: Signal, message: MessageLayout) -> Iterator[str]:
     fact = signal.parameter
     assert fact is not None
     # A message that stores what it writes does so for every parameter.
     handlings = sorted((fact.handling, message.message.handling), key=lambda own: own.memory != "nonvolatile")
-    return write_hazards(trigger=fact.trigger, access=signal.access, restart=fact.restart, handlings=handlings)
+    return write_hazards(
+        trigger=fact.trigger,
+        access=signal.access,
+        restart=fact.restart,
+        handlings=handlings,
+        roles=(*fact.roles, *roles_of(layout.device, signal.fact, signal.value)),
+    )
 
 
 def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str, dict[str, Any], bytes]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from fieldspec.explain.hazards import reads_state
+from fieldspec.explain.hazards import reads_state, roles_of
 from fieldspec.live.access import DumpRow, clears_on_read, role_masks
 from fieldspec.live.left_out import ADVICE, reason_unread, remarks
 from fieldspec.live.messages import (
@@ -17,7 +17,6 @@ from fieldspec.live.messages import (
     parameter_message,
     parameter_request,
     read_signals,
-    roles_of,
     signal_reading,
     signals,
     write_parameter,
@@ -110,7 +109,7 @@ class ParameterAccess:
         message = parameter_message(self.link, item.parameter_set, "write", item.value.size)
         if item.index is not None and not (message is not None and writes_elements(message)):
             return "is an element, not written by itself"
-        if fact.trigger or COMMANDS.intersection(roles_of(self.layout, item)):
+        if fact.trigger or COMMANDS.intersection(roles_of(self.layout.device, item.fact, item.value)):
             return "commands the device; write it by its name, with the verb write"
         stated = any(row.access for row in item.parameter_set.parameters)
         if not writable(item.access) and (item.access or stated):

@@ -7,6 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import replace
+from fieldspec.explain.hazards import roles_of
 from fieldspec.explain.registers import (
     absent_text,
     count_of_occupant,
@@ -267,17 +268,10 @@ def _objection(layout: DeviceLayout, occupant: Occupant) -> str:
     """Why a value is in no list that is written to a device, for its own sake; empty where it may be."""
     if occupant.reserved or getattr(occupant.fact, "reserved", False):
         return "is reserved"
-    if occupant.trigger or COMMANDS.intersection(_roles(layout, occupant)):
+    if occupant.trigger or COMMANDS.intersection(roles_of(layout.device, occupant.fact, occupant.value)):
         return "commands the device; write it by its name, with the verb write"
     if not writable(occupant.access):
         return "can only be read" if occupant.access else "is not stated to be writable"
     if not readable(occupant.access) or occupant.clears_on_read:
         return "cannot be read back, so that nothing could be verified; write it by its name, with the verb write"
     return ""
-
-
-def _roles(layout: DeviceLayout, occupant: Occupant) -> Iterable[str]:
-    yield from occupant.fact.roles
-    if occupant.value.flags:
-        for bit in layout.device.flags[occupant.value.flags].bits:
-            yield from bit.roles

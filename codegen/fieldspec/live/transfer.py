@@ -73,8 +73,9 @@ def transfer(
 
 
 def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> None:
-    """Writes a value once, with all that shares its words. Where no answer comes, the device itself says whether it has
-    the value. One that `is_sent` was written with another one, and is verified alone.
+    """Writes a value once, with all that shares its words. Where no answer comes, or an exception that proves nothing,
+    the device itself says whether it has the value. One that `is_sent` was written with another one, and is verified
+    alone.
     """
     lost = ""
     try:
@@ -82,6 +83,10 @@ def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> No
             access.write(client, change.chosen)
     except NoAnswerError as error:
         lost = str(error)
+    except RefusedError as error:
+        if error.is_known:
+            raise
+        lost = f"{error}, which the spec does not list"
     now = access.read_back(client, change.chosen)
     if now is None or not differs(change.chosen, now):
         return

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.hazards import COMMANDING
 from fieldspec.live.writing import WriteError
 
 if TYPE_CHECKING:
@@ -16,11 +17,7 @@ Cell: TypeAlias = "int | str | None"
 DEVICE, VERSION, TABLE, INDEX, NAME, VALUE = "Device", "Version", "Table", "Index", "Name", "Value"
 """The headings that are no names of fields. They begin with a capital, which no name of a spec does."""
 
-COMMANDS = {
-    *("command", "control_request", "coast_stop_released", "quick_stop_released", "switch_on", "servo_enable"),
-    *("homing_start", "move_start", "move_enable", "pause_released", "stop", "quick_stop", "jog_positive"),
-    *("jog_negative", "jog_start", "point_start", "alarm_reset", "save", "save_points", "restart"),
-}
+COMMANDS = {*COMMANDING, "stop", "quick_stop"}
 """The roles of what commands a device. No list has them: to write them back would move something."""
 
 

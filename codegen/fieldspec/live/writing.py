@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
-from fieldspec.explain.hazards import write_hazards
+from fieldspec.explain.hazards import roles_of, write_hazards
 from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
@@ -61,11 +61,11 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
     if is_bit(occupant) or not is_partial(occupant, size):
-        return Assignment(space, occupant, words_of(layout, data, size), tuple(_hazards(occupant)))
+        return Assignment(space, occupant, words_of(layout, data, size), tuple(_hazards(layout, occupant)))
     behind = occupant.words * size - occupant.skip - len(data)
     placed, ones = (bytes(occupant.skip) + own + bytes(behind) for own in (data, b"\xff" * len(data)))
     words, mask = words_of(layout, placed, size), words_of(layout, ones, size)
-    return Assignment(space, occupant, words, tuple(_hazards(occupant)), mask)
+    return Assignment(space, occupant, words, tuple(_hazards(layout, occupant)), mask)
 
 
 def is_partial(occupant: Occupant, unit_size: int) -> bool:
@@ -79,13 +79,14 @@ def words_of(layout: DeviceLayout, data: bytes, size: int) -> tuple[int, ...]:
     return tuple(int.from_bytes(data[at : at + size], "big" if big else "little") for at in range(0, len(data), size))
 
 
-def _hazards(occupant: Occupant) -> list[str]:
+def _hazards(layout: DeviceLayout, occupant: Occupant) -> list[str]:
     """What a person should know before a value is written."""
     hazards = write_hazards(
         trigger=occupant.trigger,
         access=occupant.access,
         restart=occupant.restart,
         handlings=occupant.handlings,
+        roles=roles_of(layout.device, occupant.fact, occupant.value),
     )
     return list(hazards)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.address_space import BIT, WORD, WORDS, AddressSpace
@@ -10,7 +11,7 @@ from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
 from fieldspec.model.machines import StateMachine
-from fieldspec.model.quantity import decimal_of, quantity_of
+from fieldspec.model.quantity import decimal_of, point_text, quantity_of
 from fieldspec.model.record import Message, Record, RegisterAccess
 from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
 from fieldspec.model.task import Task
@@ -19,7 +20,6 @@ from fieldspec.model.units import DeclaredUnit, Unit, standard_unit
 from fieldspec.model.value import Conversion, Signal, Value
 
 if TYPE_CHECKING:
-    from decimal import Decimal
     from fractions import Fraction
 
 
@@ -150,9 +150,9 @@ class Device:
         """The exact quantity that is entered for a value, in its unit: `10.5mm`, and `1.05 cm` if the unit is mm.
 
         That of a value with a scale and without a unit has a decimal point, `2.0`, as a whole number is a count; in a
-        spec, it is a float. None for what is no such quantity.
+        spec, it is a decimal. None for what is no such quantity.
         """
-        text = repr(entered) if isinstance(entered, float) else entered
+        text = point_text(entered) if isinstance(entered, float | Decimal) else entered
         if not isinstance(text, str):
             return None
         if not value.unit:

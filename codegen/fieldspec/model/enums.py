@@ -67,7 +67,8 @@ class Bit(Fact):
     """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant.
 
     A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the
-    unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold.
+    unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold, and
+    `default` is the count that is sent where nobody gives another one, None where the spec states none.
     """
 
     first: int
@@ -86,6 +87,7 @@ class Bit(Fact):
     offset: Decimal = Decimal(0)
     unit: str = ""
     ranges: Ranges | None = None
+    default: int | None = None
 
     @property
     def as_value(self) -> Value:
@@ -100,7 +102,7 @@ class Bit(Fact):
             offset=self.offset,
             unit=self.unit,
             ranges=self.ranges or Ranges(((self.low, self.high),)),
-            default=None,
+            default=self.default,
             const=None,
             enum=self.enum,
             flags="",
@@ -144,6 +146,16 @@ class Bit(Fact):
         number = (word & self.mask) >> self.first
         return number - (1 << self.width) if self.signed and number >> (self.width - 1) else number
 
+    def reason_to_give(self, enum: Enum | None) -> str:
+        """Why a word cannot have 0 here without a word: what 0 is; empty where it is 0, and for what has a default."""
+        if self.reserved or self.default is not None:
+            return ""
+        if self.ranges is not None and 0 not in self.ranges:
+            return f"0 is not in {self.ranges.text()}"
+        if enum is not None and not enum.open and ((zero := enum.member(0)) is None or zero.unavailable):
+            return f"0 is no member of {enum.name}"
+        return f"0 is {self.offset:f} {self.unit}".rstrip() if self.offset else ""
+
     @property
     def width(self) -> int:
         """The number of bits."""
@@ -179,6 +191,11 @@ class Flags(Fact):
     bits: tuple[Bit, ...]
     states: tuple[State, ...]
     bit_0: str = "least"
+
+    @property
+    def initial(self) -> int:
+        """The word of which nothing is given: the defaults of its fields of bits, else 0."""
+        return sum((bit.default << bit.first) & bit.mask for bit in self.bits if bit.default is not None)
 
     @property
     def bounded(self) -> tuple[Bit, ...]:

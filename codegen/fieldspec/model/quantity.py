@@ -16,6 +16,8 @@ _NUMBER = re.compile(rf"[-+]?(?:{_WHOLE})(?:\.[0-9]{{1,30}})?(?:[eE][-+]?[0-9]{{
 _POINT = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,29})\.[0-9]{1,30}")
 _QUANTITY = re.compile(r"([-+]?(?:0|[1-9][0-9]{0,29})(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
+_FIFTEEN_DIGITS = 1e15
+
 
 def count_of(text: str) -> int | None:
     """The whole number that a text is, in decimal or hexadecimal; None where it is none."""
@@ -31,6 +33,18 @@ def number_of(text: str) -> float | None:
 def decimal_of(text: str) -> Decimal | None:
     """The number that a text with a decimal point is, such as `-0.500` and `2.0`; None for any other text."""
     return Decimal(text) if _POINT.fullmatch(text) else None
+
+
+def point_text(number: float | Decimal) -> str:
+    """A number with a decimal point and without an exponent: `2.0`, and `0.0000001` for 1e-07."""
+    exact = number if isinstance(number, Decimal) else Decimal(repr(number))
+    text = f"{exact:f}"
+    return text if "." in text or not exact.is_finite() else f"{text}.0"
+
+
+def real_text(number: float) -> str:
+    """A computed number: `25` for 25.0, `0.3` for 0.30000000000000004, with the fifteen digits that a double holds."""
+    return f"{number:.15g}" if abs(number) < _FIFTEEN_DIGITS else repr(number)
 
 
 def quantity_of(text: str) -> tuple[Decimal, str] | None:

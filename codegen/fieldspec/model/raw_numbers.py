@@ -3,9 +3,34 @@
 from __future__ import annotations
 
 import struct
+from decimal import ROUND_HALF_UP, Context, Decimal
+from math import isfinite
 
 from fieldspec.model.digits import digits_number
 from fieldspec.model.value import Kind, Value
+
+_SINGLE_DIGITS = 10
+"""Nine digits tell all numbers of four bytes apart."""
+_INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
+"""The least number that four bytes have as infinity."""
+
+
+class SinglePrecision(float):
+    """A number of a floating-point value of four bytes, whose text has the fewest digits that lead to these bytes.
+
+    Its text is `50.02`; that of the same number as a double is `50.02000045776367`.
+    """
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        if isfinite(self):
+            exact, four_bytes = Decimal(self), struct.pack("f", self)
+            for digits in range(1, _SINGLE_DIGITS):
+                rounded = float(Context(prec=digits, rounding=ROUND_HALF_UP).plus(exact))
+                if abs(rounded) < _INFINITE_SINGLE and struct.pack("f", rounded) == four_bytes:
+                    return repr(rounded)
+        return float.__repr__(self)
 
 
 def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:

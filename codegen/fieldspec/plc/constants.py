@@ -158,7 +158,11 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             place = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
             number = f"{'signed, ' * bit.signed}1 count = {count_of(bit.as_value)}." if bit.is_number else ""
             limits = f"Counts: {bit.ranges.text()}." if bit.ranges is not None else ""
-            comment = cited(" ".join(f"{place} {printed(bit)} {text} {number} {limits}".split()), bit)
+            default = f"Default: {bit.default}." if bit.default is not None else ""
+            reason = bit.reason_to_give(layout.device.enums.get(bit.enum))
+            needed = f"To be given: its {reason}." if reason else ""
+            facts = f"{place} {printed(bit)} {text} {number} {limits} {default} {needed}"
+            comment = cited(" ".join(facts.split()), bit)
             yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, comment, bit, hexadecimal=True)
             if bit.width > 1:
                 yield Draft(f"{word.name}_{bit.name}_first", UINT, bit.first, "its lowest bit", bit, derived=True)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from collections.abc import Mapping as Table
 
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
-from fieldspec.names import Name
+from fieldspec.names import Name, folded
 from fieldspec.reading.building.context import Reused
 from fieldspec.reading.building.device import built
 from fieldspec.reading.expansion import expanded
@@ -17,8 +17,9 @@ from fieldspec.reading.joining import joined, merged_over
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.overlays import Silent, applied
 from fieldspec.reading.scalars import typed
-from fieldspec.reading.versions import Lines, overlays, selected
+from fieldspec.reading.versions import Lines, overlays, selected, unportable
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
+from fieldspec.reserved import file_name_fault
 from fieldspec.source import Span
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
@@ -110,6 +111,8 @@ class _Reader:
         self.findings: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
         self.uses: dict[str, set[str]] = {}
+        self.folded: dict[str, str] = {}
+        """The files that were read, by their paths without what some file systems do not tell apart."""
         self.incomplete: set[str] = set()
         """The protocols that lack one that they use; the empty name is that of the last device."""
 
@@ -147,6 +150,7 @@ class _Reader:
         """The typed tree of one file, or None where it cannot be used."""
         display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
         file, findings = decoded(display_path, self.files[path])
+        findings = [*findings, *self._unportable(path, Span(file, 0, 0))]
         if not findings:
             node, findings = parsed(file)
             if node is None and not findings:
@@ -161,6 +165,17 @@ class _Reader:
                     return result
         self.findings += bounded(findings)
         return None
+
+    def _unportable(self, path: str, span: Span) -> Iterator[Diagnostic]:
+        """Finds what keeps a file from the file systems of some users: a name, and another one like it."""
+        for step in path.split("/"):
+            if fault := file_name_fault(step):
+                text = f"the name {quoted(step)} {fault}"
+                yield Diagnostic("file_name_portable", text, span, help="choose another name")
+        first = self.folded.setdefault(folded(path), path)
+        if first != path:
+            text = f"the file cannot be beside `{first}` where names differ in more than small and capital letters"
+            yield Diagnostic("file_name_portable", text, span, help="rename one of them")
 
     def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
         main = f"{folder}/{MAIN}"
@@ -194,7 +209,9 @@ class _Reader:
         versions, whole = overlays(files, whole)
         self.findings += bounded(versions.findings)
         lines = Lines(whole)
-        self.findings += bounded(lines.findings) + bounded(lines.unknown(whole))
+        self.findings += (
+            bounded(lines.findings) + bounded(lines.unknown(whole)) + bounded([*unportable(whole, lines.versions())])
+        )
         if len(lines.place) * sum(len(self.files[path]) for path in own) > LARGEST_VERSIONS:
             text = f"{len(lines.place)} versions of a spec of this size exceed the limit"
             help = "remove versions that are not in use any more"

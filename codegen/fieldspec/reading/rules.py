@@ -67,6 +67,16 @@ Example: `uses: [{protocol: wires}]` where the file is `protocols/wire.yaml`.
 
 Cure: Correct the name, or add the file.
 """,
+    "file_name_portable": """Every file of the specs, and every file that is written for a version, has a name
+that all file systems of users can have.
+
+Why: somebody who cannot check the specs out, or write the outputs, cannot use them. A name with a line break or
+with another character that cannot be seen misleads whoever reads it.
+
+Example: a device `aux`, a version `con`, or `Motion.yaml` beside `motion.yaml`.
+
+Cure: Choose another name.
+""",
     "file_regular": """A spec file is a regular file within the folder of the specs.
 
 Why: reading a pipe can block for ever, and reading a special file may never end. A file outside the folder is

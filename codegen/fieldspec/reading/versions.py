@@ -9,9 +9,11 @@ from operator import is_
 from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.names import folded
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity, keys, mappings, node_at, put
 from fieldspec.reading.yaml_reader import key_span
+from fieldspec.reserved import file_name_fault
 from fieldspec.source import Span
 
 PARTS = ("adds", "changes", "removes", "renames")
@@ -65,6 +67,19 @@ def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mappi
             help = "remove it from the list of versions, or remove the file"
             result.findings.append(Diagnostic("version_twice", text, head.values["id"].span, (label,), help))
     return _ordered(result, base, declared)
+
+
+def unportable(base: Mapping, versions: Iterable[str]) -> Iterator[Diagnostic]:
+    """Finds versions for which outputs are written, but whose files some file systems cannot have."""
+    folded_ids: dict[str, str] = {}
+    for version, node in ((version, node) for version, node in _declared(base).items() if version in versions):
+        fault = file_name_fault(version)
+        other = folded_ids.setdefault(folded(version), version)
+        if other != version:
+            fault = f"differs from `{other}` in capital letters alone: Windows and macOS have one file for both"
+        if fault:
+            text = f"the version {quoted(version)} {fault}"
+            yield Diagnostic("file_name_portable", text, node.span, help="choose another name")
 
 
 def _declared(base: Mapping) -> dict[str, Scalar]:

@@ -10,6 +10,7 @@ from itertools import zip_longest
 
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
 from fieldspec.classes import replace
+from fieldspec.line_text import visible_json
 from fieldspec.lists.packing import workbook
 from fieldspec.model.fact import Citation
 from fieldspec.render.blocks import Block, Line, Table, narrowed, width
@@ -44,7 +45,7 @@ def rendered(report: Report) -> str:
         "identity": report.identity,
         "sections": {section.name: _section(section) for section in report.sections},
     }
-    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+    return visible_json(data, 1) + "\n"
 
 
 def _section(section: Section) -> dict[str, object]:
@@ -92,7 +93,7 @@ def as_xlsx(table: SectionTable) -> bytes:
 
 def as_json(table: SectionTable) -> bytes:
     """A table as JSON: a list of objects with its columns as keys."""
-    return (json.dumps(rows(table), ensure_ascii=False, indent=1) + "\n").encode("utf-8")
+    return (visible_json(rows(table), 1) + "\n").encode("utf-8")
 
 
 _WIDEST = 240

@@ -6,7 +6,8 @@ import unicodedata
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.explain.values import range_in_unit
+from fieldspec.explain.values import in_unit, range_in_unit
+from fieldspec.line_text import visible_text
 from fieldspec.model.enums import Bit, Flags
 
 if TYPE_CHECKING:
@@ -22,13 +23,6 @@ def _char_width(char: str) -> int:
     if unicodedata.combining(char) or unicodedata.category(char) in ("Cf", "Mn"):
         return 0
     return 2 if unicodedata.east_asian_width(char) in "WF" else 1
-
-
-def visible_text(text: str) -> str:
-    """A text with escapes for its control characters."""
-    if text.isprintable():
-        return text
-    return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
 
 
 def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -142,6 +136,7 @@ def _bit_text(bit: Bit) -> str:
     details = (
         states or bit.doc.removesuffix("."),
         f"range {range_in_unit(bit.as_value, bit.ranges)}" if bit.ranges is not None else "",
+        f"default {in_unit(bit.as_value, bit.default) or bit.default}" if bit.default is not None else "",
         f"values {bit.enum}" if bit.enum else "",
         f"at its {bit.edge} edge" if bit.edge else "",
         "active low" if bit.active == "low" else "",

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.backends.templates import fill
 from fieldspec.changes.change import Change, Effect
 from fieldspec.classes import dataclass
-from fieldspec.render.blocks import Block, Line, visible_text
+from fieldspec.html_text import clean
+from fieldspec.line_text import visible_json, visible_text
+from fieldspec.render.blocks import Block, Line
 from fieldspec.render.changes import AcceptedChange, Difference, Group, groups, places, remark, summary, title
 from fieldspec.source import Span
 
@@ -53,7 +54,7 @@ def json_text(differences: Sequence[Difference]) -> str:
         {"old": difference.old, "new": difference.new, "changes": [_json_change(entry) for entry in difference.changes]}
         for difference in differences
     ]
-    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+    return visible_json(data, 1) + "\n"
 
 
 def _json_change(entry: AcceptedChange) -> dict[str, object]:
@@ -143,7 +144,9 @@ class _HtmlSection:
 def html_page(differences: Sequence[Difference]) -> str:
     """An HTML page without other files. Texts of specs are escaped by the template."""
     sections = [
-        _HtmlSection(title(difference), summary(difference), [_html_table(group) for group in groups(difference)])
+        _HtmlSection(
+            clean(title(difference)), summary(difference), [_html_table(group) for group in groups(difference)]
+        )
         for difference in differences
     ]
     return fill("changes.html.j2", title=", ".join(section.title for section in sections), sections=sections)
@@ -151,16 +154,9 @@ def html_page(differences: Sequence[Difference]) -> str:
 
 def _html_table(group: Group) -> _HtmlTable:
     rows = [
-        _HtmlRow(
-            entry.change.rule,
-            entry.change.path,
-            entry.change.message,
-            remark(entry),
-            entry.change.old,
-            entry.change.new,
-            places(entry.change),
-        )
+        _HtmlRow(*map(clean, (change.rule, change.path, change.message, remark(entry), change.old, change.new, where)))
         for entry in group.changes
+        for change, where in [(entry.change, places(entry.change))]
     ]
     return _HtmlTable(group.effect.value if group.effect else "accepted", group.heading, rows)
 

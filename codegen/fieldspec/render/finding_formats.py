@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from urllib.parse import quote
 from xml.sax.saxutils import escape, quoteattr
 
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.render.blocks import visible_text
+from fieldspec.line_text import visible_json, visible_lines, visible_text
 from fieldspec.render.finding_text import concise, place
 from fieldspec.rules import rule
 from fieldspec.source import Span
@@ -30,7 +29,7 @@ def json_text(findings: Sequence[Diagnostic]) -> str:
         }
         for finding in findings
     ]
-    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+    return visible_json(data, 1) + "\n"
 
 
 def _json_place(span: Span) -> dict[str, object]:
@@ -51,7 +50,7 @@ def sarif_text(findings: Sequence[Diagnostic]) -> str:
         "results": [_sarif_result(finding, codes.index(finding.code)) for finding in findings],
     }
     log = {"$schema": _SARIF_SCHEMA, "version": "2.1.0", "runs": [run]}
-    return json.dumps(log, ensure_ascii=False, indent=1) + "\n"
+    return visible_json(log, 1) + "\n"
 
 
 def _sarif_rule(code: str) -> dict[str, object]:
@@ -97,8 +96,8 @@ def _sarif_location(span: Span) -> dict[str, object]:
 def _sarif_uri(path: str) -> str:
     """A path as a URI: relative, or of a file."""
     if path.startswith("/") or path[1:2] == ":":
-        return "file:///" + quote(path.lstrip("/"), safe="/:")
-    return quote(path)
+        return "file:///" + quote(path.lstrip("/"), safe="/:", errors="surrogateescape")
+    return quote(path, errors="surrogateescape")
 
 
 def _sarif_units(span: Span, line: int, column: int) -> int:
@@ -117,22 +116,17 @@ def junit_xml(findings: Sequence[Diagnostic]) -> str:
 
 
 def _junit_case(finding: Diagnostic) -> str:
-    name = f"{finding.code} {place(finding.span)}"
+    name, path = f"{finding.code} {place(finding.span)}", visible_text(finding.span.file.path)
     return (
-        f"  <testcase classname={_junit_attribute(finding.span.file.path)} name={_junit_attribute(name)}>\n"
+        f"  <testcase classname={_junit_attribute(path)} name={_junit_attribute(name)}>\n"
         f"    <failure type={_junit_attribute(finding.code)} message={_junit_attribute(finding.message)}>"
-        f"{escape(_junit_visible(concise([finding])))}</failure>\n"
+        f"{escape(visible_lines(concise([finding])))}</failure>\n"
         f"  </testcase>\n"
     )
 
 
 def _junit_attribute(text: str) -> str:
-    return quoteattr(_junit_visible(text))
-
-
-def _junit_visible(text: str) -> str:
-    """A text with escapes for the characters that XML does not allow."""
-    return "\n".join(visible_text(line) for line in text.split("\n"))
+    return quoteattr(visible_lines(text))
 
 
 def github_commands(findings: Sequence[Diagnostic]) -> str:
@@ -152,12 +146,14 @@ def _github_command(finding: Diagnostic) -> str:
         "title": finding.code,
     }
     text = finding.message + (f"\n{finding.help}" if finding.help else "")
-    properties_text = ",".join(f"{key}={_github_property(str(value))}" for key, value in properties.items())
+    properties_text = ",".join(
+        f"{key}={_github_property(visible_text(str(value)))}" for key, value in properties.items()
+    )
     return f"::{finding.severity.value} {properties_text}::{_github_data(text)}\n"
 
 
 def _github_data(text: str) -> str:
-    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    return visible_lines(text).replace("%", "%25").replace("\n", "%0A")
 
 
 def _github_property(text: str) -> str:

@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from fieldspec.diagnostics import Diagnostic, Severity
-from fieldspec.render.blocks import visible_text, width
+from fieldspec.line_text import visible_text
+from fieldspec.render.blocks import width
 from fieldspec.source import Span
 
 _Paint: TypeAlias = Callable[[str, str], str]
@@ -83,7 +84,7 @@ def _marked_lines(span: Span, mark: str, paint: _Paint, style: str) -> list[str]
 def place(span: Span) -> str:
     """`gadget/points.yaml:12:7`"""
     line, column = span.position()
-    return f"{span.file.path}:{line}:{column}"
+    return visible_text(f"{span.file.path}:{line}:{column}")
 
 
 def concise(findings: Sequence[Diagnostic]) -> str:

@@ -10,6 +10,7 @@ from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum, Flags, Member, State
@@ -248,7 +249,8 @@ def example_details(example: Example) -> Details:
     yield "frame", example.frame.hex(" ").upper()
     yield "answers", example.reply_to
     yield "refused", example.refused
-    yield "values", ", ".join(f"{name} {value}" for name, value in example.values.items())
+    texts = {name: value if isinstance(value, str) else spec_text(value) for name, value in example.values.items()}
+    yield "values", ", ".join(f"{name} {text}" for name, text in texts.items())
     yield "source", citations(example.sources)
     for note in example.notes:
         yield "note", note

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from html import escape
-
 from fieldspec.facts.matrix import SAME, Matrix
+from fieldspec.html_text import clean, escaped
 
 _STYLE = (
     "body{font:14px/1.4 system-ui,sans-serif;margin:2rem}table{border-collapse:collapse}"
@@ -16,10 +15,10 @@ _STYLE = (
 
 def rendered(device: str, matrix: Matrix) -> str:
     """The page; marks cells of facts that a version does not have, and of facts that change with a version."""
-    title = escape(f"{device}: facts by versions")
-    head = "".join(f"<th scope=col>{escape(name)}</th>" for name in ("fact", *matrix.versions))
+    title = _visible(f"{device}: facts by versions")
+    head = "".join(f"<th scope=col>{_visible(name)}</th>" for name in ("fact", *matrix.versions))
     rows = "".join(
-        f"<tr><th scope=row>{escape(row.path)}</th>{''.join(map(_cell, row.cells))}</tr>\n" for row in matrix.rows
+        f"<tr><th scope=row>{_visible(row.path)}</th>{''.join(map(_cell, row.cells))}</tr>\n" for row in matrix.rows
     )
     return (
         f'<!doctype html>\n<html lang="en">\n<head><meta charset="utf-8"><title>{title}</title>'
@@ -28,6 +27,10 @@ def rendered(device: str, matrix: Matrix) -> str:
     )
 
 
+def _visible(text: str) -> str:
+    return escaped(clean(text))
+
+
 def _cell(text: str) -> str:
     kind = "gone" if not text else "same" if text == SAME else "new"
-    return f"<td class={kind}>{escape(text)}</td>"
+    return f"<td class={kind}>{_visible(text)}</td>"

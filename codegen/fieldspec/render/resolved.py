@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from fieldspec.line_text import visible_text
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.render.blocks import visible_text
 
 # Words and ranges need no quotes; what YAML takes for something else than text is not a word.
 _WORD = re.compile(r"(?!(?i:y|n|yes|no|on|off|true|false|null)$)[A-Za-z_][\w ()/.-]*(?<! )")

@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.behaviour.part import Part
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.values import Raw
+from fieldspec.model.quantity import real_text
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.simulator.refusal import Refusal
 from fieldspec.simulator.registers import is_absent
@@ -37,7 +38,7 @@ def _move(engine: Engine, action: Part) -> None:
     speed = abs(signed)
     rise, fall = (_seconds(engine, action, key) / speed if speed else 0.0 for key in ("acceleration", "deceleration"))
     target = float(engine.number(action.get("to", 0)))
-    engine.tell("move", f"{kind} at {signed:g}" + (f" to {target:g}" if "to" in action.keys else ""))
+    engine.tell("move", f"{kind} at {real_text(signed)}" + (f" to {real_text(target)}" if "to" in action.keys else ""))
     if kind == "endless":
         axis.run(now, signed, rise, fall, engine.limits())
     elif kind == "home":

@@ -35,7 +35,8 @@ _LAST = 0x10000
 def default_raw(device: Device, value: Value) -> Raw:
     """The raw value at delivery where nothing else states it.
 
-    That is the default, the constant, 0, or what is nearest to 0; for an enum without it the first available member.
+    That is the default, that of fields of bits, the constant, 0, or what is nearest to 0; for an enum without it the
+    first available member.
     """
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         text = value.default if isinstance(value.default, str) else ""
@@ -50,7 +51,8 @@ def default_raw(device: Device, value: Value) -> Raw:
     if value.type.kind is Kind.FLOAT:
         return float(nearest)
     if value.flags:
-        return device.flags[value.flags].nearest(nearest)
+        word = device.flags[value.flags]
+        return word.nearest(nearest or word.initial)
     enum = device.enums.get(value.enum)
     if enum is None or enum.open or value.sentinel(nearest) is not None:
         return nearest

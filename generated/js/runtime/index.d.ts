@@ -163,12 +163,14 @@ export declare class Framer {
   reset(): void;
 }
 
-/** A word of flags. */
-export interface Flags<T, N> {
+/** A word of flags. The bits `K` have no 0 that goes without saying: they have to be given. */
+export interface Flags<T, N, K extends keyof T = never> {
   /** The bits of a number by name. */
   of(raw: N): T;
+  /** The number with the bits that an object gives; all others have their defaults, or are 0. Throws CodecError. */
+  raw(bits: Partial<T> & Pick<T, K>): N;
   /** A number with bits set as an object says; all other bits are those of `raw`. Throws CodecError. */
-  raw(bits: Partial<T>, raw?: N): N;
+  raw(bits: Partial<T>, raw: N): N;
 }
 
 /** A value in registers: what is read has the type `T`, what may be written the type `W`. */

@@ -142,6 +142,16 @@ export function listLength(name, value, least, most) {
   return value.length;
 }
 
+/** What a word begins as without a number. Throws CodecError where what has to be given is left out. */
+export function initialWord(name, bits, initial, needed) {
+  for (const [key, reason, keys] of needed) {
+    if (!keys.some((other) => Object.hasOwn(bits, other))) {
+      throw new CodecError("missing_value", `${key} of ${name} is not given, and its ${reason}`);
+    }
+  }
+  return initial;
+}
+
 /** A word with some of its bits set as an object says. Throws CodecError for unknown bits and wrong values. */
 export function setBits(name, places, bits, raw, size) {
   let word = BigInt(raw);

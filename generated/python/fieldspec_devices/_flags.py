@@ -78,3 +78,24 @@ class Flags:
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raise NotImplementedError
+
+
+class PresetFlags(Flags):
+    """A word with bits that are not simply 0 where they are left out.
+
+    Without `raw` it begins as `_INITIAL`, which has the defaults. `_NEEDED` has the fields of bits that have to be
+    given then, with the reason and the arguments of which any gives it. Raises CodecError where none does.
+    """
+
+    __slots__ = ()
+    _INITIAL: ClassVar[int] = 0
+    _NEEDED: ClassVar[dict[str, tuple[str, tuple[str, ...]]]] = {}
+
+    def __init__(self, raw: int | None = None, **bits: Quantity) -> None:
+        if raw is None:
+            raw = self._INITIAL
+            for name, (reason, names) in self._NEEDED.items():
+                if not any(argument in bits for argument in names):
+                    text = f"{name} of {self.__class__.__name__} is not given, and its {reason}"
+                    raise CodecError("missing_value", text)
+        super().__init__(raw, **bits)

@@ -97,7 +97,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ("Checksums", declare_checksums(naming, layout)),
         ("Escapes", declare_escapes(naming, layout)),
         ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
-        ("Bit fields", (declare_flags(naming, word) for word in device.flags.values())),
+        ("Bit fields", (declare_flags(naming, word, device.enums) for word in device.flags.values())),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
         ("Conversions, which need double", _conversions(naming, layout)),
         (

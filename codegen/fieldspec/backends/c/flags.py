@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from fieldspec.backends.c.declarations import (
     BLANK,
     Declaration,
@@ -34,7 +36,8 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.scales import define_fractions
 from fieldspec.backends.c.statements import If, Return, Variable
-from fieldspec.model.enums import Bit, Flags
+from fieldspec.layout.needed_bits import needed_bits
+from fieldspec.model.enums import Bit, Enum, Flags
 
 _WORD = Identifier("word")
 
@@ -53,11 +56,18 @@ def named_bits(word: Flags) -> list[tuple[str, Bit]]:
     return list(named.items())
 
 
-def declare_flags(naming: Naming, word: Flags) -> list[Declaration]:
+def declare_flags(naming: Naming, word: Flags, enums: Mapping[str, Enum]) -> list[Declaration]:
     """Masks, shifts, and a function for each bit or bit field; then the states."""
     kind = Type(f"uint{8 * word.type.container}_t")
-    declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.")]
+    needed = [escape_comment(f"Set {each.bit.name}: its {each.reason}.") for each in needed_bits(word, enums)]
+    declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.", *needed)]
     declarations.append(Typedef(kind, naming.type("word", word.name)))
+    if any(bit.default is not None for bit in word.bits):
+        initial = naming.macro("word", word.name, "initial")
+        declarations += [
+            comment("The word of which nothing is given: its defaults, and 0 elsewhere."),
+            Define(initial, hexadecimal(word.initial, word.type.size)),
+        ]
     for name, bit in named_bits(word):
         declarations += [BLANK, *_declare_bit(naming, word, name, bit, kind)]
     if word.states:
@@ -83,6 +93,7 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
         f"When {bit.when}." if bit.when else "",
         f"A signed number of {bit.width} bits." if bit.signed else "",
         _scaling(bit),
+        f"{bit.default} by default." if bit.default is not None else "",
     ]
     mask = Identifier(naming.macro("bit", word.name, name, "mask"))
     shift = Identifier(naming.macro("bit", word.name, name, "shift"))

@@ -24,7 +24,7 @@ from fieldspec.backends.docs.document import (
 )
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import unit_lines
-from fieldspec.explain.values import range_in_unit
+from fieldspec.explain.values import in_unit, range_in_unit
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 
 VALUES = (
@@ -205,6 +205,11 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow
         more += [(styled("1 count: ", "quiet"), *first), *others]
     if bit.ranges is not None:
         more.append((styled("Range: ", "quiet"), text_piece(range_in_unit(bit.as_value, bit.ranges))))
+    if bit.default is not None:
+        initial = in_unit(bit.as_value, bit.default) or str(bit.default)
+        more.append((styled("Default: ", "quiet"), text_piece(initial)))
+    if reason := bit.reason_to_give(context.device.enums.get(bit.enum)):
+        more.append((styled("has to be given", "badge"), text_piece(f" Its {reason}.")))
     if bit.enum:
         more.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
     return TableRow(

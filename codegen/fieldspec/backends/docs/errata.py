@@ -136,7 +136,7 @@ def _text(value: object) -> str:
     if isinstance(value, bool):
         return {True: "yes", False: "no"}[value]
     if isinstance(value, Decimal):
-        return decimal_text(value)
+        return f"{value:f}"
     if isinstance(value, Ranges):
         return value.text()
     if isinstance(value, bytes):
@@ -187,7 +187,9 @@ OF_VALUES: dict[str, Callable[[Value], object]] = {
     "range": lambda value: value.ranges,
     "unit_range": lambda value: value.ranges and range_in_unit(value, value.ranges),
     "default": lambda value: value.default,
-    "unit_default": lambda value: value.in_unit(value.default) if isinstance(value.default, int) else value.default,
+    "unit_default": lambda value: (
+        decimal_text(value.in_unit(value.default), value.scale) if isinstance(value.default, int) else value.default
+    ),
     "const": lambda value: value.const,
     "enum": lambda value: value.enum,
     "flags": lambda value: value.flags,

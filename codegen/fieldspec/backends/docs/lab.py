@@ -27,7 +27,7 @@ SCRIPTS = ("search.js", SCRIPT)
 CONNECTIONS = "ws://localhost:* ws://127.0.0.1:*"
 """Where a lab may connect to: simulated devices on the same machine."""
 
-_PARTS = ("elements", "table", "log_list", "form", "carriers", "exchange", "device", "start")
+_PARTS = ("elements", "table", "log_list", "words", "form", "carriers", "exchange", "device", "start")
 _IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const)\b)", re.MULTILINE)
 

@@ -26,7 +26,6 @@ from fieldspec.backends.docs.positions import Position, field_starts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import replace
-from fieldspec.explain.values import decimal_text
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
@@ -363,9 +362,9 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if link.word_order:
         yield "Words of a number", ((text_piece(ORDERS[link.word_order]),),)
     if link.silence_characters is not None:
-        yield "Silence between frames", ((text_piece(f"{decimal_text(link.silence_characters)} characters"),),)
+        yield "Silence between frames", ((text_piece(f"{link.silence_characters:f} characters"),),)
     if link.silence_milliseconds is not None:
-        yield "Silence between frames", ((text_piece(f"{decimal_text(link.silence_milliseconds)} ms"),),)
+        yield "Silence between frames", ((text_piece(f"{link.silence_milliseconds:f} ms"),),)
     if link.silence_sources:
         yield "Source of the silence", (cited(link.silence_sources),)
     if link.exception_response is not None:

@@ -22,7 +22,6 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.sources import Inferences
-from fieldspec.explain.values import decimal_text
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.texts import Limit, Lookup, LookupColumn, LookupRow, Note
 
@@ -120,13 +119,13 @@ def _limit(context: Context, limit: Limit, marks: Inferences) -> TableRow:
 def _limit_lines(limit: Limit) -> Iterator[str]:
     unit = f" {limit.unit}" if limit.unit else ""
     if limit.value is not None:
-        yield f"{decimal_text(limit.value)}{unit}"
+        yield f"{limit.value:f}{unit}"
     if limit.low is not None and limit.high is not None:
-        yield f"{decimal_text(limit.low)} to {decimal_text(limit.high)}{unit}"
+        yield f"{limit.low:f} to {limit.high:f}{unit}"
     elif limit.low is not None:
-        yield f"at least {decimal_text(limit.low)}{unit}"
+        yield f"at least {limit.low:f}{unit}"
     elif limit.high is not None:
-        yield f"at most {decimal_text(limit.high)}{unit}"
+        yield f"at most {limit.high:f}{unit}"
     if limit.text:
         yield limit.text
     if limit.sum_of:

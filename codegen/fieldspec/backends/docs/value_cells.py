@@ -19,7 +19,7 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.sources import Inferences
-from fieldspec.explain.values import decimal_text, in_unit, range_in_unit
+from fieldspec.explain.values import in_unit, range_in_unit
 from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Enum, Member
 from fieldspec.model.fact import Fact
@@ -85,10 +85,10 @@ def unit_lines(value: Value) -> list[Line]:
     if not value.scaled:
         return [(text_piece(value.unit),)] if value.unit else []
     exact = value.scale_number
-    scale = value.scale_text if "/" in value.scale_text or isinstance(exact, str) else decimal_text(exact)
+    scale = value.scale_text if "/" in value.scale_text or isinstance(exact, str) else f"{exact:f}"
     lines: list[Line] = [(text_piece(f"{scale} {value.unit}".strip()),)]
     if value.offset:
-        lines.append((text_piece(f"plus {decimal_text(value.offset)} {value.unit}".strip()),))
+        lines.append((text_piece(f"plus {value.offset:f} {value.unit}".strip()),))
     return lines
 
 

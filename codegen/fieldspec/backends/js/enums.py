@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from fieldspec.backends.fact_texts import described, sentence
-from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.declaration import Declaration
 from fieldspec.backends.js.naming import Scope, property_scope
 from fieldspec.backends.js.text import comment, literal
 from fieldspec.backends.js.units import unit_of
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.names import Name
 
@@ -57,8 +60,11 @@ def declare_enum(enum: Enum, name: str) -> Declaration:
     return Declaration(code, types)
 
 
-def declare_flags(flags: Flags, name: str, names: Names) -> Declaration:
-    """The functions `of`, from a number to its bits, and `raw` back; the latter keeps all other bits of a number."""
+def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declaration:
+    """The functions `of`, from a number to its bits, and `raw` back; the latter keeps all other bits of a number.
+
+    Without a number, `raw` begins with the defaults, and throws where a number that has to be given is left out.
+    """
     scope = property_scope()
     bits = [(scope.take(Name.of(bit.name).camel()), bit) for bit in flags.bits if not bit.reserved]
     wide = flags.type.size > 6
@@ -67,7 +73,17 @@ def declare_flags(flags: Flags, name: str, names: Names) -> Declaration:
     code += [f"    {key}: {_bit(bit, wide)}," for key, bit in bits]
     code.append("  }),")
     arguments = f"{literal(flags.name)}, BITS_OF_{name}, bits, raw, {8 * flags.type.size}"
-    code.append(f"  raw: (bits, raw = {'0n' if wide else '0'}) => setBits({arguments}),")
+    keys = {id(bit): key for key, bit in bits}
+    needed = [
+        (keys[id(own.bit)], own.reason, [keys[id(other)] for other in own.bits]) for own in needed_bits(flags, enums)
+    ]
+    initial = f"{flags.initial}{'n' * wide}"
+    if needed:
+        rows = ", ".join(
+            f"[{literal(key)}, {literal(why)}, [{', '.join(map(literal, others))}]]" for key, why, others in needed
+        )
+        initial = f"initialWord({literal(flags.name)}, bits, {initial}, [{rows}])"
+    code.append(f"  raw: (bits, raw = {initial}) => setBits({arguments}),")
     units = {key: unit_of(bit.as_value, 4) for key, bit in bits if bit.is_number and unit_of(bit.as_value, 4)}
     if units:
         code.append("  units: /* @__PURE__ */ Object.freeze({")
@@ -81,13 +97,19 @@ def declare_flags(flags: Flags, name: str, names: Names) -> Declaration:
     for key, bit in bits:
         number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
         meanings = [f"{value} = {sentence(text)}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
+        if bit.default is not None:
+            meanings.append(f"{bit.default} where it is left out.")
+        if reason := bit.reason_to_give(enums.get(bit.enum)):
+            meanings.append(f"It has to be given: its {sentence(reason)}")
         if bit.is_number and unit_of(bit.as_value, 4):
             meanings.append(f"A count of `units.{key}`.")
         types += comment(described(f"{Name.of(bit.name).title()}, {number}", bit, *meanings), 2)
         types.append(f"  readonly {key}: {'boolean' if bit.width == 1 else 'number'};")
     rows = " ".join(f"readonly {key}: Unit;" for key in units)
     with_units = f" & {{ readonly units: {{ {rows} }} }}" if units else ""
-    types += ["}", f"export declare const {name}: Flags<{name}, {'bigint' if wide else 'number'}>{with_units};", ""]
+    single = " | ".join(literal(key) for key, _, others in needed if len(others) == 1)
+    parameters = f"{name}, {'bigint' if wide else 'number'}{f', {single}' if single else ''}"
+    types += ["}", f"export declare const {name}: Flags<{parameters}>{with_units};", ""]
     return Declaration(code, types)
 
 

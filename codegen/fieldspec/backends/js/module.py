@@ -45,6 +45,7 @@ IMPORTS = {
         "putEncodedText",
         "putText",
         "setBits",
+        "initialWord",
         "signed48",
         "textOf",
         "within",
@@ -77,7 +78,7 @@ def declarations(names: Names) -> list[Declaration]:
             Name.of(message.name).pascal(), f"{Name.of(message.name).pascal()}Message"
         )
     rows = [declare_enum(enum, names.enums[enum.name]) for enum in device.enums.values()]
-    rows += [declare_flags(flags, names.flags[flags.name], names) for flags in device.flags.values()]
+    rows += [declare_flags(flags, names.flags[flags.name], device.enums) for flags in device.flags.values()]
     rows += [
         declare_record(record, names.records[name], names, sentence(Name.of(name).title()))
         for name, record in layout.records.items()

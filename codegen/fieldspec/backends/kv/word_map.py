@@ -127,6 +127,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
             "offset": f"{bit.offset:f}" if bit.offset else None,
             "unit": bit.unit or None,
             **(_ranges(bit.as_value) if bit.ranges is not None else {}),
+            "default": f"to be given: {reason}" if (reason := bit.reason_to_give(enum)) else bit.default,
             "values": _members(enum) if enum is not None else _senses(bit),
             "case": bit.when or None,
             "access": placed_value.access or None,

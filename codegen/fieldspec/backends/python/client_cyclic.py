@@ -13,7 +13,10 @@ from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.needed_bits import needed_bits
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
+from fieldspec.model.enums import Flags
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
@@ -57,7 +60,7 @@ def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchan
         link=f"_{Name.of(link.name).upper()}",
         request=f"{CODEC}.{exchange.request_name}",
         response=f"{CODEC}.{exchange.response_name}",
-        initial=literal(initial_bytes(message.request).hex()),
+        initial=literal(initial_bytes(names.layout.device, message.request).hex()),
         tasks=tasks,
         doc=docstring(
             [
@@ -69,10 +72,11 @@ def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchan
     )
 
 
-def initial_bytes(record: RecordLayout) -> bytes:
+def initial_bytes(device: Device, record: RecordLayout) -> bytes:
     """The bytes of a request in which everything is 0 but constants and initial values.
 
-    Raises NoTask for a number whose words are exchanged or that is sent as digits, and for fields behind a list.
+    Raises NoTask for a number whose words are exchanged or that is sent as digits, for fields behind a list, and where
+    nothing says what to send in place of a 0 that is another quantity or is not permitted.
     """
     if record.inner_lists is not None:
         raise NoTask(
@@ -86,6 +90,10 @@ def initial_bytes(record: RecordLayout) -> bytes:
         if value.digits or value.text_form is not None:
             raise NoTask(f"{field.name} is sent as characters")
         number = value.const if isinstance(value.const, int) else value.default
+        if number is None and value.flags:
+            number = _initial_word(device, field, device.flags[value.flags])
+        elif number is None and value.offset and not field.field.reserved:
+            raise NoTask(f"{field.name} has no default, and its 0 is {value.offset:f} {value.unit}".rstrip())
         if isinstance(number, int) and not isinstance(number, bool) and not field.is_list:
             if field.swapped:
                 raise NoTask(f"{field.name} has exchanged words")
@@ -93,6 +101,14 @@ def initial_bytes(record: RecordLayout) -> bytes:
             raw = number.to_bytes(field.size, "big", signed=value.type.signed)
             data[field.offset : field.offset + field.size] = raw if order == "big" else raw[::-1]
     return bytes(data)
+
+
+def _initial_word(device: Device, field: FieldLayout, word: Flags) -> int:
+    """The word of which nothing is given. Raises NoTask where something has to be."""
+    needed = next(iter(needed_bits(word, device.enums)), None)
+    if needed is not None:
+        raise NoTask(f"{needed.bit.name} of {field.name} has no default, and its {needed.reason}")
+    return word.initial
 
 
 class _CyclicTask:

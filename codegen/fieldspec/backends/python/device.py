@@ -46,7 +46,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     """The data of the template of a version's module, without its imports."""
     device, scope = layout.device, module_scope()
     enums = {name: enum_view(enum, scope) for name, enum in device.enums.items()}
-    flags = {name: flags_view(word, enums, scope) for name, word in device.flags.items()}
+    flags = {name: flags_view(word, device, enums, scope) for name, word in device.flags.items()}
     names = {name: _class(name, "Record", scope) for name in layout.records}
     bounded = {name: word.bounded for name, word in device.flags.items() if word.bounded}
     words = Words(enums, {name: view.name for name, view in flags.items()}, names, layout.registers, bounded)

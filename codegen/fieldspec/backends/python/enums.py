@@ -9,6 +9,8 @@ from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
 from fieldspec.backends.python.scaling import in_unit, quantity, ratio
 from fieldspec.backends.python.text import docstring, filled, item_lines, literal
 from fieldspec.classes import dataclass, field, replace
+from fieldspec.layout.needed_bits import needed_bits
+from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.names import Name
 
@@ -94,10 +96,12 @@ class FlagsView:
     """A word of flags: the tables of its bits, the constructor for type checkers, and the states of the bits.
 
     `fitting` has the mask, the value and the member of each state. `taken` are the lines of a snapshot that read the
-    bits of a byte at once. `scaled` are the properties of fields of bits in their units.
+    bits of a byte at once. `scaled` are the properties of fields of bits in their units. `base` is the class that it
+    extends.
     """
 
     name: str
+    base: str
     bits: list[BitView]
     table: list[str]
     init: list[str]
@@ -154,7 +158,7 @@ def _member(member: Member) -> list[str]:
     return [*head[:3], *causes, *remedies, *head[3:]]
 
 
-def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> FlagsView:
+def flags_view(flags: Flags, device: Device, enums: Mapping[str, EnumView], scope: Scope) -> FlagsView:
     """The view of a word of flags."""
     taken = Name.of(flags.name)
     name = scope.take(taken.pascal(), taken.pascal() + "Flags")
@@ -162,7 +166,7 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     names = Scope(FLAGS, TYPES, STATES if states else frozenset())
     named = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
     lines, bound = from_tables(named)
-    bits = [_bit(bit, taken_name, enums) for bit, taken_name in named]
+    bits = [_bit(bit, taken_name, device, enums) for bit, taken_name in named]
     bits = [replace(bit, snapshot=bit.name) if bit.name in bound else bit for bit in bits]
     more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
     table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
@@ -173,17 +177,34 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
         if bit.as_value.scaled
     ]
     units = [f'"{view.name}": ("{raw}", {ratio(bit.as_value)})' for bit, raw, view in scaled]
-    arguments = [*map(_argument, bits), *(f"{view.name}: {view.argument} = 0" for _, _, view in scaled)]
+    in_unit_of = {id(bit): view.name for bit, _, view in scaled}
+    keys = {id(bit): [key for key in (raw, in_unit_of.get(id(bit))) if key] for bit, raw in named}
+    needed = [(own, [key for bit in own.bits for key in keys[id(bit)]]) for own in needed_bits(flags, device.enums)]
+    is_preset = bool(needed) or flags.initial != 0
+    entries = [
+        f"{literal(keys[id(own.bit)][0])}: ({literal(own.reason)}, ({', '.join(map(literal, names))},))"
+        for own, names in needed
+    ]
+    open_bits = {id(own.bit) for own, _ in needed}
+    arguments = [_argument(bit, view, id(bit) in open_bits) for (bit, _), view in zip(named, bits, strict=True)]
+    arguments += [
+        f"{view.name}: {view.argument} = {'...' if bit.default is not None or id(bit) in open_bits else '0'}"
+        for bit, _, view in scaled
+    ]
+    first = "raw: int | None = None" if is_preset else "raw: int = 0"
     return FlagsView(
         name=name,
+        base="_PresetFlags" if is_preset else "_Flags",
         bits=bits,
         table=[
             *item_lines("_BITS = {", table, "}", 4),
             *(filled("_SIGNED = frozenset({", signed, "})", 4) if signed else []),
             *(item_lines("_QUANTITIES = {", units, "}", 4) if units else []),
+            *([f"_INITIAL = {flags.initial:#x}"] if flags.initial else []),
+            *(item_lines("_NEEDED = {", entries, "}", 4) if entries else []),
         ],
         scaled=[view for _, _, view in scaled],
-        init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *arguments], ") -> None: ...", 8),
+        init=item_lines("def __init__(", ["self", first, "*", *arguments], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
         taken=lines,
@@ -191,8 +212,11 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     )
 
 
-def _argument(bit: BitView) -> str:
-    return f"{bit.name}: {bit.argument} = {'False' if bit.argument == 'bool' else '0'}"
+def _argument(bit: Bit, view: BitView, is_needed: bool) -> str:
+    """`level: int = 3`: what is sent where it is left out; `...` where it has to be given, in one unit or the other."""
+    number = bit.default or 0
+    default = str(bool(number)) if view.argument == "bool" else str(number)
+    return f"{view.name}: {view.argument} = {'...' if is_needed else default}"
 
 
 def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
@@ -222,7 +246,7 @@ def _fitting(flags: Flags, state: State, number: int, states: EnumView) -> str:
     return f"({mask:#x}, {value:#x}, {states.name}.{states.members[number].name})"
 
 
-def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
+def _bit(bit: Bit, name: str, device: Device, enums: Mapping[str, EnumView]) -> BitView:
     number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
     meanings = [f"{value} = {text}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
     facts = [f" {meaning}" for meaning in meanings]
@@ -232,6 +256,10 @@ def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
         facts.append(" It is 0 while that is so.")
     if bit.when:
         facts.append(f" When {sentence(bit.when)}")
+    if bit.default is not None:
+        facts.append(f" {bit.default} where it is left out.")
+    if reason := bit.reason_to_give(device.enums.get(bit.enum)):
+        facts.append(f" It has to be given: its {sentence(reason)}")
     if quantity(bit.as_value):
         facts.append(f" It counts {sentence(quantity(bit.as_value))}")
     doc = docstring(described(f"{Name.of(bit.name).title()}, {number}", bit, *facts), 8)

@@ -69,7 +69,7 @@ _SHARED = {
     "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure",
     "_escapes": "Add Cobs EscapeFramer EscapedFrames Insert Replace",
     "_filled": "Filled",
-    "_flags": "BITS_OF Flags",
+    "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
     "_inner_lists": "InnerList InnerLists",

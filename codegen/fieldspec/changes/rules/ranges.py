@@ -58,8 +58,8 @@ def range_widened(comparison: Comparison) -> Iterator[Change]:
 def default_changed(comparison: Comparison) -> Iterator[Change]:
     """The default of a value is another one.
 
-    Why: a device that relies on the old default, and a record that is filled only in part, behave in another way. Other
-    bytes are written into reserved fields.
+    Why: a device that relies on the old default, and a record or a word of bits that is filled only in part, behave in
+    another way. Other bytes are written into reserved fields.
 
     Example: `default: 100` that becomes `default: 50`.
 
@@ -74,6 +74,11 @@ def default_changed(comparison: Comparison) -> Iterator[Change]:
             effect = Effect.WIRE if filling else Effect.BEHAVIOUR
             text = f"{named(value_pair.of.new)}: {difference_text('the default', old, new)}"
             yield change("default_changed", effect, value_pair, "default", text, old, new)
+    for pair in comparison.of(Bit):
+        if pair.old.default != pair.new.default:
+            old, new = pair.old.default, pair.new.default
+            text = f"{named(pair.new)}: {difference_text('the default', old, new)}"
+            yield change("default_changed", Effect.BEHAVIOUR, pair, "default", text, old, new)
 
 
 _KEYS = {

@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.row import citations
 from fieldspec.explain.script.literals import Data
+from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.digits import digits_text, has_sign, is_complement
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact
@@ -141,7 +142,7 @@ def _member(member: Member) -> dict[str, Data]:
     }
 
 
-def word_data(word: Flags) -> dict[str, Data]:
+def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
     """A word with its bits and states."""
     return stated(
         {
@@ -150,6 +151,7 @@ def word_data(word: Flags) -> dict[str, Data]:
             "size": word.type.size,
             "countedFromMost": word.bit_0 == "most",
             "bits": [_bit(bit) for bit in word.bits],
+            "needed": [[needed.bit.name, needed.reason, list(needed.names)] for needed in needed_bits(word, enums)],
             "states": [
                 stated(
                     {
@@ -180,6 +182,7 @@ def _bit(bit: Bit) -> dict[str, Data]:
                 "edge": bit.edge,
                 "reserved": bit.reserved,
                 "signed": bit.signed,
+                "default": bit.default,
                 "isNumber": bit.is_number,
                 "unit": bit.unit,
                 "ranges": intervals(bit.ranges if bit.is_bounded else None),

@@ -7,7 +7,7 @@ from decimal import Decimal
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 from fieldspec.model.value import PRIMITIVES
 from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.values import counts_of, scale_of, scale_text
+from fieldspec.reading.building.values import counts_of, default_of, scale_of, scale_text
 
 
 def enum(entry: Entry) -> Enum:
@@ -85,6 +85,7 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         first = last = 0
     scale = scale_of(entry)
     offset = entry.decimal("offset") or Decimal(0)
+    default = default_of(entry, scale if scale is not None else Decimal(1), offset)
     reserved = entry.flag("reserved")
     arguments = entry.fact()
     if not arguments["name"]:
@@ -109,4 +110,5 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         offset=offset,
         unit=entry.text("unit"),
         ranges=counts_of(entry, scale if scale is not None else Decimal(1), offset),
+        default=default if isinstance(default, int) else None,
     )

@@ -67,7 +67,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         offset=offset,
         unit=f"{power_of_ten(scale_by)} {unit}".rstrip() if scale_by else unit,
         ranges=_real_ranges(entry) if primitive.kind is Kind.FLOAT else counts_of(entry, scale, offset),
-        default=_default(entry, scale, offset),
+        default=default_of(entry, scale, offset),
         const=entry.integer("const"),
         enum=entry.text("enum"),
         flags=entry.text("flags"),
@@ -184,7 +184,8 @@ def counts_of(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Range
     return Ranges(tuple(counts))
 
 
-def _default(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> int | str | None:
+def default_of(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> int | str | None:
+    """The default in counts, which the entry states in counts or in the unit; a text for a text."""
     in_unit = entry.decimal("unit_default") if _states_in_unit(entry, "default") else None
     if in_unit is None:
         default = entry.value("default")

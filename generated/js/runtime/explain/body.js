@@ -14,7 +14,7 @@ function withPercentages(device, row, field, number) {
   const meanings = conversions.map((conversion) => {
     const { name, label, complement, full, references } = conversion;
     const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
-    const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200));
+    const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200), `100/${full}`);
     return meaningOf(name, label, `${percent} % of ${references}`);
   });
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;

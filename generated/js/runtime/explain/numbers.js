@@ -78,17 +78,29 @@ const MOST_PLACES = 6;
 const MOST_DIGITS = 8;
 const ROUNDED_DIGITS = 6;
 
+/** The fewest places, at least one, whose last digit is worth less than a count: `1/60`, or a decimal number. */
+function resolvingPlaces(count) {
+  const [above, below = "1"] = count.split("/");
+  const { coefficient, exponent } = decimalOf(above);
+  const top = coefficient < 0n ? -coefficient : coefficient;
+  const bottom = BigInt(below) * 10n ** BigInt(-exponent);
+  let places = 1;
+  while (top * 10n ** BigInt(places) <= bottom) places += 1;
+  return places;
+}
+
 /**
- * A number without an exponent, in full if it is short, else rounded to six digits. If the rounded number would look
- * exact, as 25 for 24.9999999 does, more digits are written.
+ * A number without an exponent: in full if it is short, else rounded behind the point. The last digit is worth less
+ * than a count. If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
  */
-export function decimalText(number) {
+export function decimalText(number, count = "1") {
   if (-number.exponent <= MOST_PLACES) return inFull(number);
   const short = shortest(number);
   if (-short.exponent <= MOST_PLACES || digitsOf(short) <= MOST_DIGITS) return inFull(short);
-  for (let digits = ROUNDED_DIGITS; digits < digitsOf(short); digits++) {
-    const rounded = shortest(decimalRounded(short, digits));
-    if (digitsOf(rounded) === digits) return inFull(rounded);
+  const adjusted = digitsOf(short) + short.exponent - 1;
+  for (let places = Math.max(resolvingPlaces(count), ROUNDED_DIGITS - 1 - adjusted); places < -short.exponent; places++) {
+    const rounded = decimalRounded(short, adjusted + 1 + places);
+    if (rounded.exponent === -places && rounded.coefficient % 10n !== 0n) return inFull(rounded);
   }
   return inFull(short);
 }

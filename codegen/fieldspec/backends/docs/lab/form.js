@@ -190,6 +190,7 @@ class MessageForm {
     if (listing && !memberOf(listing, 0)) return listing.members.find(({ unavailable }) => !unavailable)?.name ?? "0";
     if (value.kind === "bytes") return "00".repeat(value.size);
     if (value.kind === "text") return "";
+    if (value.flags) return initialWord(device, value);
     const first = ranges && !isWithin(ranges, 0) ? ranges[0][0] : 0;
     return entryOf(device, value, value.kind === "boolean" ? false : first, this.isAddress(field));
   }
@@ -238,14 +239,9 @@ class MessageForm {
 
   bits(path, field, text) {
     const word = this.lab.device.flags.get(field.value.flags);
-    let raw = 0n;
-    try {
-      raw = BigInt(rawOf(this.lab.device, path, field.value, text));
-    } catch (error) {
-      if (!(error instanceof CodecError)) throw error;
-    }
+    const raw = wordNumber(this.lab.device, field.value, text);
     const boxes = (word.bits ?? []).filter(({ reserved, width }) => !reserved && width === 1).map((bit) => {
-      const box = element("input", { type: "checkbox", checked: Boolean(raw & bitMask(bit)), dataset: { path, bit: bit.first } });
+      const box = element("input", { type: "checkbox", checked: isBitSet(raw, text, bit), dataset: { path, bit: bit.first, name: bit.name } });
       return element("label", {}, box, ` ${bit.first} `, element("code", { textContent: bit.name }));
     });
     return element("details", {}, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
@@ -265,9 +261,7 @@ class MessageForm {
       this.draw();
     } else if (bit !== undefined) {
       const field = this.allLeaves().find((leaf) => leaf.path === path).field;
-      const mask = 1n << BigInt(bit);
-      const raw = BigInt(rawOf(this.lab.device, path, field.value, this.entries.get(path)));
-      this.entries.set(path, entryOf(this.lab.device, field.value, target.checked ? raw | mask : raw & ~mask));
+      this.entries.set(path, wordWithBit(this.lab.device, field.value, this.entries.get(path), target.dataset, target.checked));
       const input = [...this.fields.querySelectorAll("input[type=text]")].find(({ dataset }) => dataset.path === path);
       input.value = this.entries.get(path);
     } else {

@@ -138,10 +138,15 @@ function quantityEntry(name, value, text, quantity) {
   return count;
 }
 
-/** The word with the named bits set. `name=member` or `name=number` sets a field of several bits. */
+/**
+ * The word with the named bits set. `name=member` or `name=number` sets a field of several bits. Fields that are not
+ * named have their defaults, else 0; throws CodecError where 0 would mean something.
+ */
 function wordOf(device, name, value, text) {
   const word = device.flags.get(value.flags);
+  const named = new Set();
   let result = 0n;
+  for (const bit of word.bits ?? []) result |= (BigInt(bit.default ?? 0) << BigInt(bit.first)) & bitMask(bit);
   for (const item of text.split(/[, ]+/).filter(Boolean)) {
     const [bitName, setting] = item.split("=");
     const bit = word.bits?.find((other) => other.name === bitName);
@@ -149,12 +154,19 @@ function wordOf(device, name, value, text) {
       const names = (word.bits ?? []).filter(({ reserved }) => !reserved).map((other) => other.name).join(", ");
       throw new CodecError("unknown_value", `${name}: \`${bitName}\` is no bit of ${value.flags}: ${names}`);
     }
+    if (named.has(bitName)) throw new CodecError("wrong_type", `${name}: \`${bitName}\` has two values`);
+    named.add(bitName);
     const number = setting === undefined ? 1n : BigInt(countEntry(device, `${name}.${bitName}`, bit, setting));
     const high = (1n << BigInt(bit.width - (bit.signed ? 1 : 0))) - 1n;
     if (number > high || number < (bit.signed ? -high - 1n : 0n)) {
       throw new CodecError("out_of_range", `${name}: ${number} does not fit the ${bit.width} bits of ${bitName}`);
     }
-    result |= (number << BigInt(bit.first)) & bitMask(bit);
+    result = (result & ~bitMask(bit)) | ((number << BigInt(bit.first)) & bitMask(bit));
+  }
+  const missing = word.needed?.find(([, , names]) => !names.some((other) => named.has(other)));
+  if (missing) {
+    const [own, reason] = missing;
+    throw new CodecError("missing_value", `${name}: \`${own}\` is not given, and its ${reason}; give \`${own}=\`, or the whole word`);
   }
   return narrowed(result);
 }

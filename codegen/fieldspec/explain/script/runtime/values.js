@@ -71,11 +71,11 @@ function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
 /** The quantity of a raw value with its unit; empty for a value without unit and scale, and for a sentinel. */
 export function inUnit(value, number) {
   if ((value.unit === undefined && value.scale === undefined) || sentinelOf(value, number)) return "";
-  return `${decimalText(quantityOf(value, number))} ${value.unit ?? ""}`.trim();
+  return `${decimalText(quantityOf(value, number), value.scale)} ${value.unit ?? ""}`.trim();
 }
 
 function rangeInUnit(value, ranges) {
-  const bound = (count) => decimalText(quantityOf(value, count));
+  const bound = (count) => decimalText(quantityOf(value, count), value.scale);
   const text = ranges.map(([low, high]) => (low == high ? bound(low) : `${bound(low)}..${bound(high)}`)).join(", ");
   return `${text} ${value.unit ?? ""}`.trim();
 }
