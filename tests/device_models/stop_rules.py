@@ -40,7 +40,8 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
         when = calls.scans[end]
         word = history.scans[when].word
         if word is not None:
-            if not _asks_to_stop(word):
+            begins = calls.kind == "halt" and any(text.startswith("start ") for text in history.scans[when].asked)
+            if not begins and not _asks_to_stop(word):
                 text = f"it ends with {calls.ends[end]}, and the control word {word:04X}H"
                 yield Violation(23, when, calls.name, text)
         elif "Error" in calls.ends[end] and calls.error[end] in history.may_move:

@@ -16,6 +16,7 @@ from fieldspec.model.watches import (
     acceptance,
     before_effect,
     conditions,
+    is_command,
     needs_begin,
     shows_acceptance,
     watches,
@@ -71,7 +72,7 @@ class CyclicTask:
         self.lowered: list[Statement] = []
         self.insists: list[Statement] = []
         self.begun: list[Statement] = []
-        self.unsettled = self.noted = False
+        self.unsettled = False
         self.remarks: list[str] = []
 
     def all(self) -> None:
@@ -118,7 +119,6 @@ class CyclicTask:
             end = end_steps(other)
             assert end is not None
             self.labels[f"direction {number}"] = draft.next
-            self.noted = False
             self._walk(other, end[0], end[1], acceptance(self.operands, other, self.message.name))
             draft.add([draft.go(self.known.get("watch", 0))])
         kind.look = self.labels["watch"] = draft.next
@@ -138,6 +138,11 @@ class CyclicTask:
             kind.at_once = [assigned(kind.sent, True), *self.insists, *cleared(starts)]
         kind.tries, kind.ending = 1, draft.next
         stands = self.conditions.stands(self.places.seen)
+        reached = self.operands.with_role("speed_reached", self.message.name)
+        if stands is None and self.neutral and len(reached) == 1:
+            # The speed 0 is commanded: the drive says when it has reached it.
+            self._settle()
+            stands = self.conditions.has(reached[0], (True,), self.places.place(reached[0])[0])
         if stands is None:
             self.remarks.append(
                 "The telegram does not show whether the drive stands: the block ends when it is told to stop."
@@ -202,6 +207,7 @@ class CyclicTask:
     def _walk(self, task: Task, first: int, behind: int, accepted_at: int = -1) -> None:
         """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
         draft = self.draft
+        starts_at = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
         index = first
         while index < behind:
             step = task.steps[index]
@@ -213,15 +219,10 @@ class CyclicTask:
                 taken = self._taken(index <= accepted_at < last)
                 self._waits(task, waits, index > accepted_at >= 0, must_begin, taken, last == len(task.steps))
             else:
-                self._command(task, index, self._taken(index == accepted_at))
+                self._command(task, index, self._taken(index == accepted_at), index == starts_at)
             if index <= accepted_at < last:
                 self.labels["look"] = draft.next
             index = last
-
-    def _sent(self) -> list[Statement]:
-        """What notes that a command is on its way, in the first step that changes the request."""
-        noted, self.noted = self.noted, True
-        return [assigned(self.kind.sent, True)] if isinstance(self.kind, Moving) and not noted else []
 
     def _taken(self, accepts: bool) -> list[Statement]:
         kind = self.kind
@@ -250,11 +251,11 @@ class CyclicTask:
         self.draft.settle(_SETTLE)
         self.unsettled = False
 
-    def _command(self, task: Task, index: int, taken: list[Statement]) -> None:
+    def _command(self, task: Task, index: int, taken: list[Statement], starts: bool = False) -> None:
         """Adds a step that changes the request."""
         draft, step = self.draft, task.steps[index]
         operand = self._operand(step)
-        sent = self._sent()
+        sent = [assigned(self.kind.sent, True)] if isinstance(self.kind, Moving) and (starts or taken) else []
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
         if step.action == "read":
@@ -263,9 +264,9 @@ class CyclicTask:
         elif step.action == "pulse":
             bit = self.places.bit(operand)
             self.pulsed.append(bit)
-            draft.add([*sent, bit.put(False), draft.go(draft.next + 1)])
+            draft.add([bit.put(False), draft.go(draft.next + 1)])
             self._settle()
-            draft.add([bit.put(True), *taken, draft.go(0 if is_last else draft.next + 1)])
+            draft.add([*sent, bit.put(True), *taken, draft.go(0 if is_last else draft.next + 1)])
         elif step.action in ("set", "clear"):
             bit = self.places.bit(operand)
             if step.action == "set":

@@ -119,7 +119,8 @@ class Moving(Edged):
         return [
             *self.find_edge(),
             chain([(self.edge, [*self.converted(), assigned(self.pending, True)]), self.idle()]),
-            when(every([self.pending, Negation(self.ending_flag)]), self.begun()),
+            # A halt that is asked for anew is sent anew; what moves begins when the motion before has ended.
+            when(self.pending if self.halts else every([self.pending, Negation(self.ending_flag)]), self.begun()),
         ]
 
     def converted(self) -> list[Statement]:
@@ -139,6 +140,7 @@ class Moving(Edged):
             Assignment(self.earlier, either([self.earlier, self.sent, self.taken])),
             when(Negation(self.taken), [Assignment(self.owner, axis.motion)]),
             *(assigned(flag, False) for flag in (self.sent, self.taken)),
+            *([assigned(self.ending_flag, False)] if self.halts else []),
             *self.fresh,
             Assignment(self.first_reason, _NONE),
             Assignment(draft.reason, reason),
@@ -151,15 +153,19 @@ class Moving(Edged):
         assert draft.aborted is not None
         displaced = compared(self.owner, "<>", axis.motion)
         ended = [
-            Assignment(draft.reason, self.first_reason),
+            Assignment(draft.reason, _NONE if self.halts else self.first_reason),
             Assignment(draft.aborted, draft.unharmed()),
             *(assigned(flag, False) for flag in self._flags()),
+            *([assigned(self.pending, False)] if self.pending is not None else []),
         ]
         waits = [Negation(self.taken), Negation(self.ending_flag)]
         locked = [assigned(self.earlier, False), when(draft.unharmed(), [draft.fail("locked")])]
         superseded = compared(self.claim, "<>", axis.claims)
         goes_on = [*self.drop, *self.take_over(), draft.go(self.look)]
-        left = when(either([self.sent, self.earlier]), goes_on, [assigned(draft.aborted, True)])
+        # What is asked for over a line is answered before another start goes out, so that its own answer decides.
+        unsent = [Negation(self.sent)] if self.stop else []
+        moving = self.earlier if self.stop else either([self.sent, self.earlier])
+        left = when(moving, goes_on, [assigned(draft.aborted, True)])
         branches: list[Branch] = [
             (every([either([self.taken, self.ending_flag]), displaced]), ended),
             (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
@@ -167,7 +173,7 @@ class Moving(Edged):
         if self.wanted is not None:
             branches.append((every([Negation(self.wanted), Negation(self.ending_flag)]), self._withdrawn()))
         if not self.halts:
-            branches.append((every([superseded, draft.unharmed(), *waits]), [left]))
+            branches.append((every([superseded, draft.unharmed(), *waits, *unsent]), [left]))
         if self.late is not None:
             branches.append((every([self.late, Negation(self.ending_flag)]), [draft.fail("late")]))
         return branches
@@ -197,7 +203,12 @@ class Moving(Edged):
 
     def urgent(self) -> Expression | None:
         """See `Kind`."""
-        return between(self.draft, self.ending, self.stop) if self.stop else None
+        if not self.stop:
+            return None
+        ends = between(self.draft, self.ending, self.stop)
+        if not self.commands or self.look <= max(self.commands) + 1:
+            return ends
+        return either([ends, every([self.sent, Negation(self.taken), Negation(self.ending_flag)])])
 
     def tail(self) -> list[Statement]:
         """See `Kind`."""
@@ -224,7 +235,7 @@ class Moving(Edged):
         draft = self.draft
         once_more: list[Branch] = []
         if self.tries > 1:
-            again = every([draft.failed(), compared(self.tries_left, ">", number(1)), Negation(late)])
+            again = every([draft.failed(), compared(self.tries_left, ">", number(1))])
             minus = Assignment(self.tries_left, plus(self.tries_left, -1))
             once_more.append((again, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
         behind = compared(draft.step, "=", number(0))
@@ -238,7 +249,7 @@ class Moving(Edged):
             outcome if self.pending is None else when(Negation(self.pending), [outcome]),
         ]
         return [
-            when(every([late, draft.unharmed()]), [draft.fail("late")]),
+            when(every([late, draft.unharmed(), compared(draft.step, ">", number(self.stop))]), [draft.fail("late")]),
             chain([*once_more, (either([draft.failed(), behind]), ended)]),
         ]
 
