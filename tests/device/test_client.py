@@ -242,7 +242,7 @@ def test_a_cancelled_point_takes_its_start_back(device: SimulatedDevice) -> None
 
 
 def test_packets_have_tasks_messages_and_parameters() -> None:
-    with simulation("esc11", rate=20, folder=SPECS) as device, serial.Serial(device.place, 19200, timeout=0.02) as port:
+    with simulation("esc11", rate=5, folder=SPECS) as device, serial.Serial(device.place, 19200, timeout=0.02) as port:
         client = esc11_client.Client(port, settle=0.1, pause=0.0)
         client.servo_on()
         client.home()

@@ -233,7 +233,7 @@ class History:
         calls = Calls(name, kind)
         keys = [(name, text) for text in STARTS if self.scans and (name, text) in self.scans[0].inputs]
         before: tuple[bool, ...] | None = None
-        restarted = True
+        restarted, ready = True, False
         for number, scan in enumerate(self.scans):
             restarted = restarted or "restart" in scan.disturbed
             if scan.called is not None and name not in scan.called:
@@ -244,7 +244,11 @@ class History:
                 before = None
             calls.scans.append(number)
             calls.execute.append(any(levels))
-            calls.edges.append(before is not None and _rising(before, levels))
+            # A jog needs both inputs FALSE first, after a restart and after it has failed.
+            failed = bool(calls.ends) and calls.ends[-1] in ("Error", "CommandAborted")
+            free = before is not None and (not any(before) or (ready and not failed))
+            ready = len(keys) < 2 or free
+            calls.edges.append(before is not None and ready and _rising(before, levels))
             calls.fresh.append(restarted)
             calls.abort.append(bool(scan.inputs.get((name, "Abort"))))
             calls.busy.append(bool(outputs.get((name, "Busy"))))
@@ -256,7 +260,12 @@ class History:
 
 
 def _rising(before: tuple[bool, ...], now: tuple[bool, ...]) -> bool:
-    """Whether a block has something to begin: an input rises, or one of two directions alone remains."""
+    """Whether a block has something to begin: an input rises, or one of two directions alone remains.
+
+    Both directions at once are none.
+    """
+    if len(now) == 2 and all(now):
+        return False
     if len(now) == 2 and before == (True, True):
         return sum(now) == 1
     return any(new and not old for old, new in zip(before, now, strict=True))

@@ -122,13 +122,17 @@ def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
 
 
 def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
-    """Rule 12: a value out of range is Error 1 in the scan of the edge, and nothing is sent."""
+    """Rule 12: a value out of range is Error 1 in the scan of the edge, and nothing is sent.
+
+    A block that is Busy ends its motion first.
+    """
     for calls in _edged(history):
         for index, scan in _edges(calls):
             if calls.name not in history.scans[scan].invalid or calls.abort[index]:
                 continue
             another = calls.error[index] != REFUSED and not _is_locked(history, scan)
-            if "Error" not in calls.ends[index] or another:
+            ends_first = index > 0 and calls.busy[index - 1] and calls.busy[index]
+            if not ends_first and ("Error" not in calls.ends[index] or another):
                 text = f"a value out of range has ErrorID {calls.error[index]}"
                 yield Violation(12, scan, calls.name, text)
             end = calls.edge_after(index)

@@ -11,6 +11,7 @@ START_BITS = 0x0B40
 TASK_BITS = 0x0030
 """Bits of STW1 that start a motion, and those that let a task go on."""
 TRIES = 3
+LOCKED = 12
 
 
 def a_stop_comes_next(history: History) -> Iterator[Violation]:
@@ -34,12 +35,13 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
     for calls, index, scan in _stop_edges(history):
         last = _last_before_edge(history, calls, index)
         end = next((place for place in range(index, calls.index_at(last) + 1) if calls.ends[place]), None)
-        if end is None or calls.abort[end]:
+        if end is None or calls.abort[end] or (calls.kind == "halt" and "CommandAborted" in calls.ends[end]):
             continue
         when = calls.scans[end]
         word = history.scans[when].word
         if word is not None:
-            if not _asks_to_stop(word):
+            begins = calls.kind == "halt" and any(text.startswith("start ") for text in history.scans[when].asked)
+            if not begins and not _asks_to_stop(word):
                 text = f"it ends with {calls.ends[end]}, and the control word {word:04X}H"
                 yield Violation(23, when, calls.name, text)
         elif "Error" in calls.ends[end] and calls.error[end] in history.may_move:
@@ -93,15 +95,18 @@ def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
 
 
 def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
-    """Rule 28: at standstill a stop is done within a bounded time."""
+    """Rule 28: at standstill a stop is done within a bounded time; a halt is refused while a stop has the axis."""
     for calls, index, scan in _stop_edges(history):
+        if calls.kind == "halt" and calls.error[index] == LOCKED:
+            continue
         if not scan or not _is_clear(history, scan) or history.scans[scan - 1].state.velocity:
             continue
         end = history.after(scan)
         places = range(index, calls.index_at(end) + 1)
         if any(calls.abort[place] or (calls.edges[place] and place > index) for place in places):
             continue
-        if not any("Done" in calls.ends[place] for place in places):
+        good = ("Done", "CommandAborted") if calls.kind == "halt" else ("Done",)
+        if not any(end in calls.ends[place] for place in places for end in good):
             ending = next((calls.ends[place] for place in places if calls.ends[place]), "nothing")
             yield Violation(28, scan, calls.name, f"at standstill it ends with {ending}")
 

@@ -16,7 +16,7 @@ from test_scl_execution import siemens_text
 from fieldspec.backends.iec.backend import source, text
 from fieldspec.backends.scl.project import project
 from fieldspec.plc.dialects import Spelling
-from fieldspec.plc.routines.expressions import TIME, ArrayType, Elementary, EnumType, StructType, Type
+from fieldspec.plc.routines.expressions import BOOL, TIME, ArrayType, Elementary, EnumType, StructType, Type
 from fieldspec.plc.routines.printer import type_text
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.world import World
@@ -54,6 +54,12 @@ class Bench:
         self.lent = {key: name for name, (_, keys) in shared.items() for key in keys}
         self.inputs = {
             (name, declared.variable.name): _kind(declared.variable.type)
+            for name, block in blocks.items()
+            for declared in block.of_role("input")
+            if declared.variable.type != TIME
+        }
+        self.initial = {
+            (name, declared.variable.name): _initial(declared.initial, declared.variable.type)
             for name, block in blocks.items()
             for declared in block.of_role("input")
             if declared.variable.type != TIME
@@ -107,7 +113,7 @@ class Bench:
         """Switches the controller off and on; what is set from outside stays."""
         self.program.restart()
         from_outside = {key: value for key, value in self.now.items() if key in self.inputs}
-        self.now = {key: False if kind == "bool" else 0 for key, kind in self.inputs.items()} | from_outside
+        self.now = {**self.initial, **from_outside}
         self.out: dict[tuple[str, str], Any] = dict.fromkeys(self.outputs, False)
         self.ports: dict[str, Any] = {name: self.program.fresh(kind) for name, kind in self._kinds.items()}
 
@@ -179,6 +185,13 @@ def _lent(blocks: dict[str, Routine]) -> dict[str, tuple[Type, list[tuple[str, s
             variable = variables.setdefault((name, kind), f"{name}{others or ''}")
             result.setdefault(variable, (kind, []))[1].append((block, name))
     return result
+
+
+def _initial(text: str, kind: Type) -> Any:
+    """The value that an input has where nobody sets it."""
+    if kind == BOOL:
+        return text == "TRUE"
+    return float(text) if "." in text else int(text or "0")
 
 
 def _unquoted(text: str) -> str:

@@ -48,6 +48,7 @@ class Transport:
     def serve(self, carry: Callable[[Transport], int]) -> None:
         """What happens between two scans."""
         state = self.of("state")
+        self.put("urgent", max(0, self.of("urgent") - 1))
         if self.left:
             self.left -= 1
             if not self.left:
@@ -70,11 +71,16 @@ class Motion:
         self.starts: list[str] = []
         self.moving = 0
         self.endless = False
+        self.position = 0
+        self.target: int | None = None
+        self.homed = False
 
-    def begin(self, name: str, scans: int, endless: bool = False) -> None:
-        """Begins a motion."""
+    def begin(self, name: str, scans: int, endless: bool = False, target: int | None = None) -> None:
+        """Begins a motion, which ends at its target; that of `home` finds the origin."""
         self.starts.append(name)
-        self.moving, self.endless = scans, endless
+        self.moving, self.endless, self.target = scans, endless, target
+        self.homing = "home" in name or "homing" in name
+        self.homed = self.homed and not self.homing
 
     def end(self) -> None:
         """Stops."""
@@ -84,6 +90,9 @@ class Motion:
         """One scan goes by."""
         if self.moving and not self.endless:
             self.moving -= 1
+            if not self.moving:
+                self.homed = self.homed or self.homing
+                self.position = 0 if self.homing else self.position if self.target is None else self.target
 
 
 class Tc100:
@@ -113,8 +122,10 @@ class Tc100:
     def pass_scan(self) -> None:
         """One scan goes by."""
         self.motion.pass_scan()
-        self.words[0x1000] = int(self.motion.moving > 0)
-        self.words[0x1001] = int(not self.motion.moving)
+        motion = self.motion
+        self.words |= {0x1000: int(motion.moving > 0), 0x1001: int(not motion.moving), 0x1020: int(motion.homed)}
+        self.words |= {0x1021: int(motion.homed), 0x1008: motion.position >> 16 & 0xFFFF}
+        self.words[0x1009] = motion.position & 0xFFFF
 
     def exchanged(self, transport: Transport) -> int:
         """Takes a frame out of the port and puts the answer into it."""
@@ -164,12 +175,17 @@ class Tc100:
         """Whether it can move."""
         return bool(self.words.get(self.SERVO)) and not self.words.get(self.ALARM)
 
+    def _long(self, address: int) -> int:
+        number = self.words.get(address, 0) << 16 | self.words.get(address + 1, 0)
+        return number - (1 << 32) if number >> 31 else number
+
     def _command(self, command: int) -> None:
         names = {0: "move_relative", 1: "move_absolute", 3: "home", 11: "jog_positive", 12: "jog_negative"}
         if command in names:
             self.words[self.FAULT] = 0 if self.ready else 8
             if self.ready:
-                self.motion.begin(names[command], 30, endless=command >= 11)
+                targets = {0: self.motion.position + self._long(0x2000), 1: self._long(0x2002)}
+                self.motion.begin(names[command], 30, endless=command >= 11, target=targets.get(command))
         elif command in (8, 9):
             self.motion.end()
         elif command == 6 and not self.words.get(self.SERVO):
@@ -194,12 +210,11 @@ class Esc11:
         self.motion = Motion()
         self.codec = codec(newest(SPECS, "esc11")).links["serial"]
         self.messages = self.codec.link.messages
-        self.servo, self.homed, self.has_alarm = False, False, False
-        self.position = 0
+        self.servo, self.has_alarm, self.point = False, False, 0
 
     def power_cycle(self) -> None:
         """It is switched off and on."""
-        self.servo = self.homed = False
+        self.servo = self.motion.homed = False
         self.motion.end()
 
     def alarm(self, number: int) -> None:
@@ -224,8 +239,10 @@ class Esc11:
         answered: dict[str, Any] = {"address": self.STATION}
         moves = {"move_absolute", "move_relative", "move_open", "move_close", "start_homing", "move_to_point"}
         if name in moves and self.servo and not self.has_alarm:
-            self.motion.begin(name, 30)
-            self.homed = self.homed or name == "start_homing"
+            place = {"move_absolute": 0, "move_relative": self.motion.position}.get(name)
+            distance = next((value for key, value in values.items() if key in ("position", "distance")), 0)
+            self.point = values.get("point_number", self.point)
+            self.motion.begin(name, 30, target=None if place is None else place + distance)
         elif name == "stop":
             self.motion.end()
         elif name == "set_motor_excitation":
@@ -233,9 +250,11 @@ class Esc11:
         elif name == "reset_alarm":
             self.has_alarm = False
         elif name == "read_homing_state":
-            answered["homing_complete"] = self.homed and not self.motion.moving
+            answered["homing_complete"] = self.motion.homed
         elif name == "read_current_position":
-            answered["position"] = 12345
+            answered["position"] = self.motion.position
+        elif name == "read_current_point_number":
+            answered["point_number"] = self.point
         elif name == "read_alarm_code":
             answered["alarm_code"] = 0
         answered["status"] = self.status
@@ -258,48 +277,51 @@ class Telegram111:
 
     def __init__(self) -> None:
         self.motion = Motion()
-        self.has_alarm, self.homed = False, True
+        self.motion.homed = True
+        self.has_alarm = False
         self.ready = self.operation = self.acknowledged = False
-        self.homing = 0
+        self.inhibited = True
         self.before = 0
 
     def power_cycle(self) -> None:
         """It is switched off and on."""
-        self.ready = self.operation = self.acknowledged = self.homed = False
+        self.ready = self.operation = self.acknowledged = self.motion.homed = False
+        self.inhibited = True
         self.motion.end()
 
     def alarm(self, number: int) -> None:
         """It has an alarm, which stops it."""
         self.has_alarm = bool(number)
         if number:
-            self.operation = False
+            self.operation, self.inhibited = False, True
             self.motion.end()
 
-    def obey(self, word: int) -> None:
-        """What it does with a control word."""
+    def obey(self, word: int, absolute: bool = True, target: int = 0) -> None:
+        """What it does with a control word and a target."""
         risen = word & ~self.before
         self.before = word
         if not word & 0x0400:
             return
         if risen & 0x80:
             self.has_alarm = False
-        self.ready = word & 0x06 == 0x06 and not self.has_alarm
+        if not word & 0x01:
+            self.inhibited = False
+        self.inhibited = self.inhibited or word & 0x06 != 0x06 or self.has_alarm
+        self.ready = not self.inhibited
         self.operation = self.ready and word & 0x09 == 0x09
-        if (not self.operation or not word & 0x10) and self.motion.moving and not word & 0x0900:
-            self.motion.end()
+        motion = self.motion
+        if (not self.operation or not word & 0x10) and motion.moving and not word & 0x0900:
+            motion.end()
         if self.operation and risen & 0x0800:
-            self.motion.begin("home", 30)
-            self.homing, self.homed = 1, False
+            motion.begin("home", 30)
         jog = "jog_positive" if risen & 0x100 else "jog_negative" if risen & 0x200 else ""
         if jog and self.operation:
-            self.motion.begin(jog, 30, endless=True)
-        if self.motion.endless and not word & 0x300:
-            self.motion.end()
+            motion.begin(jog, 30, endless=True)
+        if motion.endless and not word & 0x300:
+            motion.end()
         if self.operation and risen & 0x40 and word & 0x30 == 0x30:
-            self.motion.begin("move", 30)
+            motion.begin("move", 30, target=target if absolute else motion.position + target)
         self.acknowledged = bool(word & 0x40) and self.operation
-        if self.homing and not self.motion.moving:
-            self.homing, self.homed = 0, True
 
     def pass_scan(self) -> None:
         """One scan goes by."""
@@ -308,5 +330,6 @@ class Telegram111:
     @property
     def status(self) -> int:
         """Its status word."""
-        bits = self.ready | self.ready << 1 | self.operation << 2 | self.has_alarm << 3 | (not self.motion.moving) << 10
-        return bits | self.homed << 11 | self.acknowledged << 12
+        stands = not self.motion.moving
+        bits = self.ready | self.ready << 1 | self.operation << 2 | self.has_alarm << 3 | self.inhibited << 6
+        return bits | stands << 10 | self.motion.homed << 11 | self.acknowledged << 12 | stands << 13

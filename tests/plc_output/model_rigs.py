@@ -174,10 +174,10 @@ class FrameRig(ModelRig):
         model = self.model
         self.line = Line(draws, model.answer, model.foreign, model.alike, model.latency, TIMEOUT)
         self.exchange: Exchange | None = None
-        self.variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
-        members = ("state", "error", "request", "answered", "send", "received", "frame")
-        self._names = {name: self.bench.port(FRAMES, name) for name in members}
         self.number = 0
+        self.variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
+        members = ("state", "error", "request", "answered", "send", "received", "frame", "urgent")
+        self._names = {name: self.bench.port(FRAMES, name) for name in members}
         for (block, name), of in self.bench.inputs.items():
             if of != "bool" and ("tation" in name or "ddress" in name):
                 self.set(block, **{name: self.model.STATION})
@@ -190,6 +190,7 @@ class FrameRig(ModelRig):
     def serve(self, seconds: float) -> None:
         port, names = self.bench.ports[self.variable], self._names
         state = port[names["state"]]
+        port[names["urgent"]] = max(0, port[names["urgent"]] - 1)
         if self.exchange is not None:
             self.exchange.remaining -= seconds
             if self.exchange.remaining > 0:

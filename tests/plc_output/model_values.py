@@ -54,6 +54,8 @@ def kinds(names: Iterable[str], telegram: int = 0) -> dict[str, str]:
 def fitting(device: str, kind: str, name: str, of: str, dice: random.Random) -> float | bool | None:
     """A value of an input that the device takes; None where it is none of those that change."""
     scale = SCALES.get(device, 1.0) if of == "lreal" else 1.0
+    if "Window" in name:
+        return 10 / SCALES.get(device, 1.0)
     if PERCENT.search(name):
         return dice.choice([50.0, 100.0]) if of == "lreal" else 100
     if SPEED.search(name):

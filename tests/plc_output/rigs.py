@@ -23,6 +23,7 @@ class Rig:
     A block may start what it is for once for each rising edge of its input that it has seen.
     """
 
+    STARTS = ("Execute", "JogForward", "JogBackward")
     device: Any
     transport: Transport | None = None
     starting: ClassVar[dict[str, Sequence[str]]]
@@ -31,7 +32,7 @@ class Rig:
     def __init__(self, bench: Bench) -> None:
         self.bench = bench
         self.allowed = dict.fromkeys(self.starting, 0)
-        self.before = dict.fromkeys(bench.blocks, True)
+        self.before: dict[tuple[str, str], bool] = {key: True for key in bench.inputs if key[1] in self.STARTS}
         self.seen = 0
 
     def serve(self) -> None:
@@ -41,13 +42,13 @@ class Rig:
 
     def scan(self) -> None:
         """One scan, and what the device does until the next one; checks the rule."""
-        for name in self.bench.blocks:
-            execute = self.bench.now.get((name, "Execute"))
-            if execute is None:
-                continue
-            if execute and not self.before[name] and name in self.allowed:
+        now = {key: bool(self.bench.now[key]) for key in self.before if key[0] in self.bench.blocks}
+        for (name, start), level in now.items():
+            # Of two directions the one that remains begins when the other is taken away.
+            turned = start != "Execute" and now[name, start] != self.before[name, start]
+            if name in self.allowed and (turned or (level and not self.before[name, start])):
                 self.allowed[name] = 1
-            self.before[name] = execute
+        self.before |= now
         self.bench.scan()
         self.serve()
         self.device.pass_scan()
@@ -68,7 +69,7 @@ class Rig:
     def restart(self) -> None:
         """The controller is switched off and on; a request that is on its way is forgotten."""
         self.bench.restart()
-        self.before = dict.fromkeys(self.bench.blocks, True)
+        self.before = dict.fromkeys(self.before, True)
         self.allowed = dict.fromkeys(self.allowed, 0)
         if self.transport is not None:
             self.transport.restart()
@@ -100,10 +101,10 @@ class Tc100Rig(Rig):
         "MoveAbsolute": ["move_absolute"],
         "MoveRelative": ["move_relative"],
         "Home": ["home"],
-        "JogPositive": ["jog_positive"],
+        "Jog": ["jog_positive", "jog_negative"],
         "RunPoint": [f"point {number}" for number in range(128)],
     }
-    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition", "RtuClient")
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "Halt", "ResetAlarm", "ReadPosition", "RtuClient")
 
     def __init__(self, folder: Path, dialect: str = "iec") -> None:
         super().__init__(Bench(SPECS, "tc100", self.blocks, folder, dialect))
@@ -114,7 +115,7 @@ class Tc100Rig(Rig):
         self.bench.set("RtuClient", iRetries=2, **{station: Tc100.STATION})
         self.bench.set("MoveAbsolute", uiSpeed=20, diPositionCounts=5000)
         self.bench.set("MoveRelative", uiSpeed=20, diDistanceCounts=-10)
-        self.bench.set("JogPositive", uiSpeed=20)
+        self.bench.set("Jog", uiSpeed=20)
 
 
 class Esc11Rig(Rig):
@@ -124,10 +125,10 @@ class Esc11Rig(Rig):
         "MoveAbsolute": ["move_absolute"],
         "MoveRelative": ["move_relative"],
         "Home": ["start_homing"],
-        "JogOpen": ["move_open"],
+        "Jog": ["move_open", "move_close"],
         "RunPoint": ["move_to_point"],
     }
-    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition")
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "Halt", "ResetAlarm", "ReadPosition")
 
     def __init__(self, folder: Path, dialect: str = "iec") -> None:
         super().__init__(Bench(SPECS, "esc11", self.blocks, folder, dialect, block_names(SPECS, "esc11")))
@@ -150,11 +151,11 @@ class HiwinRig(Rig):
         "MoveAbsoluteTelegram111": ["move"],
         "MoveRelativeTelegram111": ["move"],
         "Telegram111Home": ["home"],
-        "Telegram111JogPositive": ["jog_positive"],
+        "Telegram111Jog": ["jog_positive", "jog_negative"],
     }
     blocks = (
-        *("Telegram111ServoOn", "Telegram111ServoOff", *starting, "Telegram111Stop", "Telegram111ResetAlarm"),
-        "Telegram111ReadPosition",
+        *("Telegram111ServoOn", "Telegram111ServoOff", *starting, "Telegram111Stop", "Telegram111Halt"),
+        *("Telegram111ResetAlarm", "Telegram111ReadPosition"),
     )
 
     def __init__(self, folder: Path, dialect: str = "iec") -> None:
@@ -172,19 +173,26 @@ class HiwinRig(Rig):
     def serve(self) -> None:
         port = self.bench.ports[self.axis]
         request, response = port[self._of("request")], port[self._of("response")]
+
+        def of(struct: dict[str, Any], end: str) -> str:
+            return next(name for name in struct if name.endswith(end))
+
         if not self.lost:
-            word = next(value for name, value in request.items() if name.endswith("controlword1"))
-            self.device.obey(word)
-            name = next(name for name in response if name.endswith("statusword1"))
-            response[name] = int(self.device.status)
+            absolute = request[of(request, "positioningcontrolword1")] & 0x100
+            target = request[of(request, "targetposition")]
+            word = next(name for name in request if name.endswith("controlword1") and "positioning" not in name)
+            self.device.obey(request[word], bool(absolute), target)
+            word = next(name for name in response if name.endswith("statusword1") and "positioning" not in name)
+            response[word] = int(self.device.status)
+            response[of(response, "positionactuala")] = self.device.motion.position
         port[self._of("valid")] = not self.lost
 
 
 RIGS: dict[str, Callable[..., Rig]] = {"tc100": Tc100Rig, "esc11": Esc11Rig, "hiwin-e": HiwinRig}
 WORDS = {
-    "hiwin-e": ("Telegram111{}", "MoveAbsoluteTelegram111", "MoveRelativeTelegram111", "Telegram111JogPositive"),
-    "tc100": ("{}", "MoveAbsolute", "MoveRelative", "JogPositive"),
-    "esc11": ("{}", "MoveAbsolute", "MoveRelative", "JogOpen"),
+    "hiwin-e": ("Telegram111{}", "MoveAbsoluteTelegram111", "MoveRelativeTelegram111", "Telegram111Jog"),
+    "tc100": ("{}", "MoveAbsolute", "MoveRelative", "Jog"),
+    "esc11": ("{}", "MoveAbsolute", "MoveRelative", "Jog"),
 }
 
 

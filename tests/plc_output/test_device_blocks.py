@@ -35,10 +35,12 @@ def test_every_task_is_done(axis: Axis) -> None:
     assert rig.done(axis.block("Home")) == "Done"
     assert [rig.done(axis.absolute), rig.done(axis.relative)] == ["Done", "Done"]
     assert len(axis.starts) == 3
-    rig.run(2, axis.jog, Execute=False).run(40, axis.jog, Execute=True)
-    assert (rig.ended(axis.jog), rig.device.motion.moving > 0 or axis.jog == "JogOpen") == ("Busy", True)
-    assert rig.run(12, axis.jog, Execute=False).device.motion.moving == 0
-    assert rig.ended(axis.jog) == ""
+    for direction in ("JogForward", "JogBackward"):
+        rig.run(40, axis.jog, **{direction: True})
+        assert rig.ended(axis.jog) == "Busy"
+        assert rig.device.motion.moving > 0 or rig.device.motion.starts[-1].startswith("move_")
+        assert rig.run(30, axis.jog, **{direction: False}).device.motion.moving == 0
+        assert rig.ended(axis.jog) == ""
     if "RunPoint" in rig.bench.blocks:
         assert rig.done("RunPoint") == "Done"
         assert axis.starts[-1].startswith(("point", "move_to_point"))
@@ -89,7 +91,7 @@ def test_a_servo_that_goes_off_is_an_error(axis: Axis) -> None:
     if isinstance(rig.device, Telegram111):
         rig.device.obey(0)
         rig.bench.ports[rig.axis]["strequest"]["wcontrolword1"] = 0
-    rig.run(60)
+    rig.run(100)
     assert rig.ended(axis.block("Home")) == f"Error {NUMBER['servo']}"
     assert len(axis.starts) == 1
 
@@ -102,38 +104,43 @@ def test_a_line_that_is_lost_is_an_error_with_its_number(axis: Axis) -> None:
     else:
         rig.lost = True  # type: ignore[attr-defined]
         wanted = NUMBER["transport"]
-    assert rig.done(axis.block("Home")) == f"Error {wanted}"
+    assert rig.done(axis.block("Home"), scans=2000) == f"Error {wanted}"
     assert axis.starts == []
 
 
-def test_another_motion_takes_over(axis: Axis) -> None:
+def test_a_stop_ends_a_motion_and_locks_the_axis_until_its_input_falls(axis: Axis) -> None:
     rig = axis.rig
     assert rig.done(axis.block("Home")) == "Done"
     rig.run(1, axis.absolute, Execute=True)
     while len(axis.starts) < 2:
         rig.scan()
+    rig.run(6)
     rig.run(1, axis.block("Stop"), Execute=True)
     rig.run(40)
     assert rig.ended(axis.absolute) == "CommandAborted"
     assert (rig.ended(axis.block("Stop")), rig.device.motion.moving) == ("Done", 0)
+    assert rig.done(axis.relative) == f"Error {NUMBER['locked']}"
+    rig.run(30, axis.block("Stop"), Execute=False)
+    assert len(axis.starts) == 2
+    assert rig.done(axis.relative) == "Done"
 
 
-def test_a_block_that_is_aborted_ends_and_leaves_the_line_free(axis: Axis) -> None:
+def test_an_edge_while_a_block_is_busy_starts_it_again(axis: Axis) -> None:
     rig = axis.rig
     for scans in range(1, 12):
-        rig.run(2, axis.block("Home"), Execute=False, Abort=False)
+        rig.run(2, axis.block("Home"), Execute=False)
         rig.run(scans, axis.block("Home"), Execute=True)
-        rig.run(1, axis.block("Home"), Abort=True)
-        assert rig.ended(axis.block("Home")) == "CommandAborted"
-    rig.run(30, axis.block("Home"), Execute=False, Abort=False)
-    assert rig.done(axis.absolute) in ("Done", f"Error {NUMBER['unready']}")
+        assert rig.ended(axis.block("Home")) == "Busy"
+    rig.run(400, axis.block("Home"), Execute=False)
+    assert rig.done(axis.block("Home")) == "Done"
+    assert rig.done(axis.absolute) == "Done"
 
 
 @pytest.mark.parametrize("name", ["tc100", "hiwin-e"])
 def test_a_jog_ends_when_its_block_fails(name: str, folder: Path) -> None:
     axis = Axis(name, folder)
     rig = axis.rig
-    rig.run(40, axis.jog, Execute=True)
+    rig.run(40, axis.jog, JogForward=True)
     assert rig.device.motion.moving
     if rig.transport is not None:
         rig.transport.lost = True
@@ -143,7 +150,7 @@ def test_a_jog_ends_when_its_block_fails(name: str, folder: Path) -> None:
         rig.lost = True  # type: ignore[attr-defined]
         rig.run(3)
         rig.lost = False  # type: ignore[attr-defined]
-    rig.run(30)
+    rig.run(60)
     assert rig.device.motion.moving == 0
     assert rig.ended(axis.jog).startswith("Error")
 
@@ -178,7 +185,7 @@ def test_an_exception_response_is_an_error(folder: Path) -> None:
 
 def test_a_move_before_homing_is_refused_and_does_not_begin_later(folder: Path) -> None:
     axis = Axis("hiwin-e", folder)
-    axis.rig.device.homed = False
+    axis.rig.device.motion.homed = False
     assert axis.rig.done(axis.absolute) == f"Error {NUMBER['unready']}"
     axis.rig.bench.set(axis.absolute, Execute=True)
     axis.rig.run(3)
@@ -204,6 +211,8 @@ def test_a_position_is_valid_while_it_is_read(name: str, folder: Path) -> None:
     rig.run(20, block, Enable=True)
     assert (rig.bench.out[block, "Valid"], rig.bench.out[block, "Error"]) == (True, False)
     if name == "esc11":
+        rig.device.motion.position = 12345
+        rig.run(20)
         assert rig.bench.out[block, "lrPosition"] == pytest.approx(123.45)
         assert rig.bench.out[block, "diPositionRaw"] == 12345
     rig.run(1, block, Enable=False)
@@ -215,14 +224,16 @@ def test_a_position_is_valid_while_it_is_read(name: str, folder: Path) -> None:
 def test_nothing_starts_without_an_edge_whatever_happens(name: str, folder: Path) -> None:
     axis = Axis(name, folder)
     rig, dice, ended = axis.rig, random.Random(7), 0
-    blocks = [block for block in rig.bench.blocks if (block, "Execute") in rig.bench.inputs]
+    starts = [key for key in rig.bench.inputs if key[0] in rig.bench.blocks and key[1] in rig.STARTS]
     for _ in range(STEPS):
         chance = dice.random()
         if chance < 0.08:
-            block = dice.choice(blocks)
-            rig.bench.set(block, Execute=not rig.bench.now[block, "Execute"])
-        elif chance < 0.082:
-            rig.bench.set(dice.choice(blocks), Abort=dice.random() < 0.3)
+            block, start = dice.choice(starts)
+            rig.bench.set(block, **{start: not rig.bench.now[block, start]})
+        elif 0.2 < chance < 0.4:
+            # A stop that is asked for all the time would let nothing move.
+            for stop in (block for block, _ in starts if block.endswith("Stop")):
+                rig.bench.set(stop, Execute=False)
         elif chance < 0.088:
             rig.device.alarm(dice.choice([0, 3]))
         elif chance < 0.0885:
@@ -235,6 +246,6 @@ def test_nothing_starts_without_an_edge_whatever_happens(name: str, folder: Path
         else:
             rig.lost = 0.09 < chance < 0.095  # type: ignore[attr-defined]
         rig.scan()
-        ended += sum(rig.bench.ended(block) == "Done" for block in blocks)
+        ended += sum(rig.bench.ended(block) == "Done" for block, _ in starts)
     assert ended
     assert axis.starts

@@ -40,7 +40,7 @@ ELSEWHERE: dict[str, set[str]] = {
 }
 """The blocks that the rigs of other tests have."""
 CLIENTS = {"rtu": "RtuClient", "ascii": "AsciiClient"}
-JOGS = {"ck10": "Jog", "tc100": "JogNegative", "esc11": "JogClose", "hiwin-e": "Telegram111JogNegative"}
+JOGS = dict.fromkeys(("ck10", "tc100", "esc11"), "Jog") | {"hiwin-e": "Telegram111Jog"}
 STOPS = {"ck10": "ImmediateStop", "tc100": "EmergencyStop", "esc11": "Stop", "hiwin-e": "Telegram111QuickStop"}
 SAVES = {"ck10": ["SaveParameters"], "tc100": ["Save"]}
 VERSIONS = {"ck10": ["ReadFirmwareVersion"], "tc100": ["ReadFirmwareVersion"]}
@@ -94,10 +94,9 @@ class TaskRig(Rig):
     """The blocks for tasks of a device, against the simulator."""
 
     def __init__(self, device: str, folder: Path) -> None:
-        opposite = ["JogOpen"] if device == "esc11" else []
-        self.starting = {jog: ["endless", "absolute"] for jog in [JOGS[device], *opposite]}  # type: ignore[misc]
+        self.starting = {JOGS[device]: ["endless", "absolute"]}  # type: ignore[misc]
         client = [CLIENTS["rtu"]] if device in SAVES else []
-        super().__init__(bench(device, ["ServoOn", "ServoOff", *tasks(device), *opposite, *client], folder))
+        super().__init__(bench(device, ["ServoOn", "ServoOff", *tasks(device), *client], folder))
         connect(self, device, "serial" if device == "esc11" else "rtu")
         for block, name in self.bench.inputs:
             if name in ("usiSpeed", "uiSpeed", "udiSpeed"):
@@ -115,20 +114,21 @@ class TelegramTaskRig(TelegramRig):
 def test_tasks_that_no_other_rig_has_are_carried_out(device: str, folder: Path) -> None:
     rig: Any = TelegramTaskRig(folder) if device == "hiwin-e" else TaskRig(device, folder)
     form, jog, alarm = "Telegram111" if device == "hiwin-e" else "", JOGS[device], ALARMS[device]
-    rig.bench.set(jog, Execute=True)
+    rig.bench.set(jog, JogBackward=True)
     rig.run(30)
     assert rig.device.motion.starts == [], "no edge has been seen"
     assert rig.done(f"{form}ServoOn") == "Done"
     for end in ("release", "stop"):
-        if "JogOpen" in rig.bench.blocks:  # A gripper that is closed cannot be closed.
-            rig.run(2, "JogOpen", Execute=False).run(250, "JogOpen", Execute=True).run(60, "JogOpen", Execute=False)
-        rig.run(2, jog, Execute=False).run(30, jog, Execute=True)
+        rig.run(2, jog, JogBackward=False)
+        if device == "esc11":  # A gripper that is closed cannot be closed.
+            rig.run(250, jog, JogForward=True).run(60, jog, JogForward=False)
+        rig.run(30, jog, JogBackward=True)
         assert (rig.device.motion.moving, rig.ended(jog)) == (True, "Busy"), end
         if end == "stop":
             assert rig.done(STOPS[device]) == "Done"
             rig.run(60)
             assert rig.ended(jog) == "CommandAborted"
-        rig.run(60, jog, Execute=False)
+        rig.run(60, jog, JogBackward=False)
         assert not rig.device.motion.moving, end
     for block in SAVES.get(device, []):
         assert rig.done(block) == "Done"

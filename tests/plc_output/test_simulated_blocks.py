@@ -35,14 +35,14 @@ class Ck10Rig(Rig):
         "Jog": ["endless"],
         "RunPoint": ["absolute", "relative"],
     }
-    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition", "RtuClient")
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "Halt", "ResetAlarm", "ReadPosition", "RtuClient")
 
     def __init__(self, folder: Path) -> None:
         super().__init__(Bench(SPECS, "ck10", self.blocks, folder))
         connect(self, "ck10", "rtu")
         self.bench.set("MoveAbsolute", diPositionCounts=2000, udiSpeedCounts=20000)
         self.bench.set("MoveRelative", diDistanceCounts=-500, udiSpeedCounts=20000)
-        self.bench.set("Jog", eDirection=1, udiSpeed=1000)
+        self.bench.set("Jog", udiSpeed=1000)
 
 
 class Ck10TableRig(Rig):
@@ -71,7 +71,7 @@ class Tc100SimulatedRig(Tc100Rig):
         "MoveAbsolute": ["absolute"],
         "MoveRelative": ["relative"],
         "Home": ["home"],
-        "JogPositive": ["endless"],
+        "Jog": ["endless"],
         "RunPoint": ["absolute", "relative"],
     }
 
@@ -87,7 +87,7 @@ class Esc11SimulatedRig(Esc11Rig):
         "MoveAbsolute": ["absolute"],
         "MoveRelative": ["relative"],
         "Home": ["home"],
-        "JogOpen": ["absolute", "endless"],
+        "Jog": ["absolute", "endless"],
         "RunPoint": ["absolute", "relative"],
     }
 
@@ -104,7 +104,7 @@ class TelegramRig(HiwinRig):
         "MoveAbsoluteTelegram111": ["absolute"],
         "MoveRelativeTelegram111": ["relative"],
         "Telegram111Home": ["home"],
-        "Telegram111JogPositive": ["endless"],
+        "Telegram111Jog": ["endless"],
     }
 
     def __init__(self, folder: Path) -> None:
@@ -133,11 +133,11 @@ class Telegram9Rig(TelegramRig):
         "MoveAbsoluteTelegram9": ["absolute"],
         "MoveRelativeTelegram9": ["relative"],
         "Telegram9Home": ["home"],
-        "Telegram9JogPositive": ["endless"],
-        "Telegram9JogNegative": ["endless"],
+        "Telegram9Jog": ["endless"],
     }
     blocks = (
-        *("Telegram9ServoOn", "Telegram9ServoOff", *starting, "Telegram9Stop", "Telegram9QuickStop"),
+        *("Telegram9ServoOn", "Telegram9ServoOff", *starting, "Telegram9Stop", "Telegram9Halt"),
+        "Telegram9QuickStop",
         *("Telegram9ResetAlarm", "Telegram9ReadPosition"),
     )
 
@@ -226,9 +226,9 @@ def test_a_device_goes_where_its_blocks_send_it(
     assert moved(rig, first, **absolute) == pytest.approx(scale * next(iter(absolute.values())))
     between = rig.device.engine.axis.position(rig.device.unit.now)
     assert moved(rig, second, **relative) == pytest.approx(between + scale * next(iter(relative.values())))
-    rig.run(30, jog, Execute=True)
+    rig.run(40, jog, JogForward=True)
     assert rig.device.motion.moving
-    rig.run(60, jog, Execute=False)
+    rig.run(60, jog, JogForward=False)
     assert (rig.device.motion.moving, rig.ended(jog)) == (False, "")
     assert rig.done(form.format("ServoOff")) == "Done"
 
@@ -278,14 +278,16 @@ def test_points_that_are_written_are_read_back_saved_and_run(folder: Path) -> No
 def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(name: str, folder: Path) -> None:
     rig = {**RIGS, **SPEEDS}[name](folder)
     dice, ended = random.Random(12), 0
-    blocks = [block for block in rig.bench.blocks if (block, "Execute") in rig.bench.inputs]
+    starts = [key for key in rig.bench.inputs if key[0] in rig.bench.blocks and key[1] in Rig.STARTS]
     for _ in range(STEPS):
         chance = dice.random()
         if chance < 0.08:
-            block = dice.choice(blocks)
-            rig.bench.set(block, Execute=not rig.bench.now[block, "Execute"])
-        elif chance < 0.082:
-            rig.bench.set(dice.choice(blocks), Abort=dice.random() < 0.3)
+            block, start = dice.choice([key for key in starts if chance < 0.02 or not key[0].endswith("Stop")])
+            rig.bench.set(block, **{start: not rig.bench.now[block, start]})
+        elif 0.2 < chance < 0.4:
+            # A stop that is asked for all the time would let nothing move.
+            for stop in (block for block, _ in starts if block.endswith("Stop")):
+                rig.bench.set(stop, Execute=False)
         elif chance < 0.086:
             rig.device.alarm(dice.choice([0, 3]))
         elif chance < 0.0865:
@@ -298,6 +300,6 @@ def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(n
         else:
             rig.lost = 0.09 < chance < 0.095
         rig.scan()
-        ended += sum(rig.bench.ended(block) == "Done" for block in blocks)
+        ended += sum(rig.bench.ended(block) == "Done" for block, _ in starts)
     assert ended
     assert rig.device.motion.starts

@@ -65,7 +65,7 @@ def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: SpeedRig) -> None
     assert not speed.run(40).device.motion.moving
 
 
-@pytest.mark.parametrize("end", ["alarm", "lost", "servo", "abort", "quick stop", "servo off", "refused"])
+@pytest.mark.parametrize("end", ["alarm", "lost", "servo", "quick stop", "servo off", "refused"])
 def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str) -> None:
     speed.run(40, speed.move, Execute=True)
     result = "CommandAborted"
@@ -78,8 +78,6 @@ def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str)
     elif end == "servo":
         speed.device.power_cycle()
         result = f"Error {NUMBER['servo']}"
-    elif end == "abort":
-        speed.bench.set(speed.move, Abort=True)
     elif end == "quick stop":
         speed.bench.set(block(speed, "QuickStop"), Execute=True)
     elif end == "servo off":

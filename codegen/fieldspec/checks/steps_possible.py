@@ -17,9 +17,11 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import enumeration, finding, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task, argument_text, value_text
+from fieldspec.model.value import Kind, Value
 
 _RULE = "steps_possible"
 _ON_BITS = ("set", "clear", "pulse")
@@ -36,8 +38,11 @@ def steps_possible(device: Device) -> Iterator[Diagnostic]:
             if name not in device.messages:
                 text = f"there is no message `{name}`"
                 yield finding(_RULE, task.place, "messages", text, near(name, device.messages))
-        for step in task.steps:
+        yield from _keys_of_kind(task)
+        for index, step in enumerate(task.steps):
             yield from _of_step(device, operands, task, step)
+            if step.action == "wait" and step.argument:
+                yield from _compared(operands, task, index)
             limit = timeouts.get(step.timeout)
             if step.timeout and (limit is None or limit.kind != "timing"):
                 text = f"there is no timing `{step.timeout}`" if limit is None else f"{limit.name} is not a timing"
@@ -64,18 +69,71 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
 def _value_present(step: Step) -> Iterator[Diagnostic]:
     """Findings of a value that the action of a step needs or does not take."""
     takes = step.action in _TAKE
-    has = step.value is not None or bool(step.argument)
+    stated = step.value is not None or bool(step.wanted)
+    has = stated or bool(step.argument)
     if takes and not has:
         text = f"the step {_TAKE[step.action]} nothing"
         yield finding(_RULE, step.place, step.action, text, "add a `value`, or the name of an `argument`")
     elif has and not takes:
         key = "argument" if step.argument else "value"
         yield finding(_RULE, step.place, key, f"`{step.action}` does not take `{key}`", "remove it")
-    if step.value is not None and step.argument:
+    if stated and step.argument:
         yield finding(_RULE, step.place, "argument", "the step has a value and an argument", "remove one of them")
+    compares = step.action == "wait" and bool(step.argument)
+    for key, used in (("within", step.within is not None), ("relative", step.relative)):
+        if used and not compares:
+            yield finding(_RULE, step.place, key, f"`{key}` is for a wait with an argument", "remove it")
     if step.action != "send" and (step.values or step.arguments):
         key = "values" if step.values else "arguments"
         yield finding(_RULE, step.place, key, f"`{step.action}` does not take `{key}`", "only `send` takes it")
+
+
+def _keys_of_kind(task: Task) -> Iterator[Diagnostic]:
+    """Findings of keys that tasks of other kinds have."""
+    for key, kind, used in (("halt", "stop", task.halt), ("direction", "jog", bool(task.direction))):
+        if used and task.kind != kind:
+            yield finding(_RULE, task.place, key, f"`{key}` is for tasks of the kind `{kind}`", "remove it")
+
+
+def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic]:
+    """Findings of a wait for an argument: an earlier step writes it, and both count alike."""
+    step = task.steps[index]
+    before = [
+        earlier
+        for earlier in task.steps[:index]
+        if earlier.argument == step.argument or step.argument in earlier.arguments.values()
+    ]
+    if not before:
+        text = f"no earlier step writes the argument {argument_text(step.argument)}"
+        yield finding(_RULE, step.place, "argument", text, "write it, or wait for a value")
+        return
+    for message in task.messages or ("",):
+        for operand in operands.target(step.target, message):
+            value = operand.value
+            if value is None or value.type.kind is not Kind.INTEGER or value.enum or value.flags:
+                text = f"{operand.path} is no number that can be compared with an argument"
+                yield finding(_RULE, step.place, "wait", text, "name the fact that shows where the device is")
+                continue
+            for commanded in _argument_targets(operands, before[0], step.argument, message):
+                if value.scaled and commanded.value is not None and not _same_count(value, commanded.value):
+                    text = f"{operand.path} and {commanded.path} count differently"
+                    yield finding(_RULE, step.place, "wait", text, "name a fact with the same scale and unit")
+
+
+def _argument_targets(operands: Operands, step: Step, argument: str, message: str) -> Iterator[Operand]:
+    """What a step writes an argument to."""
+    for operand in operands.target(step.target, message):
+        if not isinstance(operand.fact, Message):
+            yield operand
+            continue
+        for field, name in step.arguments.items():
+            inner = operands.by_path.get(f"{operand.path}/request/{field}")
+            if name == argument and inner is not None:
+                yield inner
+
+
+def _same_count(first: Value, second: Value) -> bool:
+    return (first.scale, first.offset, first.unit) == (second.scale, second.offset, second.unit)
 
 
 def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
@@ -94,8 +152,10 @@ def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
         yield finding(_RULE, place, step.action, f"{operand.path} cannot be written", "name the fact that commands it")
     elif step.action in _ON_BITS:
         yield from _on_bit(step, operand)
-    elif step.value is not None:
-        yield from _valued(device, step, operand)
+    else:
+        for value in (step.value, *step.wanted):
+            if value is not None:
+                yield from _valued(device, step, operand, value)
 
 
 def _on_bit(step: Step, operand: Operand) -> Iterator[Diagnostic]:
@@ -108,10 +168,10 @@ def _on_bit(step: Step, operand: Operand) -> Iterator[Diagnostic]:
         yield finding(_RULE, step.place, step.action, text, "use `pulse` for a rising edge, and `set` for a level")
 
 
-def _valued(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
-    wrong = _refused(device, operand, step.value)
+def _valued(device: Device, step: Step, operand: Operand, value: ScalarValue) -> Iterator[Diagnostic]:
+    wrong = _refused(device, operand, value)
     if wrong:
-        text = f"{operand.path} cannot be {value_text(step.value)}: {wrong}"
+        text = f"{operand.path} cannot be {value_text(value)}: {wrong}"
         yield finding(_RULE, step.place, "value", text, "use a value that it can have")
 
 

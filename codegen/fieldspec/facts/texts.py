@@ -9,7 +9,7 @@ from fieldspec.facts.row import FactRow, SharedRows, of_fact, row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.fact import COMPUTED, INFERRED
-from fieldspec.model.task import Task, argument_text, value_text
+from fieldspec.model.task import Task, argument_text, stated_text, value_text
 from fieldspec.model.texts import Lookup
 
 
@@ -53,12 +53,11 @@ def _task(task: Task) -> Iterator[FactRow]:
     """A task, and a row for each of its steps: what is done, with what, and the value or the argument."""
     yield from of_fact("task", task, label=task.open or task.not_applicable or task.label, ranges=task.kind)
     for number, step in enumerate(task.steps):
-        value = argument_text(step.argument) if step.argument else step.value
         cells: FactRow = {
             "number": number + 1,
             "name": step.action,
             "label": step.target,
-            "ranges": None if value is None else value_text(value),
+            "ranges": stated_text(step) or None,
             "position": step.timeout,
         }
         yield row("step", step.place.path, step.sources, **cells)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from decimal import Decimal
 
 from fieldspec.classes import dataclass
 from fieldspec.model.fact import Citation, Fact, Place, ScalarValue
@@ -15,15 +16,20 @@ ACTIONS = ("write", "set", "clear", "pulse", "send", "read", "wait")
 class Step:
     """One step. `action` is one of ACTIONS, `target` a role or the path of an operand.
 
-    `value` is what is written or waited for, None where there is none or an `argument` is. `values` and `arguments` are
-    by field of a message's request. `timeout` is the path of a limit, or empty.
+    `value` is what is written, None where there is none or an `argument` is. `wanted` has the values that end a wait,
+    empty for an `argument`: the target has to be what the argument says or, where it is `relative`, to have changed by
+    it since the task began; `within` is how far it may be away, in its unit, None for no distance. `values` and
+    `arguments` are by field of a message's request. `timeout` is the path of a limit, or empty.
     """
 
     place: Place
     action: str
     target: str
     value: ScalarValue
+    wanted: tuple[ScalarValue, ...]
     argument: str
+    within: Decimal | None
+    relative: bool
     values: Mapping[str, object]
     arguments: Mapping[str, str]
     timeout: str
@@ -34,13 +40,24 @@ class Step:
 def step_text(step: Step) -> str:
     """A step as people read it: `write command = homing`, `wait in_position = 1, at most limits/reply`."""
     text = f"{step.action} {step.target}"
-    if step.argument or step.value is not None:
-        text += f" = {argument_text(step.argument) if step.argument else value_text(step.value)}"
+    value = stated_text(step)
+    if value:
+        text += f" = {value}"
     fields = [f"{name} = {value_text(value)}" for name, value in step.values.items()]
     fields += [f"{name} = {argument_text(argument)}" for name, argument in step.arguments.items()]
     if fields:
         text += f" with {', '.join(fields)}"
     return f"{text}, at most {step.timeout}" if step.timeout else text
+
+
+def stated_text(step: Step) -> str:
+    """What a step writes or waits for: `homing`, `stopped or abnormal_stop`, `<position>`, `start + <distance>`."""
+    if step.argument:
+        text = argument_text(step.argument)
+        text = f"start + {text}" if step.relative else text
+        return f"{text} within {step.within}" if step.within is not None else text
+    values = step.wanted if step.action == "wait" else () if step.value is None else (step.value,)
+    return " or ".join(value_text(value) for value in values)
 
 
 def argument_text(name: str) -> str:
@@ -57,10 +74,13 @@ def value_text(value: object) -> str:
 class Task(Fact):
     """A task. It has `steps`, or says why it is `not_applicable`, or which question is `open`.
 
-    `kind` is its word in the schema. With `messages`, the steps work with each of these cyclic messages by itself.
+    `kind` is its word in the schema. With `messages`, the steps work with each of these cyclic messages by itself. A
+    stop with `halt` leaves the axis free for the next command. `direction` is positive, negative, or empty.
     """
 
     kind: str
+    halt: bool
+    direction: str
     messages: tuple[str, ...]
     steps: tuple[Step, ...]
     not_applicable: str

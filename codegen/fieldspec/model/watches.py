@@ -19,6 +19,9 @@ LASTING = ("jog", "move_velocity")
 REFUSAL = "fault_code"
 """The role of what shows that a command was not carried out. What a step waits for there must hold from then on."""
 
+ACCEPTING = (REFUSAL, "command_accepted")
+"""The roles of what shows that a command was accepted or refused."""
+
 STARTING = frozenset(
     {
         *("switch_on", "servo_enable", "homing_start", "move_start", "move_enable"),
@@ -55,19 +58,18 @@ def _watches(device: Device, operands: Operands, kinds: dict[str, str], message:
                 continue
             last = other.steps[-1]
             targets = operands.target(last.target, message)
-            if last.action == "wait" and last.value is not None and len(targets) == 1:
-                yield Watch(targets[0], last.value, reason)
+            if len(last.wanted) == 1 and len(targets) == 1:
+                yield Watch(targets[0], last.wanted[0], reason)
                 break
 
 
 def before_effect(task: Task) -> int:
-    """How many steps of a task only look whether it may begin."""
-    count = 0
-    for step in task.steps:
-        if step.action != "wait":
-            break
-        count += 1
-    return count if count < len(task.steps) else 0
+    """How many steps of a task only look whether it may begin: waits, and the messages whose responses they look at."""
+    for index, step in enumerate(task.steps):
+        asks = is_query(task, index) and task.steps[index + 1].action == "wait"
+        if step.action != "wait" and not asks:
+            return index
+    return 0
 
 
 def is_last_wait(task: Task, step: Step) -> bool:
@@ -80,20 +82,102 @@ def is_last_wait(task: Task, step: Step) -> bool:
     return waits[-1] is step
 
 
+def is_query(task: Task, index: int) -> bool:
+    """Whether a step sends a message only to look at its response."""
+    step, behind = task.steps[index], task.steps[index + 1 : index + 2]
+    looks = bool(behind) and behind[0].action in ("wait", "read")
+    return step.action == "send" and not step.values and not step.arguments and looks
+
+
+def is_command(task: Task, index: int) -> bool:
+    """Whether a step makes the device do something."""
+    return task.steps[index].action not in ("wait", "read") and not is_query(task, index)
+
+
+def last_command(task: Task) -> int:
+    """The step behind which a task only looks at the device."""
+    return max(index for index in range(len(task.steps)) if is_command(task, index))
+
+
+def shows_acceptance(operands: Operands, step: Step, message: str = "") -> bool:
+    """Whether a step waits for what shows that the device has taken or refused a command."""
+    roles = {role for operand in operands.target(step.target, message) for role in operand.roles}
+    return step.action == "wait" and bool(roles & {*ACCEPTING})
+
+
+def acceptance(operands: Operands, task: Task, message: str = "") -> int:
+    """The step behind which the device has accepted the command of a task that moves.
+
+    That is the wait for what shows it or, where nothing does, the last command before the device is looked at.
+    """
+    first, ends = before_effect(task), end_steps(task) if task.kind in LASTING else None
+    steps = range(first, ends[1] if ends is not None else len(task.steps))
+    for index in steps:
+        if shows_acceptance(operands, task.steps[index], message):
+            return index
+    command = first
+    for index in steps:
+        if not is_command(task, index):
+            break
+        command = index
+    return command
+
+
+def conditions(operands: Operands, task: Task, index: int, message: str = "") -> tuple[Step, ...]:
+    """The waits from a step on that hold together, in one look at the device.
+
+    What shows that a command is accepted or refused is waited for by itself.
+    """
+    if shows_acceptance(operands, task.steps[index], message):
+        return (task.steps[index],)
+    together: list[Step] = []
+    for step in task.steps[index:]:
+        if step.action != "wait" or shows_acceptance(operands, step, message):
+            break
+        together.append(step)
+    return tuple(together)
+
+
+def needs_begin(task: Task, index: int, accepted: int) -> bool:
+    """Whether the waits from a step on may still show what was before the task moved anything.
+
+    They do not where they compare a position with the target, nor where an earlier wait shows that a motion has begun.
+    """
+    if task.kind not in MOVING or task.kind in LASTING or index <= accepted:
+        return False
+    steps = task.steps[index:]
+    behind = next((number for number, step in enumerate(steps) if step.action != "wait"), len(steps))
+    is_last = all(step.action != "wait" for step in steps[behind:])
+    proved = task.kind in ("move_absolute", "move_relative") and any(step.argument for step in steps)
+    begun = any(step.action == "wait" for step in task.steps[accepted + 1 : index])
+    return is_last and not proved and not begun
+
+
 def end_steps(task: Task) -> tuple[int, int] | None:
     """The steps that begin and end what must not go on by itself; None where nothing does.
 
-    What lasts is ended by its last step; what is set and later cleared, by the step that clears it. Raises ValueError
-    for what lasts and no step ends.
+    What lasts is ended by its last command; what is set and later cleared, by the step that clears it. Raises
+    ValueError for what lasts and no step ends.
     """
     first = before_effect(task)
     if task.kind in LASTING:
-        if len(task.steps) - first < 2:
+        last = last_command(task)
+        if last <= first:
             raise ValueError("no step ends it")
-        return first, len(task.steps) - 1
+        return first, last
     for at, step in enumerate(task.steps):
         if step.action == "set":
             for later in range(at + 1, len(task.steps)):
                 if (task.steps[later].action, task.steps[later].target) == ("clear", step.target):
                     return at, later
     return None
+
+
+def halting_task(device: Device, message: str = "") -> Task | None:
+    """The task that ends a motion which must not go on: the halt, else the first stop."""
+    stops = [
+        task
+        for task in device.tasks
+        if task.kind == "stop" and task.steps and (not message or message in task.messages)
+    ]
+    return next((task for task in stops if task.halt), stops[0] if stops else None)

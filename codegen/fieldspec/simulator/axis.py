@@ -9,6 +9,8 @@ from fieldspec.classes import dataclass
 _SAME = 1e-9
 LEAST_SECONDS = 0.001
 """The shortest motion: without a least time, points without a distance would follow each other without end."""
+LEAST_SEARCH = 0.5
+"""The shortest homing, in seconds: the axis looks for its origin, however near it is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +153,7 @@ class Axis:
         self.machine_zero += shift
 
     def _begin(self, now: float, origin: float, goal: float, ramps: tuple[Ramp, ...], kind: str) -> None:
-        missing = LEAST_SECONDS - sum(ramp.seconds for ramp in ramps)
+        missing = (LEAST_SEARCH if kind == "home" else LEAST_SECONDS) - sum(ramp.seconds for ramp in ramps)
         if missing > 0:
             ramps = (*ramps, Ramp(missing, 0.0, 0.0))
         self.began, self.origin, self.goal, self.ramps, self.kind = now, origin, goal, ramps, kind

@@ -15,6 +15,7 @@ from .errors import (
     DeviceError,
     InvalidAnswerError,
     InvalidValueError,
+    MotionError,
     NotReadyError,
     RefusedError,
     ServoOffError,
@@ -35,7 +36,7 @@ POLL: Final = 0.02
 
 
 class Condition:
-    """A value that something must have: all of it, or the bits of a `mask`.
+    """A value that something must have, or one of several: all of it, or the bits of a `mask`.
 
     `place` is a register, a parameter, or the path of an attribute of a response. `reason` is what is wrong where it
     does not hold: alarm, servo, refused or unready.
@@ -43,17 +44,17 @@ class Condition:
 
     __slots__ = ("mask", "name", "place", "reason", "wanted")
 
-    def __init__(self, place: Any, wanted: float, *, mask: int = 0, name: str = "", reason: str = "unready") -> None:
+    def __init__(self, place: Any, *wanted: float, mask: int = 0, name: str = "", reason: str = "unready") -> None:
         self.place, self.wanted, self.mask, self.reason = place, wanted, mask, reason
-        self.name: str = name or (place if isinstance(place, str) else place.name)
+        self.name: str = name or _name(place)
 
     def holds(self, value: Any) -> bool:
-        """Whether a value is the one that is wanted."""
+        """Whether a value is one that is wanted."""
         number = raw(value)
-        return bool((number & self.mask if self.mask else number) == self.wanted)
+        return (number & self.mask if self.mask else number) in self.wanted
 
     def error(self, task: str, value: Any) -> DeviceError:
-        """The exception for a value that is not the wanted one."""
+        """The exception for a value that is not a wanted one."""
         text = f"{task}: {self.name} is {value!r}"
         if self.reason == "alarm":
             return AlarmError(text)
@@ -62,6 +63,26 @@ class Condition:
         if self.reason == "refused":
             return RefusedError(text, int(raw(value)))
         return NotReadyError(text)
+
+
+class Target:
+    """A number of counts that something must have reached. `window` is how far it may be away, in units of `scale`."""
+
+    __slots__ = ("count", "name", "place", "scale", "window")
+
+    def __init__(self, place: Any, count: int, window: float = 0.0, scale: float = 1.0, *, name: str = "") -> None:
+        if not 0 <= window < float("inf"):
+            raise InvalidValueError(f"a window of {window!r}: it is 0 or more")
+        self.place, self.count, self.window, self.scale = place, int(count), window, scale
+        self.name: str = name or _name(place)
+
+    def holds(self, value: Any) -> bool:
+        """Whether a value is as near as it must be."""
+        return bool(abs(raw(value) - self.count) * abs(self.scale) <= self.window * (1 + 1e-9))
+
+
+def _name(place: Any) -> str:
+    return place if isinstance(place, str) else str(place.name)
 
 
 def raw(value: Any) -> Any:
@@ -80,21 +101,29 @@ class Task:
         self.limit = limit
         self.deadline: float | None = None
 
-    def run(self, steps: Sequence[Work[Any]], ending: Sequence[Work[Any]] = (), first: int = 0) -> Work[Any]:
+    def run(
+        self,
+        steps: Sequence[Work[Any]],
+        ending: Sequence[Work[Any]] = (),
+        halting: Sequence[Work[Any]] = (),
+        first: int = 0,
+    ) -> Work[Any]:
         """Carries out the steps; the result is that of the step that reads, or of several as a tuple.
 
-        Where a step fails from the place `first` on, the steps of the `ending` are carried out, as far as they can be.
+        Where a step fails from the place `first` on, the steps of the `ending` are carried out, as far as they can be,
+        and before them those of `halting`, unless the device has refused.
         """
         if self.limit is not None:
             self.deadline = self.session.now() + self.limit
         results = []
-        for at, step in enumerate(steps):
+        for index, step in enumerate(steps):
             try:
                 result = yield from step
             except GeneratorExit:
                 raise
-            except BaseException:
-                for last in ending if at >= first else ():
+            except BaseException as error:
+                stops = () if isinstance(error, RefusedError) else halting
+                for last in (*stops, *ending) if index >= first else ():
                     with suppress(DeviceError):
                         yield from last
                 raise
@@ -114,6 +143,41 @@ class Task:
         """From here on, the condition must hold: the device shows there what it has refused."""
         self.watched.append(condition)
         yield from ()
+
+    def until(self, conditions: Sequence[Condition | Target], look: Callable[[], Work[list[Any]]]) -> Work[None]:
+        """Looks at the device until all conditions hold at once. `look` gives the values for them.
+
+        Raises TimeLimitError, and MotionError where the device stands for longer than a motion may take to begin, and
+        not at its target.
+        """
+        standing: float | None = None
+        while True:
+            values = yield from look()
+            missing = [each for each in zip(conditions, values, strict=True) if not each[0].holds(each[1])]
+            if not missing:
+                return
+            condition, value = missing[0]
+            if any(isinstance(other, Condition) for other, _ in missing):
+                standing = None
+            elif standing is None:
+                standing = self.session.now()
+            elif self.session.now() - standing >= self.session.begin:
+                wanted = getattr(condition, "count", None)
+                raise MotionError(f"{self.name}: the device stands, and {condition.name} is {value!r}, not {wanted}")
+            if self.late():
+                raise TimeLimitError(f"{self.name}: {condition.name} is still {value!r}")
+            yield SLEEP, POLL
+
+    def until_begun(self, conditions: Sequence[Condition | Target], look: Callable[[], Work[list[Any]]]) -> Work[None]:
+        """Looks at the device until the conditions do not all hold, since a motion has begun. Raises MotionError."""
+        end = self.session.now() + self.session.begin
+        while True:
+            values = yield from look()
+            if not all(each.holds(value) for each, value in zip(conditions, values, strict=True)):
+                return
+            if self.session.now() >= end:
+                raise MotionError(f"{self.name}: no motion has begun")
+            yield SLEEP, POLL
 
 
 class RegisterTask(Task):
@@ -145,16 +209,34 @@ class RegisterTask(Task):
             if not condition.holds(value):
                 raise condition.error(self.name, value)
 
-    def wait(self, condition: Condition) -> Work[None]:
-        """Waits until a condition holds. Raises TimeLimitError, and the exceptions of what is watched."""
-        while True:
-            yield from self.look()
-            value = yield from self._read(condition.place)
-            if condition.holds(value):
-                return
-            if self.late():
-                raise TimeLimitError(f"{self.name}: {condition.name} is still {value!r}")
-            yield SLEEP, POLL
+    def _values(self, conditions: Sequence[Condition | Target]) -> Work[list[Any]]:
+        """The values of places, each read once; what is watched must hold."""
+        yield from self.look()
+        values: dict[int, Any] = {}
+        for condition in conditions:
+            if id(condition.place) not in values:
+                values[id(condition.place)] = yield from self._read(condition.place)
+        return [values[id(condition.place)] for condition in conditions]
+
+    def begin(self, *conditions: Condition | Target) -> Work[None]:
+        """Waits until the conditions do not all hold. Raises MotionError, and the exceptions of what is watched."""
+        yield from self.until_begun(conditions, lambda: self._values(conditions))
+
+    def wait(self, *conditions: Condition | Target) -> Work[None]:
+        """Waits until conditions hold. Raises TimeLimitError, MotionError, and the exceptions of what is watched."""
+        yield from self.until(conditions, lambda: self._values(conditions))
+
+    def note(self, target: Target) -> Work[None]:
+        """Adds what the place of a target shows now: the target is that far away."""
+        value = yield from self._read(target.place)
+        target.count += int(raw(value))
+
+    def count(self, place: Register[Any] | Parameter[Any], quantity: Quantity) -> int:
+        """The counts of a value in its unit."""
+        try:
+            return int(raw(place.from_unit(quantity)))
+        except CodecError as error:
+            raise InvalidValueError(str(error)) from error
 
     def read(self, place: Register[Any] | Parameter[Any], in_unit: bool) -> Work[Any]:
         """The value, or the value in its unit."""
@@ -221,18 +303,27 @@ class MessageTask(Task):
         values = tuple(_attribute(reply, path) for path in paths)
         return values[0] if len(values) == 1 else values
 
-    def wait(self, request: Any, *conditions: Condition) -> Work[None]:
-        """Sends a request until its response shows the conditions. Raises TimeLimitError."""
-        while True:
-            reply = yield from self.session.ask(request)
-            self._compare(reply, self.watched)
-            missing = [each for each in conditions if not each.holds(_attribute(reply, each.place))]
-            if not missing:
-                return
-            if self.late():
-                value = _attribute(reply, missing[0].place)
-                raise TimeLimitError(f"{self.name}: {missing[0].name} is still {value!r}")
-            yield SLEEP, POLL
+    def _values(self, request: Any, conditions: Sequence[Condition | Target]) -> Work[list[Any]]:
+        reply = yield from self.session.ask(request)
+        self._compare(reply, self.watched)
+        return [_attribute(reply, condition.place) for condition in conditions]
+
+    def begin(self, request: Any, *conditions: Condition | Target) -> Work[None]:
+        """Sends a request until its response does not show all conditions. Raises MotionError."""
+        yield from self.until_begun(conditions, lambda: self._values(request, conditions))
+
+    def wait(self, request: Any, *conditions: Condition | Target) -> Work[None]:
+        """Sends a request until its response shows the conditions. Raises TimeLimitError and MotionError."""
+        yield from self.until(conditions, lambda: self._values(request, conditions))
+
+    def note(self, request: Any, target: Target) -> Work[None]:
+        """Adds what the response to a request shows now: the target is that far away."""
+        reply = yield from self.session.ask(request)
+        target.count += int(raw(_attribute(reply, target.place)))
+
+    def count(self, request: Any, name: str) -> int:
+        """The counts of a field of a request."""
+        return int(raw(getattr(request, name)))
 
     def _compare(self, reply: Any, conditions: Sequence[Condition]) -> None:
         for condition in conditions:

@@ -55,4 +55,8 @@ class NotReadyError(DeviceError):
 
 
 class TimeLimitError(DeviceError):
-    """What a task waits for has not come within its time limit. What the task has started may go on."""
+    """What a task waits for has not come within its time limit. A task that moves has told the device to stop."""
+
+
+class MotionError(DeviceError):
+    """A motion that the device has taken did not begin, or ended before its target. The device was told to stop."""

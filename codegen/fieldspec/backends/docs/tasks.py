@@ -23,7 +23,7 @@ from fieldspec.backends.docs.document import (
 )
 from fieldspec.backends.docs.sources import reasons
 from fieldspec.model.operand import Operands
-from fieldspec.model.task import Step, Task, argument_text, value_text
+from fieldspec.model.task import Step, Task, argument_text, stated_text, value_text
 
 OVERVIEW = (
     TableColumn("Task", unbroken=True),
@@ -81,10 +81,9 @@ def _task(context: Context, task: Task, operands: Operands) -> Section:
 
 def _step(number: int, step: Step, task: Task, operands: Operands) -> TableRow:
     values: list[Line] = []
-    if step.argument:
-        values.append((text_piece(argument_text(step.argument)),))
-    elif step.value is not None:
-        values.append((code(value_text(step.value)),))
+    stated = stated_text(step)
+    if stated:
+        values.append((text_piece(stated) if step.argument else code(stated),))
     values += [(code(name), text_piece(" = "), code(value_text(value))) for name, value in step.values.items()]
     values += [(code(name), text_piece(f" = {argument_text(argument)}")) for name, argument in step.arguments.items()]
     return TableRow(

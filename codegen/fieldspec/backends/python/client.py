@@ -8,9 +8,11 @@ from typing import Any
 from fieldspec.backends.fact_texts import described, sentence
 from fieldspec.backends.python.client_cyclic import CyclicView, cyclic_view
 from fieldspec.backends.python.client_links import ClientLinkView, client_link, is_framed, reply_type
+from fieldspec.backends.python.client_message_tasks import MessageTask
 from fieldspec.backends.python.client_names import CODEC, ClientNames, NoTask
 from fieldspec.backends.python.client_segments import client_segments
-from fieldspec.backends.python.client_tasks import TaskView, task_view
+from fieldspec.backends.python.client_tasks import TaskDraft, TaskView
+from fieldspec.backends.python.client_word_tasks import WordTask
 from fieldspec.backends.python.links import Exchange, LinkView
 from fieldspec.backends.python.naming import BUILTINS, EXCEPTIONS, TYPES, Scope
 from fieldspec.backends.python.parameters import ParameterSetView, SpaceView
@@ -20,7 +22,8 @@ from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
-from fieldspec.model.operand import Operands
+from fieldspec.model.operand import PARAMETERS, REGISTERS, Operands
+from fieldspec.model.task import Task
 from fieldspec.names import Name
 
 _METHODS = frozenset(
@@ -31,7 +34,9 @@ _METHODS = frozenset(
         *("write_parameter_in_unit", "exchange", "request", "response", "registers", "parameters", "work"),
     }
 )
-_KEYWORDS = frozenset({"known", "link", "pause", "retries", "self", "session", "settle", "timeout", "transport"})
+_KEYWORDS = frozenset(
+    {"begin", "known", "link", "pause", "retries", "self", "session", "settle", "timeout", "transport"}
+)
 _MODULE = frozenset({"AsyncClient", "Client", "annotations", "for_firmware"})
 
 
@@ -136,8 +141,9 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
 
 _CLIENT_DOC = (
     "`timeout` is how long a response may take, `pause` how long the line is silent before a request, `settle` how "
-    "long the device may take to show what it was asked for, all in seconds. None stands for what the manual prints; "
-    "where it prints nothing, a response may take a second. Reads are sent again `retries` times.",
+    "long the device may take to show what it was asked for, `begin` how long a motion may take to begin, all in "
+    "seconds. None stands for what the manual prints; where it prints nothing, a response may take a second. Reads are "
+    "sent again `retries` times.",
 )
 
 
@@ -161,6 +167,7 @@ def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout
         "pause: float | None = None",
         "retries: int = 2",
         "settle: float = 0.1",
+        "begin: float = 2.0",
     ]
 
 
@@ -200,7 +207,7 @@ def _session(links: Sequence[ClientLinkView], addressed: bool) -> list[str]:
         "known[link]" if len(links) > 1 else links[0].name,
         "unit_address" if addressed else "0",
         'getattr(transport, "datagrams", False)',
-        *(f"{name}={name}" for name in ("timeout", "pause", "retries", "settle")),
+        *(f"{name}={name}" for name in ("timeout", "pause", "retries", "settle", "begin")),
     ]
     choices = [f"{literal(name)}: {keyword}" for keyword, name, _, _ in _choices(links)]
     arguments += [f"parts={{{', '.join(choices)}}}"] if choices else []
@@ -235,7 +242,7 @@ def _tasks(names: ClientNames, operands: Operands) -> tuple[list[TaskView], list
         if task.messages:
             continue
         try:
-            tasks.append(task_view(names, operands, task))
+            tasks.append(_task_view(names, operands, task))
         except NoTask as reason:
             missing.append(f" {task.name}: {reason}")
     return tasks, missing
@@ -307,3 +314,18 @@ def _parameters(layout: DeviceLayout, view: Mapping[str, Any]) -> list[str]:
         arguments += client_segments(layout, parameter_set, {own.message.name: own for own in view["exchanges"]})
         rows.append(f"{literal(parameter_set.name)}: _ParameterAccess({', '.join(arguments)})")
     return rows
+
+
+def _task_view(names: ClientNames, operands: Operands, task: Task) -> TaskView:
+    """The method of a task. Raises NoTask."""
+    if task.open:
+        raise NoTask(f"an open question. {task.open}")
+    if task.not_applicable:
+        raise NoTask(task.not_applicable)
+    draft = TaskDraft(names, operands, task)
+    scopes = {draft.target(step).scope for step in task.steps}
+    if scopes <= {REGISTERS, PARAMETERS}:
+        return WordTask(draft).view()
+    if task.steps[0].action == "send":
+        return MessageTask(draft).view()
+    raise NoTask("its steps act on several kinds of facts")

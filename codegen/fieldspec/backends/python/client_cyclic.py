@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.python.client_names import CODEC, Argument, ClientNames, NoTask, is_scaled, raw_number
-from fieldspec.backends.python.client_tasks import TaskDraft, TaskView, condition, ends, wait_value
+from fieldspec.backends.python.client_tasks import TaskDraft, TaskView, condition, ends, reason_of
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import docstring, literal
@@ -18,7 +20,7 @@ from fieldspec.model.enums import Flags
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import LASTING, REFUSAL, STARTING, before_effect, is_last_wait, watches
+from fieldspec.model.watches import LASTING, STARTING, before_effect, watches
 from fieldspec.names import Name
 
 _REQUEST, _RESPONSE = "request", "response"
@@ -116,36 +118,70 @@ class _CyclicTask:
         self.names, self.task, self.exchange = names, task, exchange
         self.draft = TaskDraft(names, operands, task, exchange.message.name)
         self.started: list[tuple[str, int]] = []
+        self.relative: list[str] = []
         self.pulsed: list[tuple[str, int]] = []
 
     def view(self) -> TaskView:
         """The method."""
         draft, task, message = self.draft, self.task, self.exchange.message.name
         watched = [
-            self._condition(watch.operand, watch.value, watch.reason)
+            self._condition(watch.operand, (watch.value,), watch.reason)
             for watch in watches(self.names.layout.device, draft.operands, task, message)
         ]
         first = before_effect(task)
         if first:
-            looked = [self._condition(draft.target(step), wait_value(step), "unready") for step in task.steps[:first]]
+            looked = [self._condition(draft.target(step), step.wanted, "unready") for step in task.steps[:first]]
             draft.steps.append(f"task.look({', '.join(looked)})")
         if task.kind == "reset_alarm":
             self._clear_starting()
+        noted = len(draft.steps)
         ending = ends(task) if task.kind in LASTING else None
         last: list[str] = []
-        for at, step in enumerate(task.steps[first:], first):
-            steps = self._step(step)
-            if ending is not None and at == ending[1]:
-                last = steps
+        index = first
+        while index < len(task.steps):
+            steps, behind = self._calls(index)
+            if ending is not None and index >= ending[1]:
+                last += steps
             else:
                 draft.steps += steps
+            index = behind
+        for target in self.relative:
+            draft.steps.insert(noted, f"task.note({target})")
         bits = [
             f"{key}={tuple_of([f'({literal(name)}, 0x{mask:X})' for name, mask in own])}"
             for key, own in (("started", self.started), ("pulsed", self.pulsed))
             if own
         ]
+        if task.kind == "servo_on":
+            servo = draft.target(task.steps[-1])
+            bits.append(f"unless={self._condition(servo, task.steps[-1].wanted, 'unready')}")
         view = draft.view("task", watched, last, 0, ending is not None, bits)
         return replace(view, name=self._name())
+
+    def _calls(self, index: int) -> tuple[list[str], int]:
+        """The calls of a step, or of the waits that hold together, and the place of the next one."""
+        draft, step = self.draft, self.task.steps[index]
+        if step.action != "wait":
+            return self._step(step), index + 1
+        steps = draft.waited(index)
+        return draft.wait_call(index, ", ".join(self._awaited(each) for each in steps)), index + len(steps)
+
+    def _awaited(self, step: Step) -> str:
+        """What one wait is for: the expression of a condition, or the variable of a target."""
+        draft, operand = self.draft, self.draft.target(step)
+        if not step.argument:
+            return self._condition(operand, step.wanted, reason_of(operand))
+        argument = draft.arguments[step.argument]
+        before = next(other for other in self.task.steps if other.action == "write" and other.argument == step.argument)
+        count = argument.name
+        if argument.in_unit:
+            slot = self._slot(draft.target(before), _REQUEST)
+            scaled = self.names.scaled_name(self.exchange, _REQUEST, slot)
+            count = f"task.count({literal(scaled)}, {argument.name}, {literal(slot.name)})"
+        target = draft.target_of(step, operand.value, literal(self._slot(operand, _RESPONSE).name), count)
+        if step.relative:
+            self.relative.append(target)
+        return target
 
     def _name(self) -> str:
         """The name of the method, without that of the message, which the class has."""
@@ -171,17 +207,13 @@ class _CyclicTask:
             raise NoTask(f"`{operand.path}` is no single value of the {direction} of {self.exchange.message.name}")
         return slot
 
-    def _condition(self, operand: Operand, stated: ScalarValue, reason: str) -> str:
+    def _condition(self, operand: Operand, stated: Sequence[ScalarValue], reason: str) -> str:
         slot = self._slot(operand, _RESPONSE)
         return condition(self.names, operand, slot.value, stated, literal(slot.name), reason)
 
     def _step(self, step: Step) -> list[str]:
         draft = self.draft
         operand = draft.target(step)
-        if step.action == "wait":
-            reason = "refused" if REFUSAL in operand.roles else "unready"
-            settling = ["task.settle()"] if is_last_wait(self.task, step) else []
-            return [*settling, f"task.wait({self._condition(operand, wait_value(step), reason)})"]
         if step.action == "read" and operand.bit is None:
             slot = self._slot(operand, _RESPONSE)
             draft.results.append(self.names.answer_type(slot.value))

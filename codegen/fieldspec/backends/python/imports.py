@@ -95,7 +95,7 @@ _CLIENT = {
     "_client_cyclic": "CyclicWork",
     "_client_registers": "Group ParameterAccess ParameterWork RegisterWork",
     "_client_sync": "BlockingClient Motion ParameterClient RegisterClient",
-    "_client_tasks": "Condition DeviceWork Jog",
+    "_client_tasks": "Condition DeviceWork Jog Target",
     "_segments": "Place Segments",
 }
 _CRC = [f"_C{place}" for place in range(8)]

@@ -31,6 +31,7 @@ from fieldspec.plc.routines.routine import (
     Body,
     Condition,
     Loop,
+    Remark,
     Return,
     Routine,
     Selection,
@@ -165,6 +166,8 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
         case Timing(timer, running, time):
             texts = (_text(expression, spelling) for expression in (timer, running, time))
             lines.append("{}{}(IN := {}, PT := {});".format(indent, *texts))
+        case Remark(text):
+            lines += comment(text, indent, spelling.comment)
         case Return():
             lines.append(f"{indent}RETURN;")
         case Loop(index, first, last, body):
@@ -175,7 +178,12 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
         case Selection(of, cases, otherwise):
             lines.append(f"{indent}CASE {_text(of, spelling)} OF")
             for labels, body in cases:
-                lines += _branch(list(_labels(labels, spelling, inner)), _body(body, spelling, inner + _STEP))
+                heads = list(_labels(labels, spelling, inner))
+                if isinstance(body[0], Remark):
+                    heads[-1] += " " + spelling.comment.format(comment_text(body[0].text))
+                    lines += [*heads, *_body(body[1:], spelling, inner + _STEP)]
+                else:
+                    lines += _branch(heads, _body(body, spelling, inner + _STEP))
             if otherwise:
                 lines.append(f"{indent}ELSE")
                 lines += _body(otherwise, spelling, inner)

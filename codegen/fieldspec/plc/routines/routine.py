@@ -69,6 +69,13 @@ class Return:
 
 
 @dataclass(frozen=True, slots=True)
+class Remark:
+    """A line of comment. In front of a branch of a Selection it stands beside the label."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Timing:
     """A call of an on-delay timer: it runs while `running` holds, and its Q is true when `time` has passed."""
 
@@ -77,7 +84,7 @@ class Timing:
     time: Variable
 
 
-Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing | Remark
 Body: TypeAlias = tuple[Statement, ...]
 
 
@@ -190,7 +197,7 @@ BASE = UINT
 
 
 # Most of what there is, beside variables.
-_LEAVES = frozenset({Whole, EnumMemberExpression, Fraction, Truth, Return})
+_LEAVES = frozenset({Whole, EnumMemberExpression, Fraction, Truth, Return, Remark})
 
 
 def called(routine: Routine) -> set[str]:

@@ -127,7 +127,7 @@ def _digits(number: Ratio | int) -> Fraction:
     return Fraction(f"{int(number)}.0")
 
 
-def _times(of: Expression, ratio: Ratio) -> Expression:
+def times(of: Expression, ratio: Ratio) -> Expression:
     """A product with a ratio: multiplied and divided by whole numbers, which rounds less than a decimal factor."""
     above, below = ratio.numerator, ratio.denominator
     product = of if above == 1 else Operation("*", (of, _digits(above)), LREAL)
@@ -172,7 +172,7 @@ def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     wrong = outside(counts, _intervals(first.value), first.kind)
     if wrong is not None:
         draft.refuse(wrong, "out_of_range")
-    scaled = _times(Conversion(counts, LREAL), Ratio(first.value.scale))
+    scaled = times(Conversion(counts, LREAL), Ratio(first.value.scale))
     draft.add([Assignment(value, _plus(scaled, Ratio(first.value.offset)))])
     return draft.finished()
 
@@ -196,7 +196,7 @@ def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
     shifted = _plus(value, -Ratio(first.value.offset))
-    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.for_writing()))
+    _rounded(draft, times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.for_writing()))
     return draft.finished()
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from fieldspec.model.fact import ScalarValue
 from fieldspec.model.task import ACTIONS, Step, Task
 from fieldspec.reading.building.context import Entry, free
-from fieldspec.reading.nodes import Mapping, Scalar
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 
 
 def task(entry: Entry) -> Task:
@@ -17,6 +18,8 @@ def task(entry: Entry) -> Task:
     return Task(
         **entry.fact(),
         kind=entry.text("task"),
+        halt=entry.flag("halt"),
+        direction=entry.text("direction"),
         messages=entry.texts("messages"),
         steps=tuple(_step(inner) for inner in entry.entries("steps", "")),
         not_applicable=entry.text("not_applicable"),
@@ -30,17 +33,27 @@ def _step(entry: Entry) -> Step:
         text = "the step has no action" if not actions else f"the step has both `{actions[0]}` and `{actions[1]}`"
         entry.refuse("wrong_form", actions[-1] if actions else "value", text, f"use one of {', '.join(ACTIONS)}")
     action = actions[0] if actions else "read"
+    waits = action == "wait"
     named = entry.get("arguments")
     arguments = named.values if isinstance(named, Mapping) else {}
     return Step(
         place=entry.place(),
         action=action,
         target=entry.text(action),
-        value=entry.value("value"),
+        value=None if waits else entry.value("value"),
+        wanted=_wanted(entry.get("value")) if waits else (),
         argument=entry.text("argument"),
+        within=entry.decimal("within"),
+        relative=entry.flag("relative"),
         values=free(entry.get("values")),
         arguments={key: node.text for key, node in arguments.items() if isinstance(node, Scalar)},
         timeout=entry.text("timeout"),
         doc=entry.text("doc"),
         sources=entry.sources,
     )
+
+
+def _wanted(node: Node | None) -> tuple[ScalarValue, ...]:
+    """The values that end a wait: one, or the alternatives of a list."""
+    nodes = node.items if isinstance(node, Sequence) else (node,)
+    return tuple(each.value for each in nodes if isinstance(each, Scalar))

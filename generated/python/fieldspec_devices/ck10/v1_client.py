@@ -18,6 +18,7 @@ from .._client_sync import RegisterClient as _RegisterClient
 from .._client_tasks import Condition as _Condition
 from .._client_tasks import DeviceWork as _DeviceWork
 from .._client_tasks import Jog as _Jog
+from .._client_tasks import Target as _Target
 from .._typing import TYPE_CHECKING
 from . import v1 as _codec
 
@@ -192,9 +193,11 @@ class _Tasks(_DeviceWork):
             [
                 task.look(),
                 task.write(_codec.START_HOMING, 1),
-                task.settle(),
-                task.wait(_Condition(_codec.MOTION_STATUS, 0x2000000, mask=0x2000000, name="homing_complete")),
+                task.begin(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x0, mask=0x40000, name="homing"), _Condition(_codec.MOTION_STATUS, 0x2000000, mask=0x2000000, name="homing_complete")),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x0, mask=0x40000, name="homing"), _Condition(_codec.MOTION_STATUS, 0x2000000, mask=0x2000000, name="homing_complete")),
             ],
+            halting=[task.write(_codec.STOP, 1)],
+            first=1,
         )
 
     def move_absolute(self, *, position: int, speed: int, limit: float = 60.0) -> _Work[_Any]:
@@ -204,15 +207,17 @@ class _Tasks(_DeviceWork):
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
+        target = _Target(_codec.COMMAND_POSITION, position, name="command_position")
         return task.run(
             [
                 task.look(),
                 task.write(_codec.TARGET_POSITION_OR_DISTANCE, position),
                 task.write(_codec.AXIS_MOVE_SPEED, speed),
                 task.write(_codec.START_MOVE, 2),
-                task.settle(),
-                task.wait(_Condition(_codec.MOTION_STATUS, 0x80000, mask=0x80000, name="in_position")),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x80000, mask=0x80000, name="in_position"), target),
             ],
+            halting=[task.write(_codec.STOP, 1)],
+            first=3,
         )
 
     def move_relative(self, *, distance: int, speed: int, limit: float = 60.0) -> _Work[_Any]:
@@ -222,21 +227,24 @@ class _Tasks(_DeviceWork):
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
+        target = _Target(_codec.COMMAND_POSITION, distance, name="command_position")
         return task.run(
             [
-                task.look(),
+                task.look(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving")),
+                task.note(target),
                 task.write(_codec.TARGET_POSITION_OR_DISTANCE, distance),
                 task.write(_codec.AXIS_MOVE_SPEED, speed),
                 task.write(_codec.START_MOVE, 1),
-                task.settle(),
-                task.wait(_Condition(_codec.MOTION_STATUS, 0x80000, mask=0x80000, name="in_position")),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x80000, mask=0x80000, name="in_position"), target),
             ],
+            halting=[task.write(_codec.STOP, 1)],
+            first=4,
         )
 
-    def jog(self, *, direction: _codec.JogDirection | int, speed: int) -> _Jog:
+    def jog_clockwise(self, *, speed: int) -> _Jog:
         task = self.register_task(
-            "jog",
-            None,
+            "jog_clockwise",
+            60.0,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
@@ -244,13 +252,33 @@ class _Tasks(_DeviceWork):
             task.run(
                 [
                     task.look(),
-                    task.write(_codec.JOG_DIRECTION, direction),
+                    task.write(_codec.JOG_DIRECTION, 1),
                     task.write(_codec.AXIS_JOG_SPEED, speed),
                     task.write(_codec.START_JOG, 1),
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.STOP, 1)]),
+            lambda: task.run([task.write(_codec.STOP, 1), task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"))]),
+        )
+
+    def jog_counterclockwise(self, *, speed: int) -> _Jog:
+        task = self.register_task(
+            "jog_counterclockwise",
+            60.0,
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
+        )
+        return _Jog(
+            task.run(
+                [
+                    task.look(),
+                    task.write(_codec.JOG_DIRECTION, 0),
+                    task.write(_codec.AXIS_JOG_SPEED, speed),
+                    task.write(_codec.START_JOG, 1),
+                ],
+            ),
+            task.look,
+            lambda: task.run([task.write(_codec.STOP, 1), task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"))]),
         )
 
     def run_point(self, *, point_number: int, limit: float = 60.0) -> _Work[_Any]:
@@ -265,9 +293,11 @@ class _Tasks(_DeviceWork):
                 task.look(),
                 task.write(_codec.START_POINT, point_number),
                 task.write(_codec.RUN_POINT_TABLE, 2),
-                task.settle(),
-                task.wait(_Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
+                task.begin(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
             ],
+            halting=[task.write(_codec.STOP, 1)],
+            first=2,
         )
 
     def run_point_table(self, *, first_point: int, limit: float = 60.0) -> _Work[_Any]:
@@ -282,9 +312,11 @@ class _Tasks(_DeviceWork):
                 task.look(),
                 task.write(_codec.START_POINT, first_point),
                 task.write(_codec.RUN_POINT_TABLE, 1),
-                task.settle(),
-                task.wait(_Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
+                task.begin(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
             ],
+            halting=[task.write(_codec.STOP, 1)],
+            first=2,
         )
 
     def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
@@ -297,11 +329,13 @@ class _Tasks(_DeviceWork):
             ],
         )
 
-    def immediate_stop(self) -> _Work[_Any]:
-        task = self.register_task("immediate_stop", None)
+    def immediate_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.register_task("immediate_stop", limit)
         return task.run(
             [
                 task.write(_codec.STOP, 0),
+                task.settle(),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving")),
             ],
         )
 
@@ -360,9 +394,9 @@ class Client(_RegisterClient):
     """A client of unknown CK10, version 1.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -382,6 +416,7 @@ class Client(_RegisterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
@@ -392,6 +427,7 @@ class Client(_RegisterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -432,7 +468,8 @@ class Client(_RegisterClient):
     def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: write homing_start = 1; wait homing_done = true.
+        Steps: write homing_start = 1; wait busy = false; wait registers/motion_status/homing = false;
+        wait homing_done = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -440,7 +477,7 @@ class Client(_RegisterClient):
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L331; 3.1 L655, 662.
+        Source: 2.4 L331; 3.1 L655, 662, 664.
         """
         self._run(self._work.home(limit=limit))
 
@@ -448,51 +485,62 @@ class Client(_RegisterClient):
         """Move absolute.
 
         Steps: write target_position = <position>; write target_speed = <speed>; write move_start =
-        absolute; wait in_position = true.
+        absolute; wait busy = false; wait in_position = true; wait command_position = <position>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Inferred (steps): The manual explains the registers and the flags one by one; that the command
+        position is the target when a move is over follows from their texts.
 
-        Inferred (steps): The manual explains the registers and the flags one by one; that the flag
-        shows what the register has done follows from their texts.
-
-        Source: 2.4 L309-311; 3.1 L656.
+        Source: 2.4 L309-311; 2.1 L256; 3.1 L656, 664.
         """
         self._run(self._work.move_absolute(position=position, speed=speed, limit=limit))
 
     def move_relative(self, *, distance: int, speed: int, limit: float = 60.0) -> None:
         """Move relative.
 
-        Steps: write target_distance = <distance>; write target_speed = <speed>; write move_start =
-        relative; wait in_position = true.
+        Steps: wait busy = false; write target_distance = <distance>; write target_speed = <speed>;
+        write move_start = relative; wait busy = false; wait in_position = true; wait command_position
+        = start + <distance>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Inferred (steps): The manual explains the registers and the flags one by one; that the command
+        position is the target when a move is over follows from their texts.
 
-        Inferred (steps): The manual explains the registers and the flags one by one; that the flag
-        shows what the register has done follows from their texts.
-
-        Source: 2.4 L309-311; 3.1 L656.
+        Source: 2.4 L309-311; 2.1 L256; 3.1 L656, 664.
         """
         self._run(self._work.move_relative(distance=distance, speed=speed, limit=limit))
 
-    def jog(self, *, direction: _codec.JogDirection | int, speed: int) -> _Motion:
-        """Jog.
+    def jog_clockwise(self, *, speed: int) -> _Motion:
+        """Jog clockwise.
 
-        Steps: write jog_direction = <direction>; write jog_speed = <speed>; write jog_start = 1;
-        write stop = decelerated.
+        Steps: write jog_direction = clockwise; write jog_speed = <speed>; write jog_start = 1; write
+        stop = decelerated; wait busy = false.
 
         Inferred (steps): How a jog ends is not printed; 07F0h stops the move that is going on.
 
-        Source: 2.4 L314-316, 332.
+        Inferred (direction): Which direction of the motor counts up is not printed.
+
+        Source: 2.4 L314-316, 332; 3.1 L664.
         """
-        return _Motion(self._run, self._work.jog(direction=direction, speed=speed))
+        return _Motion(self._run, self._work.jog_clockwise(speed=speed))
+
+    def jog_counterclockwise(self, *, speed: int) -> _Motion:
+        """Jog counterclockwise.
+
+        Steps: write jog_direction = counterclockwise; write jog_speed = <speed>; write jog_start = 1;
+        write stop = decelerated; wait busy = false.
+
+        Inferred (steps): How a jog ends is not printed; 07F0h stops the move that is going on.
+
+        Inferred (direction): Which direction of the motor counts up is not printed.
+
+        Source: 2.4 L314-316, 332; 3.1 L664.
+        """
+        return _Motion(self._run, self._work.jog_counterclockwise(speed=speed))
 
     def run_point(self, *, point_number: int, limit: float = 60.0) -> None:
         """Run point.
 
-        Steps: write point_number = <point_number>; write point_start = start_single; wait
-        registers/motion_status/point_table_stopped = true.
+        Steps: write point_number = <point_number>; write point_start = start_single; wait busy =
+        false; wait registers/motion_status/point_table_stopped = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -500,14 +548,14 @@ class Client(_RegisterClient):
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L337-338; 3.1 L659.
+        Source: 2.4 L337-338; 3.1 L659, 664.
         """
         self._run(self._work.run_point(point_number=point_number, limit=limit))
 
     def run_point_table(self, *, first_point: int, limit: float = 60.0) -> None:
         """Run point table.
 
-        Steps: write point_number = <first_point>; write point_start = start; wait
+        Steps: write point_number = <first_point>; write point_start = start; wait busy = false; wait
         registers/motion_status/point_table_stopped = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
@@ -516,7 +564,7 @@ class Client(_RegisterClient):
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L337-338; 3.1 L659.
+        Source: 2.4 L337-338; 3.1 L659, 664.
         """
         self._run(self._work.run_point_table(first_point=first_point, limit=limit))
 
@@ -532,14 +580,17 @@ class Client(_RegisterClient):
         """
         self._run(self._work.stop(limit=limit))
 
-    def immediate_stop(self) -> None:
+    def immediate_stop(self, *, limit: float = 60.0) -> None:
         """Immediate stop.
 
-        Steps: write stop = immediate.
+        Steps: write stop = immediate; wait busy = false.
 
-        Source: 2.4 L332.
+        Inferred (steps): The manual explains the registers and the flags one by one; that the flag
+        shows what the register has done follows from their texts.
+
+        Source: 2.4 L332; 3.1 L664.
         """
-        self._run(self._work.immediate_stop())
+        self._run(self._work.immediate_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -610,9 +661,9 @@ class AsyncClient(_AsyncRegisterClient):
     """A client of unknown CK10, version 1.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -632,6 +683,7 @@ class AsyncClient(_AsyncRegisterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
@@ -642,6 +694,7 @@ class AsyncClient(_AsyncRegisterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -682,7 +735,8 @@ class AsyncClient(_AsyncRegisterClient):
     async def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: write homing_start = 1; wait homing_done = true.
+        Steps: write homing_start = 1; wait busy = false; wait registers/motion_status/homing = false;
+        wait homing_done = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -690,7 +744,7 @@ class AsyncClient(_AsyncRegisterClient):
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L331; 3.1 L655, 662.
+        Source: 2.4 L331; 3.1 L655, 662, 664.
         """
         await self._run(self._work.home(limit=limit))
 
@@ -698,51 +752,62 @@ class AsyncClient(_AsyncRegisterClient):
         """Move absolute.
 
         Steps: write target_position = <position>; write target_speed = <speed>; write move_start =
-        absolute; wait in_position = true.
+        absolute; wait busy = false; wait in_position = true; wait command_position = <position>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Inferred (steps): The manual explains the registers and the flags one by one; that the command
+        position is the target when a move is over follows from their texts.
 
-        Inferred (steps): The manual explains the registers and the flags one by one; that the flag
-        shows what the register has done follows from their texts.
-
-        Source: 2.4 L309-311; 3.1 L656.
+        Source: 2.4 L309-311; 2.1 L256; 3.1 L656, 664.
         """
         await self._run(self._work.move_absolute(position=position, speed=speed, limit=limit))
 
     async def move_relative(self, *, distance: int, speed: int, limit: float = 60.0) -> None:
         """Move relative.
 
-        Steps: write target_distance = <distance>; write target_speed = <speed>; write move_start =
-        relative; wait in_position = true.
+        Steps: wait busy = false; write target_distance = <distance>; write target_speed = <speed>;
+        write move_start = relative; wait busy = false; wait in_position = true; wait command_position
+        = start + <distance>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Inferred (steps): The manual explains the registers and the flags one by one; that the command
+        position is the target when a move is over follows from their texts.
 
-        Inferred (steps): The manual explains the registers and the flags one by one; that the flag
-        shows what the register has done follows from their texts.
-
-        Source: 2.4 L309-311; 3.1 L656.
+        Source: 2.4 L309-311; 2.1 L256; 3.1 L656, 664.
         """
         await self._run(self._work.move_relative(distance=distance, speed=speed, limit=limit))
 
-    def jog(self, *, direction: _codec.JogDirection | int, speed: int) -> _AsyncMotion:
-        """Jog.
+    def jog_clockwise(self, *, speed: int) -> _AsyncMotion:
+        """Jog clockwise.
 
-        Steps: write jog_direction = <direction>; write jog_speed = <speed>; write jog_start = 1;
-        write stop = decelerated.
+        Steps: write jog_direction = clockwise; write jog_speed = <speed>; write jog_start = 1; write
+        stop = decelerated; wait busy = false.
 
         Inferred (steps): How a jog ends is not printed; 07F0h stops the move that is going on.
 
-        Source: 2.4 L314-316, 332.
+        Inferred (direction): Which direction of the motor counts up is not printed.
+
+        Source: 2.4 L314-316, 332; 3.1 L664.
         """
-        return _AsyncMotion(self._run, self._work.jog(direction=direction, speed=speed))
+        return _AsyncMotion(self._run, self._work.jog_clockwise(speed=speed))
+
+    def jog_counterclockwise(self, *, speed: int) -> _AsyncMotion:
+        """Jog counterclockwise.
+
+        Steps: write jog_direction = counterclockwise; write jog_speed = <speed>; write jog_start = 1;
+        write stop = decelerated; wait busy = false.
+
+        Inferred (steps): How a jog ends is not printed; 07F0h stops the move that is going on.
+
+        Inferred (direction): Which direction of the motor counts up is not printed.
+
+        Source: 2.4 L314-316, 332; 3.1 L664.
+        """
+        return _AsyncMotion(self._run, self._work.jog_counterclockwise(speed=speed))
 
     async def run_point(self, *, point_number: int, limit: float = 60.0) -> None:
         """Run point.
 
-        Steps: write point_number = <point_number>; write point_start = start_single; wait
-        registers/motion_status/point_table_stopped = true.
+        Steps: write point_number = <point_number>; write point_start = start_single; wait busy =
+        false; wait registers/motion_status/point_table_stopped = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -750,14 +815,14 @@ class AsyncClient(_AsyncRegisterClient):
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L337-338; 3.1 L659.
+        Source: 2.4 L337-338; 3.1 L659, 664.
         """
         await self._run(self._work.run_point(point_number=point_number, limit=limit))
 
     async def run_point_table(self, *, first_point: int, limit: float = 60.0) -> None:
         """Run point table.
 
-        Steps: write point_number = <first_point>; write point_start = start; wait
+        Steps: write point_number = <first_point>; write point_start = start; wait busy = false; wait
         registers/motion_status/point_table_stopped = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
@@ -766,7 +831,7 @@ class AsyncClient(_AsyncRegisterClient):
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L337-338; 3.1 L659.
+        Source: 2.4 L337-338; 3.1 L659, 664.
         """
         await self._run(self._work.run_point_table(first_point=first_point, limit=limit))
 
@@ -782,14 +847,17 @@ class AsyncClient(_AsyncRegisterClient):
         """
         await self._run(self._work.stop(limit=limit))
 
-    async def immediate_stop(self) -> None:
+    async def immediate_stop(self, *, limit: float = 60.0) -> None:
         """Immediate stop.
 
-        Steps: write stop = immediate.
+        Steps: write stop = immediate; wait busy = false.
 
-        Source: 2.4 L332.
+        Inferred (steps): The manual explains the registers and the flags one by one; that the flag
+        shows what the register has done follows from their texts.
+
+        Source: 2.4 L332; 3.1 L664.
         """
-        await self._run(self._work.immediate_stop())
+        await self._run(self._work.immediate_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.

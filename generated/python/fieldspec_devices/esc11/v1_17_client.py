@@ -18,6 +18,7 @@ from .._client_sync import ParameterClient as _ParameterClient
 from .._client_tasks import Condition as _Condition
 from .._client_tasks import DeviceWork as _DeviceWork
 from .._client_tasks import Jog as _Jog
+from .._client_tasks import Target as _Target
 from .._typing import TYPE_CHECKING
 from . import v1_17 as _codec
 
@@ -81,43 +82,57 @@ class _Tasks(_DeviceWork):
         return task.run(
             [
                 task.send(task.request(_codec.StartHomingRequest)),
-                task.settle(),
-                task.wait(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1)),
+                task.begin(task.request(_codec.ReadHomingStateRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("message.homing_complete", 1)),
+                task.wait(task.request(_codec.ReadHomingStateRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("message.homing_complete", 1)),
             ],
+            halting=[task.send(task.request(_codec.StopRequest))],
+            first=0,
         )
 
-    def move_absolute(self, *, position_mm: _Quantity, speed: int, limit: float = 60.0) -> _Work[_Any]:
+    def move_absolute(self, *, position_mm: _Quantity, speed: int, window_mm: float = 0.1, limit: float = 60.0) -> _Work[_Any]:
         task = self.message_task(
             "move_absolute",
             limit,
             _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
             _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
         )
+        target = _Target("message.position", task.count(task.request(_codec.MoveAbsoluteRequest, position_mm=position_mm, speed=speed), "position"), window_mm, 0.01)
         return task.run(
             [
+                task.send(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1)),
                 task.send(task.request(_codec.MoveAbsoluteRequest, position_mm=position_mm, speed=speed)),
-                task.settle(),
-                task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+                task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
+            halting=[task.send(task.request(_codec.StopRequest))],
+            first=1,
         )
 
-    def move_relative(self, *, distance_mm: _Quantity, speed: int, limit: float = 60.0) -> _Work[_Any]:
+    def move_relative(self, *, distance_mm: _Quantity, speed: int, window_mm: float = 0.1, limit: float = 60.0) -> _Work[_Any]:
         task = self.message_task(
             "move_relative",
             limit,
             _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
             _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
         )
+        target = _Target("message.position", task.count(task.request(_codec.MoveRelativeRequest, distance_mm=distance_mm, speed=speed), "distance"), window_mm, 0.01)
         return task.run(
             [
+                task.send(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1), _Condition("status", 0x0, mask=0x1, name="executing")),
+                task.note(task.request(_codec.ReadCurrentPositionRequest), target),
                 task.send(task.request(_codec.MoveRelativeRequest, distance_mm=distance_mm, speed=speed)),
-                task.settle(),
-                task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+                task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
+            halting=[task.send(task.request(_codec.StopRequest))],
+            first=2,
         )
 
     def jog_open(self, *, speed: int) -> _Jog:
-        task = self.message_task("jog_open", None)
+        task = self.message_task(
+            "jog_open",
+            60.0,
+            _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
+            _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
+        )
         return _Jog(
             task.run(
                 [
@@ -125,11 +140,16 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.send(task.request(_codec.StopRequest))]),
+            lambda: task.run([task.send(task.request(_codec.StopRequest)), task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing"))]),
         )
 
     def jog_close(self, *, speed: int) -> _Jog:
-        task = self.message_task("jog_close", None)
+        task = self.message_task(
+            "jog_close",
+            60.0,
+            _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
+            _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
+        )
         return _Jog(
             task.run(
                 [
@@ -137,7 +157,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.send(task.request(_codec.StopRequest))]),
+            lambda: task.run([task.send(task.request(_codec.StopRequest)), task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing"))]),
         )
 
     def run_point(self, *, point_number: int, speed: int, limit: float = 60.0) -> _Work[_Any]:
@@ -147,19 +167,24 @@ class _Tasks(_DeviceWork):
             _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
             _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
         )
+        target = _Target("message.point_number", point_number)
         return task.run(
             [
                 task.send(task.request(_codec.MoveToPointRequest, point_number=point_number, speed=speed)),
-                task.settle(),
-                task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+                task.begin(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
+                task.wait(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
+            halting=[task.send(task.request(_codec.StopRequest))],
+            first=0,
         )
 
-    def stop(self) -> _Work[_Any]:
-        task = self.message_task("stop", None)
+    def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.message_task("stop", limit)
         return task.run(
             [
                 task.send(task.request(_codec.StopRequest)),
+                task.settle(),
+                task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
             ],
         )
 
@@ -203,9 +228,9 @@ class Client(_ParameterClient):
     """A client of TAIYO ESC11-B, version 1.17.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -226,6 +251,7 @@ class Client(_ParameterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _SERIAL,
@@ -235,6 +261,7 @@ class Client(_ParameterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -278,7 +305,8 @@ class Client(_ParameterClient):
         """Home.
 
         Steps: send homing_start, at most limits/response_timeout; send messages/read_homing_state, at
-        most limits/response_timeout; wait messages/read_homing_state/response/homing_complete = true.
+        most limits/response_timeout; wait busy = false; wait
+        messages/read_homing_state/response/homing_complete = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -286,54 +314,65 @@ class Client(_ParameterClient):
         Inferred (steps): The manual explains the commands and the status byte by themselves; that the
         byte shows the end of what was commanded follows from its labels.
 
-        Source: 9.1.2 L313-316; 9.3.6 L838-840; 7.3 L247.
+        Source: 9.1.2 L313-316; 9.3.6 L838-840; 8.2 L286; 7.3 L247.
         """
         self._run(self._work.home(limit=limit))
 
-    def move_absolute(self, *, position_mm: _Quantity, speed: int, limit: float = 60.0) -> None:
+    def move_absolute(self, *, position_mm: _Quantity, speed: int, window_mm: float = 0.1, limit: float = 60.0) -> None:
         """Move absolute.
 
-        Steps: send messages/move_absolute with position = <position>, speed = <speed>, at most
-        limits/response_timeout; send messages/no_operation, at most limits/response_timeout; wait
-        busy = false.
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; send messages/move_absolute with
+        position = <position>, speed = <speed>, at most limits/response_timeout; send
+        messages/read_current_position, at most limits/response_timeout; wait busy = false; wait
+        messages/read_current_position/response/position = <position> within 0.1.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
 
-        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
-        byte shows the end of what was commanded follows from its labels.
+        Inferred (steps): The manual explains the commands and the status byte by themselves. How far
+        the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
+        so the distance here is ours.
 
-        Source: 9.1.8 L450-480; 8.2 L286; 7.3 L247.
+        Source: 9.1.8 L450-480; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
-        self._run(self._work.move_absolute(position_mm=position_mm, speed=speed, limit=limit))
+        self._run(self._work.move_absolute(position_mm=position_mm, speed=speed, window_mm=window_mm, limit=limit))
 
-    def move_relative(self, *, distance_mm: _Quantity, speed: int, limit: float = 60.0) -> None:
+    def move_relative(self, *, distance_mm: _Quantity, speed: int, window_mm: float = 0.1, limit: float = 60.0) -> None:
         """Move relative.
 
-        Steps: send messages/move_relative with distance = <distance>, speed = <speed>, at most
-        limits/response_timeout; send messages/no_operation, at most limits/response_timeout; wait
-        busy = false.
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; wait busy = false; send
+        messages/move_relative with distance = <distance>, speed = <speed>, at most
+        limits/response_timeout; send messages/read_current_position, at most limits/response_timeout;
+        wait busy = false; wait messages/read_current_position/response/position = start + <distance>
+        within 0.1.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
 
-        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
-        byte shows the end of what was commanded follows from its labels.
+        Inferred (steps): The manual explains the commands and the status byte by themselves. How far
+        the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
+        so the distance here is ours.
 
-        Source: 9.1.7 L434-446; 8.2 L286; 7.3 L247.
+        Source: 9.1.7 L434-446; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
-        self._run(self._work.move_relative(distance_mm=distance_mm, speed=speed, limit=limit))
+        self._run(self._work.move_relative(distance_mm=distance_mm, speed=speed, window_mm=window_mm, limit=limit))
 
     def jog_open(self, *, speed: int) -> _Motion:
         """Jog open.
 
         Steps: send messages/move_open with speed = <speed>, at most limits/response_timeout; send
-        stop, at most limits/response_timeout.
+        stop, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
 
         Inferred (steps): No command of the manual moves while it is repeated; 14h moves towards the
         end of the stroke, and 10h stops a move.
 
-        Source: 9.1.5 L383-391; 9.1.1 L306.
+        Inferred (direction): Which direction counts up is not printed; opening stands for the
+        positive one.
+
+        Source: 9.1.5 L383-391; 9.1.1 L306; 9.2.1 L720; 8.2 L286.
         """
         return _Motion(self._run, self._work.jog_open(speed=speed))
 
@@ -341,12 +380,16 @@ class Client(_ParameterClient):
         """Jog close.
 
         Steps: send messages/move_close with speed = <speed>, at most limits/response_timeout; send
-        stop, at most limits/response_timeout.
+        stop, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
 
         Inferred (steps): No command of the manual moves while it is repeated; 15h moves towards the
         end of the stroke, and 10h stops a move.
 
-        Source: 9.1.6 L409; 9.1.1 L306.
+        Inferred (direction): Which direction counts up is not printed; closing stands for the
+        negative one.
+
+        Source: 9.1.6 L409; 9.1.1 L306; 9.2.1 L720; 8.2 L286.
         """
         return _Motion(self._run, self._work.jog_close(speed=speed))
 
@@ -354,8 +397,9 @@ class Client(_ParameterClient):
         """Run point.
 
         Steps: send point_start with point_number = <point_number>, speed = <speed>, at most
-        limits/response_timeout; send messages/no_operation, at most limits/response_timeout; wait
-        busy = false.
+        limits/response_timeout; send messages/read_current_point_number, at most
+        limits/response_timeout; wait busy = false; wait
+        messages/read_current_point_number/response/point_number = <point_number>.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -363,18 +407,22 @@ class Client(_ParameterClient):
         Inferred (steps): The manual explains the commands and the status byte by themselves; that the
         byte shows the end of what was commanded follows from its labels.
 
-        Source: 10.1 L1168-1169; 8.2 L286; 7.3 L247.
+        Source: 10.1 L1168-1169; 8.2 L286; 9.3.3 L761; 7.3 L247.
         """
         self._run(self._work.run_point(point_number=point_number, speed=speed, limit=limit))
 
-    def stop(self) -> None:
+    def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: send stop, at most limits/response_timeout.
+        Steps: send stop, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
 
-        Source: 9.1.1 L305-308; 7.3 L247.
+        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
+        byte shows the end of what was commanded follows from its labels.
+
+        Source: 9.1.1 L305-308; 9.2.1 L720; 8.2 L286; 7.3 L247.
         """
-        self._run(self._work.stop())
+        self._run(self._work.stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -433,9 +481,9 @@ class AsyncClient(_AsyncParameterClient):
     """A client of TAIYO ESC11-B, version 1.17.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -456,6 +504,7 @@ class AsyncClient(_AsyncParameterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _SERIAL,
@@ -465,6 +514,7 @@ class AsyncClient(_AsyncParameterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -508,7 +558,8 @@ class AsyncClient(_AsyncParameterClient):
         """Home.
 
         Steps: send homing_start, at most limits/response_timeout; send messages/read_homing_state, at
-        most limits/response_timeout; wait messages/read_homing_state/response/homing_complete = true.
+        most limits/response_timeout; wait busy = false; wait
+        messages/read_homing_state/response/homing_complete = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -516,54 +567,65 @@ class AsyncClient(_AsyncParameterClient):
         Inferred (steps): The manual explains the commands and the status byte by themselves; that the
         byte shows the end of what was commanded follows from its labels.
 
-        Source: 9.1.2 L313-316; 9.3.6 L838-840; 7.3 L247.
+        Source: 9.1.2 L313-316; 9.3.6 L838-840; 8.2 L286; 7.3 L247.
         """
         await self._run(self._work.home(limit=limit))
 
-    async def move_absolute(self, *, position_mm: _Quantity, speed: int, limit: float = 60.0) -> None:
+    async def move_absolute(self, *, position_mm: _Quantity, speed: int, window_mm: float = 0.1, limit: float = 60.0) -> None:
         """Move absolute.
 
-        Steps: send messages/move_absolute with position = <position>, speed = <speed>, at most
-        limits/response_timeout; send messages/no_operation, at most limits/response_timeout; wait
-        busy = false.
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; send messages/move_absolute with
+        position = <position>, speed = <speed>, at most limits/response_timeout; send
+        messages/read_current_position, at most limits/response_timeout; wait busy = false; wait
+        messages/read_current_position/response/position = <position> within 0.1.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
 
-        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
-        byte shows the end of what was commanded follows from its labels.
+        Inferred (steps): The manual explains the commands and the status byte by themselves. How far
+        the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
+        so the distance here is ours.
 
-        Source: 9.1.8 L450-480; 8.2 L286; 7.3 L247.
+        Source: 9.1.8 L450-480; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
-        await self._run(self._work.move_absolute(position_mm=position_mm, speed=speed, limit=limit))
+        await self._run(self._work.move_absolute(position_mm=position_mm, speed=speed, window_mm=window_mm, limit=limit))
 
-    async def move_relative(self, *, distance_mm: _Quantity, speed: int, limit: float = 60.0) -> None:
+    async def move_relative(self, *, distance_mm: _Quantity, speed: int, window_mm: float = 0.1, limit: float = 60.0) -> None:
         """Move relative.
 
-        Steps: send messages/move_relative with distance = <distance>, speed = <speed>, at most
-        limits/response_timeout; send messages/no_operation, at most limits/response_timeout; wait
-        busy = false.
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; wait busy = false; send
+        messages/move_relative with distance = <distance>, speed = <speed>, at most
+        limits/response_timeout; send messages/read_current_position, at most limits/response_timeout;
+        wait busy = false; wait messages/read_current_position/response/position = start + <distance>
+        within 0.1.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
 
-        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
-        byte shows the end of what was commanded follows from its labels.
+        Inferred (steps): The manual explains the commands and the status byte by themselves. How far
+        the gripper may be from its target when a move is over is a parameter in pulses (10.2 L1272),
+        so the distance here is ours.
 
-        Source: 9.1.7 L434-446; 8.2 L286; 7.3 L247.
+        Source: 9.1.7 L434-446; 8.2 L286; 9.3.2 L753-759; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
         """
-        await self._run(self._work.move_relative(distance_mm=distance_mm, speed=speed, limit=limit))
+        await self._run(self._work.move_relative(distance_mm=distance_mm, speed=speed, window_mm=window_mm, limit=limit))
 
     def jog_open(self, *, speed: int) -> _AsyncMotion:
         """Jog open.
 
         Steps: send messages/move_open with speed = <speed>, at most limits/response_timeout; send
-        stop, at most limits/response_timeout.
+        stop, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
 
         Inferred (steps): No command of the manual moves while it is repeated; 14h moves towards the
         end of the stroke, and 10h stops a move.
 
-        Source: 9.1.5 L383-391; 9.1.1 L306.
+        Inferred (direction): Which direction counts up is not printed; opening stands for the
+        positive one.
+
+        Source: 9.1.5 L383-391; 9.1.1 L306; 9.2.1 L720; 8.2 L286.
         """
         return _AsyncMotion(self._run, self._work.jog_open(speed=speed))
 
@@ -571,12 +633,16 @@ class AsyncClient(_AsyncParameterClient):
         """Jog close.
 
         Steps: send messages/move_close with speed = <speed>, at most limits/response_timeout; send
-        stop, at most limits/response_timeout.
+        stop, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
 
         Inferred (steps): No command of the manual moves while it is repeated; 15h moves towards the
         end of the stroke, and 10h stops a move.
 
-        Source: 9.1.6 L409; 9.1.1 L306.
+        Inferred (direction): Which direction counts up is not printed; closing stands for the
+        negative one.
+
+        Source: 9.1.6 L409; 9.1.1 L306; 9.2.1 L720; 8.2 L286.
         """
         return _AsyncMotion(self._run, self._work.jog_close(speed=speed))
 
@@ -584,8 +650,9 @@ class AsyncClient(_AsyncParameterClient):
         """Run point.
 
         Steps: send point_start with point_number = <point_number>, speed = <speed>, at most
-        limits/response_timeout; send messages/no_operation, at most limits/response_timeout; wait
-        busy = false.
+        limits/response_timeout; send messages/read_current_point_number, at most
+        limits/response_timeout; wait busy = false; wait
+        messages/read_current_point_number/response/point_number = <point_number>.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
@@ -593,18 +660,22 @@ class AsyncClient(_AsyncParameterClient):
         Inferred (steps): The manual explains the commands and the status byte by themselves; that the
         byte shows the end of what was commanded follows from its labels.
 
-        Source: 10.1 L1168-1169; 8.2 L286; 7.3 L247.
+        Source: 10.1 L1168-1169; 8.2 L286; 9.3.3 L761; 7.3 L247.
         """
         await self._run(self._work.run_point(point_number=point_number, speed=speed, limit=limit))
 
-    async def stop(self) -> None:
+    async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: send stop, at most limits/response_timeout.
+        Steps: send stop, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
 
-        Source: 9.1.1 L305-308; 7.3 L247.
+        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
+        byte shows the end of what was commanded follows from its labels.
+
+        Source: 9.1.1 L305-308; 9.2.1 L720; 8.2 L286; 7.3 L247.
         """
-        await self._run(self._work.stop())
+        await self._run(self._work.stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.

@@ -21,6 +21,7 @@ from .._client_sync import ParameterClient as _ParameterClient
 from .._client_tasks import Condition as _Condition
 from .._client_tasks import DeviceWork as _DeviceWork
 from .._client_tasks import Jog as _Jog
+from .._client_tasks import Target as _Target
 from .._typing import TYPE_CHECKING
 from . import v2_14_4 as _codec
 
@@ -111,9 +112,9 @@ class Client(_ParameterClient):
     """A client of HIWIN E1/E2 PROFINET, version 2.14.4.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -129,6 +130,7 @@ class Client(_ParameterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _PARAMETER_CHANNEL,
@@ -138,6 +140,7 @@ class Client(_ParameterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -191,9 +194,9 @@ class AsyncClient(_AsyncParameterClient):
     """A client of HIWIN E1/E2 PROFINET, version 2.14.4.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -209,6 +212,7 @@ class AsyncClient(_AsyncParameterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _PARAMETER_CHANNEL,
@@ -218,6 +222,7 @@ class AsyncClient(_AsyncParameterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -276,13 +281,17 @@ class _Telegram3Tasks(_CyclicWork):
             limit,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             started=(("control_word_1", 0x1), ("control_word_1", 0x8)),
+            unless=_Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled"),
         )
         return task.carry_out(
             [
+                task.put("control_word_1", 0x8, False),
+                task.put("control_word_1", 0x1, False),
                 task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x2, True),
                 task.put("control_word_1", 0x4, True),
-                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on")),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on"), _Condition("status_word_1", 0x0, mask=0x40, name="switching_on_inhibited")),
                 task.put("control_word_1", 0x1, True),
                 task.put("control_word_1", 0x8, True),
                 task.settle(),
@@ -317,11 +326,13 @@ class _Telegram3Tasks(_CyclicWork):
             lambda: task.run([task.write("speed_setpoint_b", 0)]),
         )
 
-    def quick_stop(self) -> _Work[_Any]:
-        task = self.task("quick_stop", None)
+    def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("quick_stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x4, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
             ],
         )
 
@@ -354,6 +365,7 @@ class Telegram3(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -363,6 +375,7 @@ class Telegram3(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram3Request.decode(bytes.fromhex("00000000000000000000"))
         super().__init__(transport, session)
@@ -392,11 +405,13 @@ class Telegram3(_BlockingClient):
     def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -435,14 +450,16 @@ class Telegram3(_BlockingClient):
         """
         return _Motion(self._run, self._work.move_velocity(speed_percent=speed_percent))
 
-    def quick_stop(self) -> None:
+    def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        self._run(self._work.quick_stop())
+        self._run(self._work.quick_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -474,6 +491,7 @@ class AsyncTelegram3(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -483,6 +501,7 @@ class AsyncTelegram3(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram3Request.decode(bytes.fromhex("00000000000000000000"))
         super().__init__(transport, session)
@@ -512,11 +531,13 @@ class AsyncTelegram3(_AsyncBaseClient):
     async def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -555,14 +576,16 @@ class AsyncTelegram3(_AsyncBaseClient):
         """
         return _AsyncMotion(self._run, self._work.move_velocity(speed_percent=speed_percent))
 
-    async def quick_stop(self) -> None:
+    async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        await self._run(self._work.quick_stop())
+        await self._run(self._work.quick_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -587,13 +610,17 @@ class _Telegram5Tasks(_CyclicWork):
             limit,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             started=(("control_word_1", 0x1), ("control_word_1", 0x8)),
+            unless=_Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled"),
         )
         return task.carry_out(
             [
+                task.put("control_word_1", 0x8, False),
+                task.put("control_word_1", 0x1, False),
                 task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x2, True),
                 task.put("control_word_1", 0x4, True),
-                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on")),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on"), _Condition("status_word_1", 0x0, mask=0x40, name="switching_on_inhibited")),
                 task.put("control_word_1", 0x1, True),
                 task.put("control_word_1", 0x8, True),
                 task.settle(),
@@ -628,11 +655,13 @@ class _Telegram5Tasks(_CyclicWork):
             lambda: task.run([task.write("speed_setpoint_b", 0)]),
         )
 
-    def quick_stop(self) -> _Work[_Any]:
-        task = self.task("quick_stop", None)
+    def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("quick_stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x4, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
             ],
         )
 
@@ -667,6 +696,7 @@ class Telegram5(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -676,6 +706,7 @@ class Telegram5(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram5Request.decode(bytes.fromhex("000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -705,11 +736,13 @@ class Telegram5(_BlockingClient):
     def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -748,14 +781,16 @@ class Telegram5(_BlockingClient):
         """
         return _Motion(self._run, self._work.move_velocity(speed_percent=speed_percent))
 
-    def quick_stop(self) -> None:
+    def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        self._run(self._work.quick_stop())
+        self._run(self._work.quick_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -789,6 +824,7 @@ class AsyncTelegram5(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -798,6 +834,7 @@ class AsyncTelegram5(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram5Request.decode(bytes.fromhex("000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -827,11 +864,13 @@ class AsyncTelegram5(_AsyncBaseClient):
     async def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -870,14 +909,16 @@ class AsyncTelegram5(_AsyncBaseClient):
         """
         return _AsyncMotion(self._run, self._work.move_velocity(speed_percent=speed_percent))
 
-    async def quick_stop(self) -> None:
+    async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        await self._run(self._work.quick_stop())
+        await self._run(self._work.quick_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -902,13 +943,17 @@ class _Telegram9Tasks(_CyclicWork):
             limit,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             started=(("control_word_1", 0x1), ("control_word_1", 0x8)),
+            unless=_Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled"),
         )
         return task.carry_out(
             [
+                task.put("control_word_1", 0x8, False),
+                task.put("control_word_1", 0x1, False),
                 task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x2, True),
                 task.put("control_word_1", 0x4, True),
-                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on")),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on"), _Condition("status_word_1", 0x0, mask=0x40, name="switching_on_inhibited")),
                 task.put("control_word_1", 0x1, True),
                 task.put("control_word_1", 0x8, True),
                 task.settle(),
@@ -937,13 +982,13 @@ class _Telegram9Tasks(_CyclicWork):
         return task.carry_out(
             [
                 task.put("control_word_1", 0x800, True),
-                task.settle(),
-                task.wait(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete")),
+                task.begin(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
+                task.wait(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
                 task.put("control_word_1", 0x800, False),
             ],
         )
 
-    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, limit: float = 60.0) -> _Work[_Any]:
+    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> _Work[_Any]:
         task = self.task(
             "move_absolute_telegram_9",
             limit,
@@ -952,6 +997,7 @@ class _Telegram9Tasks(_CyclicWork):
             started=(("control_word_1", 0x10),),
             pulsed=(("control_word_1", 0x40),),
         )
+        target = _Target("position_actual_a", position, window, name="actual_position")
         return task.carry_out(
             [
                 task.look(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete")),
@@ -965,12 +1011,11 @@ class _Telegram9Tasks(_CyclicWork):
                 task.put("control_word_1", 0x20, True),
                 task.pulse("control_word_1", 0x40),
                 task.wait(_Condition("status_word_1", 0x1000, mask=0x1000, name="traversing_task_acknowledged")),
-                task.settle(),
-                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached")),
+                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"), target),
             ],
         )
 
-    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, limit: float = 60.0) -> _Work[_Any]:
+    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> _Work[_Any]:
         task = self.task(
             "move_relative_telegram_9",
             limit,
@@ -979,8 +1024,11 @@ class _Telegram9Tasks(_CyclicWork):
             started=(("control_word_1", 0x10),),
             pulsed=(("control_word_1", 0x40),),
         )
+        target = _Target("position_actual_a", distance, window, name="actual_position")
         return task.carry_out(
             [
+                task.look(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
+                task.note(target),
                 task.put("block_selection", 0x8000, True),
                 task.put("mdi_mode", 0x1, False),
                 task.write("mdi_target_position", distance),
@@ -991,15 +1039,14 @@ class _Telegram9Tasks(_CyclicWork):
                 task.put("control_word_1", 0x20, True),
                 task.pulse("control_word_1", 0x40),
                 task.wait(_Condition("status_word_1", 0x1000, mask=0x1000, name="traversing_task_acknowledged")),
-                task.settle(),
-                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached")),
+                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"), target),
             ],
         )
 
     def jog_positive(self) -> _Jog:
         task = self.task(
             "jog_positive",
-            None,
+            60.0,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
             started=(("control_word_1", 0x100),),
@@ -1011,13 +1058,13 @@ class _Telegram9Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x100, False)]),
+            lambda: task.run([task.put("control_word_1", 0x100, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
         )
 
     def jog_negative(self) -> _Jog:
         task = self.task(
             "jog_negative",
-            None,
+            60.0,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
             started=(("control_word_1", 0x200),),
@@ -1029,22 +1076,29 @@ class _Telegram9Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x200, False)]),
+            lambda: task.run([task.put("control_word_1", 0x200, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
         )
 
-    def stop(self) -> _Work[_Any]:
-        task = self.task("stop", None)
+    def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x10, False),
+                task.put("control_word_1", 0x100, False),
+                task.put("control_word_1", 0x200, False),
+                task.put("control_word_1", 0x800, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
             ],
         )
 
-    def quick_stop(self) -> _Work[_Any]:
-        task = self.task("quick_stop", None)
+    def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("quick_stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x4, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
             ],
         )
 
@@ -1085,6 +1139,7 @@ class Telegram9(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -1094,6 +1149,7 @@ class Telegram9(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram9Request.decode(bytes.fromhex("0000000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -1123,11 +1179,13 @@ class Telegram9(_BlockingClient):
     def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -1148,87 +1206,94 @@ class Telegram9(_BlockingClient):
     def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: set homing_start; wait homing_done = true; clear homing_start.
+        Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
 
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
 
-        Source: 3.3.2 L614; 3.5.2 L683; 6.7 L1666.
+        Source: 3.3.2 L614; 3.5.2 L683, 685; 6.7 L1666.
         """
         self._run(self._work.home(limit=limit))
 
-    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, limit: float = 60.0) -> None:
+    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move absolute telegram 9.
 
         Steps: wait homing_done = true; set messages/telegram_9/request/block_selection/mdi; set
         move_mode; write target_position = <position>; write target_speed = <speed>; write
         target_acceleration = <acceleration>; write target_deceleration = <deceleration>; set
         move_enable; set pause_released; pulse move_start; wait command_accepted = true; wait
-        in_position = true.
+        in_position = true; wait standstill = true; wait actual_position = <position> within 100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, limit=limit))
+        self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, window=window, limit=limit))
 
-    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, limit: float = 60.0) -> None:
+    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move relative telegram 9.
 
-        Steps: set messages/telegram_9/request/block_selection/mdi; clear move_mode; write
-        target_distance = <distance>; write target_speed = <speed>; write target_acceleration =
-        <acceleration>; write target_deceleration = <deceleration>; set move_enable; set
-        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true.
+        Steps: wait standstill = true; set messages/telegram_9/request/block_selection/mdi; clear
+        move_mode; write target_distance = <distance>; write target_speed = <speed>; write
+        target_acceleration = <acceleration>; write target_deceleration = <deceleration>; set
+        move_enable; set pause_released; pulse move_start; wait command_accepted = true; wait
+        in_position = true; wait standstill = true; wait actual_position = start + <distance> within
+        100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, limit=limit))
+        self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, window=window, limit=limit))
 
     def jog_positive(self) -> _Motion:
         """Jog positive.
 
-        Steps: set jog_positive; clear jog_positive.
+        Steps: set jog_positive; clear jog_positive; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L611.
+        Source: 6.8 L1670; 3.3.2 L611; 3.5.2 L685.
         """
         return _Motion(self._run, self._work.jog_positive())
 
     def jog_negative(self) -> _Motion:
         """Jog negative.
 
-        Steps: set jog_negative; clear jog_negative.
+        Steps: set jog_negative; clear jog_negative; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L612.
+        Source: 6.8 L1670; 3.3.2 L612; 3.5.2 L685.
         """
         return _Motion(self._run, self._work.jog_negative())
 
-    def stop(self) -> None:
+    def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable.
+        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
+        standstill = true.
 
-        Source: 3.3.2 L607.
+        Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
-        self._run(self._work.stop())
+        self._run(self._work.stop(limit=limit))
 
-    def quick_stop(self) -> None:
+    def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        self._run(self._work.quick_stop())
+        self._run(self._work.quick_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -1270,6 +1335,7 @@ class AsyncTelegram9(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -1279,6 +1345,7 @@ class AsyncTelegram9(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram9Request.decode(bytes.fromhex("0000000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -1308,11 +1375,13 @@ class AsyncTelegram9(_AsyncBaseClient):
     async def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -1333,87 +1402,94 @@ class AsyncTelegram9(_AsyncBaseClient):
     async def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: set homing_start; wait homing_done = true; clear homing_start.
+        Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
 
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
 
-        Source: 3.3.2 L614; 3.5.2 L683; 6.7 L1666.
+        Source: 3.3.2 L614; 3.5.2 L683, 685; 6.7 L1666.
         """
         await self._run(self._work.home(limit=limit))
 
-    async def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, limit: float = 60.0) -> None:
+    async def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move absolute telegram 9.
 
         Steps: wait homing_done = true; set messages/telegram_9/request/block_selection/mdi; set
         move_mode; write target_position = <position>; write target_speed = <speed>; write
         target_acceleration = <acceleration>; write target_deceleration = <deceleration>; set
         move_enable; set pause_released; pulse move_start; wait command_accepted = true; wait
-        in_position = true.
+        in_position = true; wait standstill = true; wait actual_position = <position> within 100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        await self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, limit=limit))
+        await self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, window=window, limit=limit))
 
-    async def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, limit: float = 60.0) -> None:
+    async def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move relative telegram 9.
 
-        Steps: set messages/telegram_9/request/block_selection/mdi; clear move_mode; write
-        target_distance = <distance>; write target_speed = <speed>; write target_acceleration =
-        <acceleration>; write target_deceleration = <deceleration>; set move_enable; set
-        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true.
+        Steps: wait standstill = true; set messages/telegram_9/request/block_selection/mdi; clear
+        move_mode; write target_distance = <distance>; write target_speed = <speed>; write
+        target_acceleration = <acceleration>; write target_deceleration = <deceleration>; set
+        move_enable; set pause_released; pulse move_start; wait command_accepted = true; wait
+        in_position = true; wait standstill = true; wait actual_position = start + <distance> within
+        100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.9 L779; 3.11 L794; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        await self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, limit=limit))
+        await self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, window=window, limit=limit))
 
     def jog_positive(self) -> _AsyncMotion:
         """Jog positive.
 
-        Steps: set jog_positive; clear jog_positive.
+        Steps: set jog_positive; clear jog_positive; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L611.
+        Source: 6.8 L1670; 3.3.2 L611; 3.5.2 L685.
         """
         return _AsyncMotion(self._run, self._work.jog_positive())
 
     def jog_negative(self) -> _AsyncMotion:
         """Jog negative.
 
-        Steps: set jog_negative; clear jog_negative.
+        Steps: set jog_negative; clear jog_negative; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L612.
+        Source: 6.8 L1670; 3.3.2 L612; 3.5.2 L685.
         """
         return _AsyncMotion(self._run, self._work.jog_negative())
 
-    async def stop(self) -> None:
+    async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable.
+        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
+        standstill = true.
 
-        Source: 3.3.2 L607.
+        Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
-        await self._run(self._work.stop())
+        await self._run(self._work.stop(limit=limit))
 
-    async def quick_stop(self) -> None:
+    async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        await self._run(self._work.quick_stop())
+        await self._run(self._work.quick_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -1448,13 +1524,17 @@ class _Telegram102Tasks(_CyclicWork):
             limit,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             started=(("control_word_1", 0x1), ("control_word_1", 0x8)),
+            unless=_Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled"),
         )
         return task.carry_out(
             [
+                task.put("control_word_1", 0x8, False),
+                task.put("control_word_1", 0x1, False),
                 task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x2, True),
                 task.put("control_word_1", 0x4, True),
-                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on")),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on"), _Condition("status_word_1", 0x0, mask=0x40, name="switching_on_inhibited")),
                 task.put("control_word_1", 0x1, True),
                 task.put("control_word_1", 0x8, True),
                 task.settle(),
@@ -1498,11 +1578,13 @@ class _Telegram102Tasks(_CyclicWork):
             ],
         )
 
-    def quick_stop(self) -> _Work[_Any]:
-        task = self.task("quick_stop", None)
+    def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("quick_stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x4, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
             ],
         )
 
@@ -1537,6 +1619,7 @@ class Telegram102(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -1546,6 +1629,7 @@ class Telegram102(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram102Request.decode(bytes.fromhex("000000000000000000000000"))
         super().__init__(transport, session)
@@ -1575,11 +1659,13 @@ class Telegram102(_BlockingClient):
     def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -1631,14 +1717,16 @@ class Telegram102(_BlockingClient):
         """
         self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
 
-    def quick_stop(self) -> None:
+    def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        self._run(self._work.quick_stop())
+        self._run(self._work.quick_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -1672,6 +1760,7 @@ class AsyncTelegram102(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -1681,6 +1770,7 @@ class AsyncTelegram102(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram102Request.decode(bytes.fromhex("000000000000000000000000"))
         super().__init__(transport, session)
@@ -1710,11 +1800,13 @@ class AsyncTelegram102(_AsyncBaseClient):
     async def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -1766,14 +1858,16 @@ class AsyncTelegram102(_AsyncBaseClient):
         """
         await self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
 
-    async def quick_stop(self) -> None:
+    async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        await self._run(self._work.quick_stop())
+        await self._run(self._work.quick_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -1798,13 +1892,17 @@ class _Telegram105Tasks(_CyclicWork):
             limit,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             started=(("control_word_1", 0x1), ("control_word_1", 0x8)),
+            unless=_Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled"),
         )
         return task.carry_out(
             [
+                task.put("control_word_1", 0x8, False),
+                task.put("control_word_1", 0x1, False),
                 task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x2, True),
                 task.put("control_word_1", 0x4, True),
-                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on")),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on"), _Condition("status_word_1", 0x0, mask=0x40, name="switching_on_inhibited")),
                 task.put("control_word_1", 0x1, True),
                 task.put("control_word_1", 0x8, True),
                 task.settle(),
@@ -1848,11 +1946,13 @@ class _Telegram105Tasks(_CyclicWork):
             ],
         )
 
-    def quick_stop(self) -> _Work[_Any]:
-        task = self.task("quick_stop", None)
+    def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("quick_stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x4, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
             ],
         )
 
@@ -1888,6 +1988,7 @@ class Telegram105(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -1897,6 +1998,7 @@ class Telegram105(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram105Request.decode(bytes.fromhex("0000000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -1926,11 +2028,13 @@ class Telegram105(_BlockingClient):
     def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -1982,14 +2086,16 @@ class Telegram105(_BlockingClient):
         """
         self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
 
-    def quick_stop(self) -> None:
+    def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        self._run(self._work.quick_stop())
+        self._run(self._work.quick_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -2024,6 +2130,7 @@ class AsyncTelegram105(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -2033,6 +2140,7 @@ class AsyncTelegram105(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram105Request.decode(bytes.fromhex("0000000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -2062,11 +2170,13 @@ class AsyncTelegram105(_AsyncBaseClient):
     async def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -2118,14 +2228,16 @@ class AsyncTelegram105(_AsyncBaseClient):
         """
         await self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
 
-    async def quick_stop(self) -> None:
+    async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        await self._run(self._work.quick_stop())
+        await self._run(self._work.quick_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -2150,13 +2262,17 @@ class _Telegram111Tasks(_CyclicWork):
             limit,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             started=(("control_word_1", 0x1), ("control_word_1", 0x8)),
+            unless=_Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled"),
         )
         return task.carry_out(
             [
+                task.put("control_word_1", 0x8, False),
+                task.put("control_word_1", 0x1, False),
                 task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x2, True),
                 task.put("control_word_1", 0x4, True),
-                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on")),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x1, mask=0x1, name="ready_to_switch_on"), _Condition("status_word_1", 0x0, mask=0x40, name="switching_on_inhibited")),
                 task.put("control_word_1", 0x1, True),
                 task.put("control_word_1", 0x8, True),
                 task.settle(),
@@ -2185,13 +2301,13 @@ class _Telegram111Tasks(_CyclicWork):
         return task.carry_out(
             [
                 task.put("control_word_1", 0x800, True),
-                task.settle(),
-                task.wait(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete")),
+                task.begin(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
+                task.wait(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
                 task.put("control_word_1", 0x800, False),
             ],
         )
 
-    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, limit: float = 60.0) -> _Work[_Any]:
+    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> _Work[_Any]:
         task = self.task(
             "move_absolute_telegram_111",
             limit,
@@ -2200,6 +2316,7 @@ class _Telegram111Tasks(_CyclicWork):
             started=(("control_word_1", 0x10),),
             pulsed=(("control_word_1", 0x40),),
         )
+        target = _Target("position_actual_a", position, window, name="actual_position")
         return task.carry_out(
             [
                 task.look(_Condition("status_word_1", 0x800, mask=0x800, name="homing_complete")),
@@ -2215,12 +2332,11 @@ class _Telegram111Tasks(_CyclicWork):
                 task.put("control_word_1", 0x20, True),
                 task.pulse("control_word_1", 0x40),
                 task.wait(_Condition("status_word_1", 0x1000, mask=0x1000, name="traversing_task_acknowledged")),
-                task.settle(),
-                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached")),
+                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"), target),
             ],
         )
 
-    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, limit: float = 60.0) -> _Work[_Any]:
+    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> _Work[_Any]:
         task = self.task(
             "move_relative_telegram_111",
             limit,
@@ -2229,8 +2345,11 @@ class _Telegram111Tasks(_CyclicWork):
             started=(("control_word_1", 0x10),),
             pulsed=(("control_word_1", 0x40),),
         )
+        target = _Target("position_actual_a", distance, window, name="actual_position")
         return task.carry_out(
             [
+                task.look(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
+                task.note(target),
                 task.put("positioning_control_word_1", 0x8000, True),
                 task.put("positioning_control_word_1", 0x4000, False),
                 task.put("positioning_control_word_1", 0x1000, False),
@@ -2244,15 +2363,14 @@ class _Telegram111Tasks(_CyclicWork):
                 task.put("control_word_1", 0x20, True),
                 task.pulse("control_word_1", 0x40),
                 task.wait(_Condition("status_word_1", 0x1000, mask=0x1000, name="traversing_task_acknowledged")),
-                task.settle(),
-                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached")),
+                task.wait(_Condition("status_word_1", 0x400, mask=0x400, name="target_reached"), _Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"), target),
             ],
         )
 
     def jog_positive(self) -> _Jog:
         task = self.task(
             "jog_positive",
-            None,
+            60.0,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
             started=(("control_word_1", 0x100),),
@@ -2264,13 +2382,13 @@ class _Telegram111Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x100, False)]),
+            lambda: task.run([task.put("control_word_1", 0x100, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
         )
 
     def jog_negative(self) -> _Jog:
         task = self.task(
             "jog_negative",
-            None,
+            60.0,
             _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
             _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
             started=(("control_word_1", 0x200),),
@@ -2282,22 +2400,29 @@ class _Telegram111Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x200, False)]),
+            lambda: task.run([task.put("control_word_1", 0x200, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
         )
 
-    def stop(self) -> _Work[_Any]:
-        task = self.task("stop", None)
+    def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x10, False),
+                task.put("control_word_1", 0x100, False),
+                task.put("control_word_1", 0x200, False),
+                task.put("control_word_1", 0x800, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped")),
             ],
         )
 
-    def quick_stop(self) -> _Work[_Any]:
-        task = self.task("quick_stop", None)
+    def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.task("quick_stop", limit)
         return task.carry_out(
             [
                 task.put("control_word_1", 0x4, False),
+                task.settle(),
+                task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
             ],
         )
 
@@ -2349,6 +2474,7 @@ class Telegram111(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -2358,6 +2484,7 @@ class Telegram111(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram111Request.decode(bytes.fromhex("000000000000000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -2387,11 +2514,13 @@ class Telegram111(_BlockingClient):
     def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -2412,16 +2541,16 @@ class Telegram111(_BlockingClient):
     def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: set homing_start; wait homing_done = true; clear homing_start.
+        Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
 
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
 
-        Source: 3.3.2 L614; 3.5.2 L683; 6.7 L1666.
+        Source: 3.3.2 L614; 3.5.2 L683, 685; 6.7 L1666.
         """
         self._run(self._work.home(limit=limit))
 
-    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, limit: float = 60.0) -> None:
+    def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move absolute telegram 111.
 
         Steps: wait homing_done = true; set
@@ -2430,74 +2559,82 @@ class Telegram111(_BlockingClient):
         target_position = <position>; write target_speed = <speed>; write target_acceleration =
         <acceleration>; write target_deceleration = <deceleration>; write
         messages/telegram_111/request/velocity_override = <speed_override>; set move_enable; set
-        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true.
+        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true; wait
+        standstill = true; wait actual_position = <position> within 100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.12 L805-814, 820; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.12 L805-814, 820; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, limit=limit))
+        self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, window=window, limit=limit))
 
-    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, limit: float = 60.0) -> None:
+    def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move relative telegram 111.
 
-        Steps: set messages/telegram_111/request/positioning_control_word_1/mdi; clear
+        Steps: wait standstill = true; set
+        messages/telegram_111/request/positioning_control_word_1/mdi; clear
         messages/telegram_111/request/positioning_control_word_1/mdi_setup; clear
         messages/telegram_111/request/positioning_control_word_1/continuous; clear move_mode; write
         target_distance = <distance>; write target_speed = <speed>; write target_acceleration =
         <acceleration>; write target_deceleration = <deceleration>; write
         messages/telegram_111/request/velocity_override = <speed_override>; set move_enable; set
-        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true.
+        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true; wait
+        standstill = true; wait actual_position = start + <distance> within 100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.12 L805-814, 822; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.12 L805-814, 822; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, limit=limit))
+        self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, window=window, limit=limit))
 
     def jog_positive(self) -> _Motion:
         """Jog positive.
 
-        Steps: set jog_positive; clear jog_positive.
+        Steps: set jog_positive; clear jog_positive; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L611.
+        Source: 6.8 L1670; 3.3.2 L611; 3.5.2 L685.
         """
         return _Motion(self._run, self._work.jog_positive())
 
     def jog_negative(self) -> _Motion:
         """Jog negative.
 
-        Steps: set jog_negative; clear jog_negative.
+        Steps: set jog_negative; clear jog_negative; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L612.
+        Source: 6.8 L1670; 3.3.2 L612; 3.5.2 L685.
         """
         return _Motion(self._run, self._work.jog_negative())
 
-    def stop(self) -> None:
+    def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable.
+        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
+        standstill = true.
 
-        Source: 3.3.2 L607.
+        Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
-        self._run(self._work.stop())
+        self._run(self._work.stop(limit=limit))
 
-    def quick_stop(self) -> None:
+    def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        self._run(self._work.quick_stop())
+        self._run(self._work.quick_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -2552,6 +2689,7 @@ class AsyncTelegram111(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -2561,6 +2699,7 @@ class AsyncTelegram111(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram111Request.decode(bytes.fromhex("000000000000000000000000000000000000000000000000"))
         super().__init__(transport, session)
@@ -2590,11 +2729,13 @@ class AsyncTelegram111(_AsyncBaseClient):
     async def servo_on(self, *, limit: float = 60.0) -> None:
         """Servo on.
 
-        Steps: set control_request; set coast_stop_released; set quick_stop_released; wait ready =
-        true; set switch_on; set servo_enable; wait servo_state = true.
+        Steps: clear servo_enable; clear switch_on; set control_request; set coast_stop_released; set
+        quick_stop_released; wait ready = true; wait switch_on_inhibited = false; set switch_on; set
+        servo_enable; wait servo_state = true.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. The table below it
-        has the states S1 to S4, and each bit of STW1 says what it switches.
+        has the states S1 to S4, and each bit of STW1 says what it switches. That S1 is left with
+        STW1.0 at 0 is PROFIdrive's.
 
         Source: 3.3.1 L584-594; 3.3.2 L603-613; 7.2.3 L2053-2056.
         """
@@ -2615,16 +2756,16 @@ class AsyncTelegram111(_AsyncBaseClient):
     async def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: set homing_start; wait homing_done = true; clear homing_start.
+        Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
 
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
 
-        Source: 3.3.2 L614; 3.5.2 L683; 6.7 L1666.
+        Source: 3.3.2 L614; 3.5.2 L683, 685; 6.7 L1666.
         """
         await self._run(self._work.home(limit=limit))
 
-    async def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, limit: float = 60.0) -> None:
+    async def move_absolute(self, *, position: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move absolute telegram 111.
 
         Steps: wait homing_done = true; set
@@ -2633,74 +2774,82 @@ class AsyncTelegram111(_AsyncBaseClient):
         target_position = <position>; write target_speed = <speed>; write target_acceleration =
         <acceleration>; write target_deceleration = <deceleration>; write
         messages/telegram_111/request/velocity_override = <speed_override>; set move_enable; set
-        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true.
+        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true; wait
+        standstill = true; wait actual_position = <position> within 100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.12 L805-814, 820; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.12 L805-814, 820; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        await self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, limit=limit))
+        await self._run(self._work.move_absolute(position=position, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, window=window, limit=limit))
 
-    async def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, limit: float = 60.0) -> None:
+    async def move_relative(self, *, distance: int, speed_control_unit_per_min: _Quantity, acceleration_percent: _Quantity, deceleration_percent: _Quantity, speed_override_percent: _Quantity, window: float = 100.0, limit: float = 60.0) -> None:
         """Move relative telegram 111.
 
-        Steps: set messages/telegram_111/request/positioning_control_word_1/mdi; clear
+        Steps: wait standstill = true; set
+        messages/telegram_111/request/positioning_control_word_1/mdi; clear
         messages/telegram_111/request/positioning_control_word_1/mdi_setup; clear
         messages/telegram_111/request/positioning_control_word_1/continuous; clear move_mode; write
         target_distance = <distance>; write target_speed = <speed>; write target_acceleration =
         <acceleration>; write target_deceleration = <deceleration>; write
         messages/telegram_111/request/velocity_override = <speed_override>; set move_enable; set
-        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true.
+        pause_released; pulse move_start; wait command_accepted = true; wait in_position = true; wait
+        standstill = true; wait actual_position = start + <distance> within 100.
 
         Inferred (steps): The sequence is figure 7.2.6.1, which is not in the text. Each bit of STW1
-        and of the words of positioning says what it does.
+        and of the words of positioning says what it does. How far XIST_A may be from the target is
+        not printed, so the distance here is ours.
 
-        Source: 3.3.2 L607-609; 3.12 L805-814, 822; 6.6.1 L1644-1647; 3.5.2 L682, 684.
+        Source: 3.3.2 L607-609; 3.12 L805-814, 822; 6.6.1 L1644-1647; 3.1 L480; 3.5.2 L682, 684-685.
         """
-        await self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, limit=limit))
+        await self._run(self._work.move_relative(distance=distance, speed_control_unit_per_min=speed_control_unit_per_min, acceleration_percent=acceleration_percent, deceleration_percent=deceleration_percent, speed_override_percent=speed_override_percent, window=window, limit=limit))
 
     def jog_positive(self) -> _AsyncMotion:
         """Jog positive.
 
-        Steps: set jog_positive; clear jog_positive.
+        Steps: set jog_positive; clear jog_positive; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L611.
+        Source: 6.8 L1670; 3.3.2 L611; 3.5.2 L685.
         """
         return _AsyncMotion(self._run, self._work.jog_positive())
 
     def jog_negative(self) -> _AsyncMotion:
         """Jog negative.
 
-        Steps: set jog_negative; clear jog_negative.
+        Steps: set jog_negative; clear jog_negative; wait standstill = true.
 
         Note: Pt533 or Pt585 holds the speed; in telegram 111 the override counts too (L1670). Pt53A
         turns the direction round (L1705).
 
-        Source: 6.8 L1670; 3.3.2 L612.
+        Source: 6.8 L1670; 3.3.2 L612; 3.5.2 L685.
         """
         return _AsyncMotion(self._run, self._work.jog_negative())
 
-    async def stop(self) -> None:
+    async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable.
+        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
+        standstill = true.
 
-        Source: 3.3.2 L607.
+        Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
-        await self._run(self._work.stop())
+        await self._run(self._work.stop(limit=limit))
 
-    async def quick_stop(self) -> None:
+    async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released.
+        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
 
-        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626.
+        Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
+
+        Source: 3.3.1 L586; 3.3.2 L605; 6.4 L1614-1626; 7.2.3 L2053.
         """
-        await self._run(self._work.quick_stop())
+        await self._run(self._work.quick_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -2773,6 +2922,7 @@ class Telegram750(_BlockingClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -2782,6 +2932,7 @@ class Telegram750(_BlockingClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram750Request.decode(bytes.fromhex("000000000000"))
         super().__init__(transport, session)
@@ -2852,6 +3003,7 @@ class AsyncTelegram750(_AsyncBaseClient):
         timeout: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         session = _Session(
             _CYCLIC,
@@ -2861,6 +3013,7 @@ class AsyncTelegram750(_AsyncBaseClient):
             pause=0.0,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         request = _codec.Telegram750Request.decode(bytes.fromhex("000000000000"))
         super().__init__(transport, session)

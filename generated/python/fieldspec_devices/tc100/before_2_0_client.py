@@ -18,6 +18,7 @@ from .._client_sync import RegisterClient as _RegisterClient
 from .._client_tasks import Condition as _Condition
 from .._client_tasks import DeviceWork as _DeviceWork
 from .._client_tasks import Jog as _Jog
+from .._client_tasks import Target as _Target
 from .._typing import TYPE_CHECKING
 from . import before_2_0 as _codec
 
@@ -224,9 +225,11 @@ class _Tasks(_DeviceWork):
                 task.look(),
                 task.write(_codec.MOTION_COMMAND, 3),
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
-                task.settle(),
-                task.wait(_Condition(_codec.ACTION_STATUS, 0)),
+                task.begin(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.OUTPUT_STATES, 0x1, mask=0x1, name="output_1")),
+                task.wait(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.OUTPUT_STATES, 0x1, mask=0x1, name="output_1")),
             ],
+            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            first=1,
         )
 
     def move_absolute(self, *, position: int, speed: int, limit: float = 60.0) -> _Work[_Any]:
@@ -236,6 +239,7 @@ class _Tasks(_DeviceWork):
             _Condition(_codec.ALARM, 0, reason="alarm"),
             _Condition(_codec.SERVO_ON, 1, reason="servo"),
         )
+        target = _Target(_codec.COMMAND_POSITION, position, name="command_position")
         return task.run(
             [
                 task.look(),
@@ -243,10 +247,10 @@ class _Tasks(_DeviceWork):
                 task.write(_codec.MOTION_SPEED, speed),
                 task.write(_codec.MOTION_COMMAND, 1),
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
-                task.wait(_Condition(_codec.ACTION_STATUS, 0)),
-                task.settle(),
-                task.wait(_Condition(_codec.IN_POSITION, 1)),
+                task.wait(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.IN_POSITION, 1), target),
             ],
+            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            first=3,
         )
 
     def move_relative(self, *, distance: int, speed: int, limit: float = 60.0) -> _Work[_Any]:
@@ -256,23 +260,25 @@ class _Tasks(_DeviceWork):
             _Condition(_codec.ALARM, 0, reason="alarm"),
             _Condition(_codec.SERVO_ON, 1, reason="servo"),
         )
+        target = _Target(_codec.COMMAND_POSITION, distance, name="command_position")
         return task.run(
             [
-                task.look(),
+                task.look(_Condition(_codec.ACTION_STATUS, 0, 2)),
+                task.note(target),
                 task.write(_codec.RELATIVE_DISTANCE, distance),
                 task.write(_codec.MOTION_SPEED, speed),
                 task.write(_codec.MOTION_COMMAND, 0),
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
-                task.wait(_Condition(_codec.ACTION_STATUS, 0)),
-                task.settle(),
-                task.wait(_Condition(_codec.IN_POSITION, 1)),
+                task.wait(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.IN_POSITION, 1), target),
             ],
+            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            first=4,
         )
 
     def jog_positive(self, *, speed: int) -> _Jog:
         task = self.register_task(
             "jog_positive",
-            None,
+            60.0,
             _Condition(_codec.ALARM, 0, reason="alarm"),
             _Condition(_codec.SERVO_ON, 1, reason="servo"),
         )
@@ -286,13 +292,13 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.MOTION_COMMAND, 8)]),
+            lambda: task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))]),
         )
 
     def jog_negative(self, *, speed: int) -> _Jog:
         task = self.register_task(
             "jog_negative",
-            None,
+            60.0,
             _Condition(_codec.ALARM, 0, reason="alarm"),
             _Condition(_codec.SERVO_ON, 1, reason="servo"),
         )
@@ -306,7 +312,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.MOTION_COMMAND, 8)]),
+            lambda: task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))]),
         )
 
     def run_point(self, *, point_number_bit_0: bool, point_number_bit_1: bool, point_number_bit_2: bool, point_number_bit_3: bool, point_number_bit_4: bool, point_number_bit_5: bool, point_number_bit_6: bool, limit: float = 60.0) -> _Work[_Any]:
@@ -331,11 +337,11 @@ class _Tasks(_DeviceWork):
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
                 task.wait(_Condition(_codec.ACTION_STATUS, 1)),
                 task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0),
-                task.settle(),
                 task.wait(_Condition(_codec.ACTION_STATUS, 0)),
             ],
-            [task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0)],
-            9,
+            ending=[task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0)],
+            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            first=9,
         )
 
     def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
@@ -344,15 +350,17 @@ class _Tasks(_DeviceWork):
             [
                 task.write(_codec.MOTION_COMMAND, 8),
                 task.settle(),
-                task.wait(_Condition(_codec.ACTION_STATUS, 0)),
+                task.wait(_Condition(_codec.ACTION_STATUS, 0, 2)),
             ],
         )
 
-    def emergency_stop(self) -> _Work[_Any]:
-        task = self.register_task("emergency_stop", None)
+    def emergency_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
+        task = self.register_task("emergency_stop", limit)
         return task.run(
             [
                 task.write(_codec.MOTION_COMMAND, 9),
+                task.settle(),
+                task.wait(_Condition(_codec.ACTION_STATUS, 0, 2)),
             ],
         )
 
@@ -404,9 +412,9 @@ class Client(_RegisterClient):
     """A client of TOYO TC100, version before-2.0.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -427,6 +435,7 @@ class Client(_RegisterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
@@ -437,6 +446,7 @@ class Client(_RegisterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -477,15 +487,18 @@ class Client(_RegisterClient):
     def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: write command = homing; wait fault_code = no_fault; wait busy = stopped.
+        Steps: write command = homing; wait fault_code = no_fault; wait busy = stopped; wait
+        registers/output_states/output_1 = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        printed: it may still show the homing before.
 
-        Inferred (steps): 1000H is the only register that shows the end of an action. Whether homing
-        was completed is shown by the output ORG-S alone (3.8 L738).
+        Note: The steps hold for the outputs as CN4 has them on delivery.
 
-        Source: 8.2 L1515, 1624; 8.4 L1893-1895; 10.3 L3037-3049.
+        Inferred (steps): The output ORG-S alone shows that homing was completed. It is off while
+        homing goes on (6.4 L1366), and it is OUT 1 (6.2 L1314).
+
+        Source: 8.2 L1506, 1515, 1517, 1624; 6.4 L1366; 8.4 L1893-1895; 10.3 L3037-3049.
         """
         self._run(self._work.home(limit=limit))
 
@@ -493,29 +506,33 @@ class Client(_RegisterClient):
         """Move absolute.
 
         Steps: write target_position = <position>; write target_speed = <speed>; write command =
-        absolute_move; wait fault_code = no_fault; wait busy = stopped; wait in_position = true.
+        absolute_move; wait fault_code = no_fault; wait busy = stopped; wait in_position = true; wait
+        command_position = <position>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: What 1008H counts is not printed; 2006H sets it in the counts of the targets (8.2
+        L1621).
 
         Inferred (steps): The remarks of the registers say what each is for; an order is not printed.
+        That the command position is the target when a move is over follows from their labels.
 
-        Source: 8.2 L1506-1507, 1515, 1619, 1623-1624; 10.3 L3037-3049.
+        Source: 8.2 L1506-1507, 1512, 1515, 1619, 1623-1624; 10.3 L3037-3049.
         """
         self._run(self._work.move_absolute(position=position, speed=speed, limit=limit))
 
     def move_relative(self, *, distance: int, speed: int, limit: float = 60.0) -> None:
         """Move relative.
 
-        Steps: write target_distance = <distance>; write target_speed = <speed>; write command =
-        relative_move; wait fault_code = no_fault; wait busy = stopped; wait in_position = true.
+        Steps: wait busy = stopped or stopped_by_error; write target_distance = <distance>; write
+        target_speed = <speed>; write command = relative_move; wait fault_code = no_fault; wait busy =
+        stopped; wait in_position = true; wait command_position = start + <distance>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: What 1008H counts is not printed; 2006H sets it in the counts of the targets (8.2
+        L1621).
 
         Inferred (steps): The remarks of the registers say what each is for; an order is not printed.
+        That the command position is the target when a move is over follows from their labels.
 
-        Source: 8.2 L1506-1507, 1515, 1618, 1623-1624; 10.3 L3037-3049.
+        Source: 8.2 L1506-1507, 1512, 1515, 1618, 1623-1624; 10.3 L3037-3049.
         """
         self._run(self._work.move_relative(distance=distance, speed=speed, limit=limit))
 
@@ -523,12 +540,12 @@ class Client(_RegisterClient):
         """Jog positive.
 
         Steps: write target_speed = <speed>; write command = jog_positive; wait fault_code = no_fault;
-        write command = decelerate_and_stop.
+        write command = decelerate_and_stop; wait busy = stopped or stopped_by_error.
 
         Inferred (steps): The manual does not print how long a jog goes on; 8 is the command that
         stops.
 
-        Source: 8.2 L1623-1624.
+        Source: 8.2 L1506, 1623-1624.
         """
         return _Motion(self._run, self._work.jog_positive(speed=speed))
 
@@ -536,12 +553,12 @@ class Client(_RegisterClient):
         """Jog negative.
 
         Steps: write target_speed = <speed>; write command = jog_negative; wait fault_code = no_fault;
-        write command = decelerate_and_stop.
+        write command = decelerate_and_stop; wait busy = stopped or stopped_by_error.
 
         Inferred (steps): The manual does not print how long a jog goes on; 8 is the command that
         stops.
 
-        Source: 8.2 L1623-1624.
+        Source: 8.2 L1506, 1623-1624.
         """
         return _Motion(self._run, self._work.jog_negative(speed=speed))
 
@@ -580,22 +597,24 @@ class Client(_RegisterClient):
     def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: write command = decelerate_and_stop; wait busy = stopped.
+        Steps: write command = decelerate_and_stop; wait busy = stopped or stopped_by_error.
 
         Inferred (steps): That 1000H shows the stop follows from its values.
 
-        Source: 8.2 L1624.
+        Source: 8.2 L1506, 1624.
         """
         self._run(self._work.stop(limit=limit))
 
-    def emergency_stop(self) -> None:
+    def emergency_stop(self, *, limit: float = 60.0) -> None:
         """Emergency stop.
 
-        Steps: write command = emergency_stop.
+        Steps: write command = emergency_stop; wait busy = stopped or stopped_by_error.
 
-        Source: 8.2 L1624.
+        Inferred (steps): That 1000H shows the stop follows from its values.
+
+        Source: 8.2 L1506, 1624.
         """
-        self._run(self._work.emergency_stop())
+        self._run(self._work.emergency_stop(limit=limit))
 
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
@@ -655,9 +674,9 @@ class AsyncClient(_AsyncRegisterClient):
     """A client of TOYO TC100, version before-2.0.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, all in seconds. None stands
-    for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
-    again `retries` times.
+    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
+    response may take a second. Reads are sent again `retries` times.
 
     Tasks without a method:
 
@@ -678,6 +697,7 @@ class AsyncClient(_AsyncRegisterClient):
         pause: float | None = None,
         retries: int = 2,
         settle: float = 0.1,
+        begin: float = 2.0,
     ) -> None:
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
@@ -688,6 +708,7 @@ class AsyncClient(_AsyncRegisterClient):
             pause=pause,
             retries=retries,
             settle=settle,
+            begin=begin,
         )
         super().__init__(transport, session)
         self._work = _Tasks(session)
@@ -728,15 +749,18 @@ class AsyncClient(_AsyncRegisterClient):
     async def home(self, *, limit: float = 60.0) -> None:
         """Home.
 
-        Steps: write command = homing; wait fault_code = no_fault; wait busy = stopped.
+        Steps: write command = homing; wait fault_code = no_fault; wait busy = stopped; wait
+        registers/output_states/output_1 = true.
 
         Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        printed: it may still show the homing before.
 
-        Inferred (steps): 1000H is the only register that shows the end of an action. Whether homing
-        was completed is shown by the output ORG-S alone (3.8 L738).
+        Note: The steps hold for the outputs as CN4 has them on delivery.
 
-        Source: 8.2 L1515, 1624; 8.4 L1893-1895; 10.3 L3037-3049.
+        Inferred (steps): The output ORG-S alone shows that homing was completed. It is off while
+        homing goes on (6.4 L1366), and it is OUT 1 (6.2 L1314).
+
+        Source: 8.2 L1506, 1515, 1517, 1624; 6.4 L1366; 8.4 L1893-1895; 10.3 L3037-3049.
         """
         await self._run(self._work.home(limit=limit))
 
@@ -744,29 +768,33 @@ class AsyncClient(_AsyncRegisterClient):
         """Move absolute.
 
         Steps: write target_position = <position>; write target_speed = <speed>; write command =
-        absolute_move; wait fault_code = no_fault; wait busy = stopped; wait in_position = true.
+        absolute_move; wait fault_code = no_fault; wait busy = stopped; wait in_position = true; wait
+        command_position = <position>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: What 1008H counts is not printed; 2006H sets it in the counts of the targets (8.2
+        L1621).
 
         Inferred (steps): The remarks of the registers say what each is for; an order is not printed.
+        That the command position is the target when a move is over follows from their labels.
 
-        Source: 8.2 L1506-1507, 1515, 1619, 1623-1624; 10.3 L3037-3049.
+        Source: 8.2 L1506-1507, 1512, 1515, 1619, 1623-1624; 10.3 L3037-3049.
         """
         await self._run(self._work.move_absolute(position=position, speed=speed, limit=limit))
 
     async def move_relative(self, *, distance: int, speed: int, limit: float = 60.0) -> None:
         """Move relative.
 
-        Steps: write target_distance = <distance>; write target_speed = <speed>; write command =
-        relative_move; wait fault_code = no_fault; wait busy = stopped; wait in_position = true.
+        Steps: wait busy = stopped or stopped_by_error; write target_distance = <distance>; write
+        target_speed = <speed>; write command = relative_move; wait fault_code = no_fault; wait busy =
+        stopped; wait in_position = true; wait command_position = start + <distance>.
 
-        Note: Whether what is waited for has already changed when the command is answered is not
-        printed: it may still show the end of the move before.
+        Note: What 1008H counts is not printed; 2006H sets it in the counts of the targets (8.2
+        L1621).
 
         Inferred (steps): The remarks of the registers say what each is for; an order is not printed.
+        That the command position is the target when a move is over follows from their labels.
 
-        Source: 8.2 L1506-1507, 1515, 1618, 1623-1624; 10.3 L3037-3049.
+        Source: 8.2 L1506-1507, 1512, 1515, 1618, 1623-1624; 10.3 L3037-3049.
         """
         await self._run(self._work.move_relative(distance=distance, speed=speed, limit=limit))
 
@@ -774,12 +802,12 @@ class AsyncClient(_AsyncRegisterClient):
         """Jog positive.
 
         Steps: write target_speed = <speed>; write command = jog_positive; wait fault_code = no_fault;
-        write command = decelerate_and_stop.
+        write command = decelerate_and_stop; wait busy = stopped or stopped_by_error.
 
         Inferred (steps): The manual does not print how long a jog goes on; 8 is the command that
         stops.
 
-        Source: 8.2 L1623-1624.
+        Source: 8.2 L1506, 1623-1624.
         """
         return _AsyncMotion(self._run, self._work.jog_positive(speed=speed))
 
@@ -787,12 +815,12 @@ class AsyncClient(_AsyncRegisterClient):
         """Jog negative.
 
         Steps: write target_speed = <speed>; write command = jog_negative; wait fault_code = no_fault;
-        write command = decelerate_and_stop.
+        write command = decelerate_and_stop; wait busy = stopped or stopped_by_error.
 
         Inferred (steps): The manual does not print how long a jog goes on; 8 is the command that
         stops.
 
-        Source: 8.2 L1623-1624.
+        Source: 8.2 L1506, 1623-1624.
         """
         return _AsyncMotion(self._run, self._work.jog_negative(speed=speed))
 
@@ -831,22 +859,24 @@ class AsyncClient(_AsyncRegisterClient):
     async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: write command = decelerate_and_stop; wait busy = stopped.
+        Steps: write command = decelerate_and_stop; wait busy = stopped or stopped_by_error.
 
         Inferred (steps): That 1000H shows the stop follows from its values.
 
-        Source: 8.2 L1624.
+        Source: 8.2 L1506, 1624.
         """
         await self._run(self._work.stop(limit=limit))
 
-    async def emergency_stop(self) -> None:
+    async def emergency_stop(self, *, limit: float = 60.0) -> None:
         """Emergency stop.
 
-        Steps: write command = emergency_stop.
+        Steps: write command = emergency_stop; wait busy = stopped or stopped_by_error.
 
-        Source: 8.2 L1624.
+        Inferred (steps): That 1000H shows the stop follows from its values.
+
+        Source: 8.2 L1506, 1624.
         """
-        await self._run(self._work.emergency_stop())
+        await self._run(self._work.emergency_stop(limit=limit))
 
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.

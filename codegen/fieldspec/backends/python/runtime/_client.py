@@ -117,8 +117,9 @@ def _response_code(request: Any) -> int | None:
 class Session:
     """The conversation with one unit on one link, as generators. It is not for several threads at once.
 
-    `settle` is how long a device may take to show what it was asked for, in seconds. `parts` has the parts of requests
-    that users choose, by their names. Raises ValueError for parts that the link does not have, and for those that lack.
+    `settle` is how long a device may take to show what it was asked for, and `begin` how long a motion may take to
+    begin, in seconds. `parts` has the parts of requests that users choose, by their names. Raises ValueError for parts
+    that the link does not have, and for those that lack.
     """
 
     def __init__(
@@ -131,9 +132,11 @@ class Session:
         pause: float | None,
         retries: int,
         settle: float,
+        begin: float = 2.0,
         parts: Mapping[str, Any] | None = None,
     ) -> None:
-        self.link, self.unit_address, self.retries, self.settle = link, unit_address, retries, settle
+        self.link, self.unit_address, self.retries = link, unit_address, retries
+        self.settle, self.begin = settle, begin
         self.timeout = link.timeout if timeout is None else timeout
         self.pause = link.pause if pause is None else pause
         self.now: Callable[[], float] = monotonic

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ._client import SLEEP
-from ._client_tasks import Condition, Task, raw
+from ._client_tasks import Condition, Target, Task, raw
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
-from .errors import DeviceError, InvalidValueError, TimeLimitError
+from .errors import DeviceError, InvalidValueError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -48,9 +48,10 @@ class CyclicWork:
         *watched: Condition,
         started: Sequence[Bits] = (),
         pulsed: Sequence[Bits] = (),
+        unless: Condition | None = None,
     ) -> CyclicTask:
         """A task."""
-        return CyclicTask(self, name, limit, watched, started=started, pulsed=pulsed)
+        return CyclicTask(self, name, limit, watched, started=started, pulsed=pulsed, unless=unless)
 
     def put(self, name: str, mask: int, on: bool) -> None:
         """Sets or clears bits of a field of the request."""
@@ -62,7 +63,7 @@ class CyclicTask(Task):
     """A task by the fields of a cyclic message. What is watched is looked at in each exchange.
 
     `started` are the bits that let something go on, which a task that fails clears; `pulsed` are those that every task
-    clears at its end.
+    clears at its end. Where `unless` holds already, nothing is done.
     """
 
     def __init__(
@@ -74,12 +75,17 @@ class CyclicTask(Task):
         *,
         started: Sequence[Bits] = (),
         pulsed: Sequence[Bits] = (),
+        unless: Condition | None = None,
     ) -> None:
         super().__init__(work.session, name, limit, watched)
-        self.work, self.started, self.pulsed = work, started, pulsed
+        self.work, self.started, self.pulsed, self.unless = work, started, pulsed, unless
 
     def carry_out(self, steps: Sequence[Work[Any]]) -> Work[Any]:
         """Carries out the steps; the result is that of the step that reads."""
+        if self.unless is not None:
+            response = yield from self.work.exchange()
+            if self.unless.holds(getattr(response, self.unless.place)):
+                return None
         try:
             result = yield from self.run(steps)
         except GeneratorExit:
@@ -115,13 +121,18 @@ class CyclicTask(Task):
 
     def write(self, name: str, value: Any) -> Work[None]:
         """Sets a field of the request, which is checked at once."""
+        self._trial(name, value)
+        return self._set_field(name, value)
+
+    def _trial(self, name: str, value: Any) -> Any:
+        """A copy of the request with a value. Raises InvalidValueError."""
         trial = self.work.request.__class__.decode(self.work.request.encode())
         try:
             setattr(trial, name, value)
             trial.encode()
         except CodecError as error:
             raise InvalidValueError(str(error)) from error
-        return self._set_field(name, value)
+        return trial
 
     def _set_field(self, name: str, value: Any) -> Work[None]:
         setattr(self.work.request, name, value)
@@ -142,18 +153,30 @@ class CyclicTask(Task):
                 return
             yield SLEEP, self.work.cycle
 
-    def wait(self, condition: Condition) -> Work[None]:
-        """Exchanges until a condition holds. Raises TimeLimitError, and the exceptions of what is watched."""
-        while True:
-            yield from self.look()
-            value = getattr(self.work.response, condition.place)
-            if condition.holds(value):
-                return
-            if condition.reason == "refused":
+    def _values(self, conditions: Sequence[Condition | Target]) -> Work[list[Any]]:
+        yield from self.look()
+        values = [getattr(self.work.response, condition.place) for condition in conditions]
+        for condition, value in zip(conditions, values, strict=True):
+            if isinstance(condition, Condition) and condition.reason == "refused" and not condition.holds(value):
                 raise condition.error(self.name, value)
-            if self.late():
-                raise TimeLimitError(f"{self.name}: {condition.name} is still {value!r}")
-            yield SLEEP, self.work.cycle
+        return values
+
+    def begin(self, *conditions: Condition | Target) -> Work[None]:
+        """Exchanges until the conditions do not all hold. Raises MotionError, and the exceptions of what is watched."""
+        yield from self.until_begun(conditions, lambda: self._values(conditions))
+
+    def wait(self, *conditions: Condition | Target) -> Work[None]:
+        """Exchanges until conditions hold. Raises TimeLimitError, MotionError, and those of what is watched."""
+        yield from self.until(conditions, lambda: self._values(conditions))
+
+    def note(self, target: Target) -> Work[None]:
+        """Adds what the response shows now: the target is that far away."""
+        yield from self.look()
+        target.count += int(raw(getattr(self.work.response, target.place)))
+
+    def count(self, name: str, value: Any, attribute: str) -> int:
+        """The counts of a value in its unit: an attribute of the request that has it."""
+        return int(raw(getattr(self._trial(name, value), attribute)))
 
     def read(self, name: str) -> Work[Any]:
         """A field of the response."""

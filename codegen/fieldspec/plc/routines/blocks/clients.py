@@ -8,7 +8,17 @@ from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.record import RegisterAccess
 from fieldspec.plc.routines.answers import judged
 from fieldspec.plc.routines.blocks.frames import Exchange, exchange_of
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FRAMES, FREE, increment, member
+from fieldspec.plc.routines.blocks.ports import (
+    ABANDONED,
+    ANSWERED,
+    ASKED,
+    AXIS,
+    FRAMES,
+    FREE,
+    URGENT,
+    increment,
+    member,
+)
 from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
 from fieldspec.plc.routines.expressions import (
     INT,
@@ -107,6 +117,7 @@ class _Client:
         retries = self._declare("iRetries", INT, "input", "how often reading is tried again; writing never is", "2")
         step, tries = self._declare("iStep", INT, "local"), self._declare("iTry", INT, "local")
         axis_state, state = self._of_axis("state"), self._of_frames("state")
+        urgent, busy = self._of_axis("urgent"), self._of_frames("urgent")
         own = compared(self._of_axis("request"), "=", self.taken)
         waited = every([compared(axis_state, "=", number(ASKED)), own])
 
@@ -159,6 +170,7 @@ class _Client:
                         Negation(self._of_axis("write")),
                         waited,
                         compared(tries, "<", retries),
+                        compared(urgent, "=", number(0)),
                     ]
                 ),
                 [Assignment(tries, plus(tries, 1)), go(_ASK)],
@@ -186,6 +198,8 @@ class _Client:
             go(_IDLE),
         ]
         begin = [Assignment(self.taken, self._of_axis("request")), Assignment(tries, number(0)), go(_ASK)]
+        goes = either([compared(busy, "=", number(0)), compared(urgent, ">", number(0))])
+        waits = every([compared(urgent, ">", number(0)), compared(step, "=", number(_ASK))])
         body: list[Statement] = [
             when(
                 compared(step, "=", number(_IDLE)),
@@ -201,11 +215,13 @@ class _Client:
             chain(
                 [
                     (every([compared(step, "=", number(_ASK)), Negation(waited)]), [go(_ANSWER)]),
-                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE))]), asking),
+                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE)), goes]), asking),
                     (every([compared(step, "=", number(_WAIT)), compared(state, "=", number(ANSWERED))]), waiting),
                 ]
             ),
             when(compared(step, "=", number(_ANSWER)), answering),
+            when(waits, [Assignment(busy, number(URGENT))]),
+            when(compared(urgent, ">", number(0)), [Assignment(urgent, plus(urgent, -1))]),
         ]
         name = world.block(*link_words(world, self.link), "client")
         remarks = (

@@ -4,252 +4,366 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.classes import dataclass
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import LASTING, REFUSAL, STARTING, before_effect, is_last_wait, watches
-from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, kind_of, outputs_of
-from fieldspec.plc.routines.blocks.ports import axis_key, member
-from fieldspec.plc.routines.blocks.standard import BlockDraft, chain
-from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
-from fieldspec.plc.routines.blocks.words import masked, opposite, value_of
-from fieldspec.plc.routines.expressions import (
-    BOOL,
-    TIMER,
-    Expression,
-    Member,
-    Negation,
-    Truth,
-    Variable,
-    compared,
-    every,
+from fieldspec.model.watches import (
+    LASTING,
+    MOVING,
+    REFUSAL,
+    STARTING,
+    acceptance,
+    before_effect,
+    conditions,
+    is_command,
+    needs_begin,
+    shows_acceptance,
+    watches,
 )
+from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Executed, Kind
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
+from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
+from fieldspec.plc.routines.blocks.ports import increment
+from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
+from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.tasks import end_steps
+from fieldspec.plc.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
+from fieldspec.plc.routines.expressions import Expression, Negation, Variable, compared, every
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
 """Those of them that no other motion needs. A block clears them even where another one has taken over."""
-_REQUEST, _RESPONSE = "request", "response"
+_SETTLE = "T#20ms"
 
 
-def cyclic_block(world: World, operands: Operands, message: MessageLayout, task: Task) -> Routine:
-    """The block for a task with one telegram; NoBlock is raised where it cannot be."""
-    named = message.name in task.name
-    name = world.block(task.name) if named else world.block(message.name, task.name)
-    levelled = task.kind.startswith("read_")
-    block = BlockDraft(world, name, f"telegram {message.name}", levelled)
-    maker = _Maker(world, operands, block, message, task)
-    if task.kind in TAKING_OVER:
-        block.take_over(member(world, axis_key(message), "motion", maker.axis))
-    maker.all()
-    describe(block, task, maker.remark)
-    return maker.block_of()
+class CyclicTask:
+    """The steps of a block while they are being added.
 
+    `tasks` is one task, or two that jog in both directions. `known` is what an earlier run knows of steps that others
+    go to before they are added, and of arguments.
+    """
 
-@dataclass(frozen=True, slots=True)
-class _Bit:
-    """A bit of the request: its word, its mask, and the roles of what it stands for."""
-
-    word: Expression
-    mask: int
-    roles: frozenset[str]
-
-    def put(self, on: bool) -> Statement:
-        """The statement that sets or clears it."""
-        return masked(self.word, self.mask, on)
-
-
-class _Maker:
-    """The steps of a block while they are being added."""
-
-    def __init__(self, world: World, operands: Operands, block: BlockDraft, message: MessageLayout, task: Task) -> None:
-        self.world, self.operands, self.block, self.message, self.task = world, operands, block, message, task
-        self.axis = block.struct("axis", axis_key(message), "the same for all blocks of the telegram")
-        self.set: list[_Bit] = []
-        self.pulsed: list[_Bit] = []
+    def __init__(
+        self,
+        world: World,
+        operands: Operands,
+        draft: BlockDraft,
+        kind: Kind,
+        message: MessageLayout,
+        tasks: Sequence[Task],
+        known: CyclicTask | None,
+    ) -> None:
+        self.world, self.operands, self.draft, self.kind = world, operands, draft, kind
+        self.message, self.tasks, self.task = message, tasks, tasks[0]
+        self.known = known.labels if known is not None else {}
+        self.places = TelegramPlaces(world, operands, draft, message)
+        self.conditions = Conditions(world, operands, draft, message.name)
+        if known is not None:
+            self.conditions.arguments.update(known.conditions.arguments)
+        if self.task.kind in LASTING:
+            self.conditions.standstill = standstill(operands, self.task, message.name)
+        self.labels: dict[str, int] = {}
+        self.set: list[RequestBit] = []
+        self.pulsed: list[RequestBit] = []
         self.setpoints: list[tuple[Expression, Variable]] = []
-        self.ending: list[Statement] = []
+        self.neutral: list[Statement] = []
         self.lowered: list[Statement] = []
-        self.commanding: Variable | None = None
-        self.remark = ""
+        self.insists: list[Statement] = []
+        self.begun: list[Statement] = []
+        self.unsettled = False
+        self.remarks: list[str] = []
 
     def all(self) -> None:
         """Adds the steps."""
-        task, block = self.task, self.block
-        waiting = [step for step in task.steps if step.action == "wait"]
-        first = before_effect(task)
+        kind, task = self.kind, self.task
+        if isinstance(kind, Jogging):
+            self._jog(kind)
+        elif task.kind in ("stop", "servo_off") and not isinstance(kind, Moving):
+            self._insist()
+        else:
+            waits = any(step.action == "wait" for step in task.steps)
+            if waits and task.kind not in LASTING and isinstance(kind, Executed | Moving):
+                kind.limit()
+            self._look_first()
+            if task.kind == "reset_alarm":
+                self._safe()
+            if isinstance(kind, Moving):
+                self._motion(kind)
+            else:
+                self._walk(task, before_effect(task), len(task.steps))
+
+    def _motion(self, kind: Moving) -> None:
+        """Adds the steps of a motion or a halt, and what ends it."""
+        task = self.task
         ends = end_steps(task) if task.kind in LASTING else None
-        if waiting and task.kind not in LASTING and not block.levelled:
-            block.limit()
-        if first:
-            missing = [self._missing(step) for step in task.steps[:first]]
-            branches: list[tuple[Expression, Sequence[Statement]]] = [
-                (test, [block.fail("unready")]) for test in missing
-            ]
-            block.add([chain(branches, [block.go(2)])])
-        if task.kind == "reset_alarm":
-            self._safe()
-        for at, step in enumerate(task.steps[first:], first):
-            if ends is not None and at == ends[1]:
-                self._lasting()
-            self._step(step)
+        behind = len(task.steps) if ends is None else ends[1]
+        self._walk(task, before_effect(task), behind, acceptance(self.operands, task, self.message.name))
+        kind.look = self.labels["look"]
+        if ends is not None:
+            kind.wanted = kind.execute
+            place, field = self.places.place(self._operand(task.steps[ends[1]]))
+            self.neutral.append(Assignment(place, self._value(task.steps[ends[1]], field)))
+            self._follow()
+        self._end(kind)
 
-    def _lasting(self) -> None:
-        """Adds the step in which a motion goes on, until Execute is FALSE. What is commanded follows its inputs.
+    def _jog(self, kind: Jogging) -> None:
+        """Adds the steps of a jog: both directions, and its end."""
+        draft = self.draft
+        self._look_first()
+        goes = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
+        if len(self.tasks) > 1:
+            draft.add([when(kind.backward, [goes[1]], [goes[0]])], remark="the direction")
+        for number, other in enumerate(self.tasks):
+            end = end_steps(other)
+            assert end is not None
+            self.labels[f"direction {number}"] = draft.next
+            self._walk(other, end[0], end[1], acceptance(self.operands, other, self.message.name))
+            draft.add([draft.go(self.known.get("watch", 0))])
+        kind.look = self.labels["watch"] = draft.next
+        draft.add([])
+        self._end(kind)
 
-        Where the response shows that the speed is reached, it counts once the command has stood for some time.
+    def _end(self, kind: Moving) -> None:
+        """Adds what ends a motion: what lets it go on is cleared at once, and the block waits for standstill."""
+        draft = self.draft
+        starting = [bit for bit in self.set if bit.roles & STARTING]
+        kind.restart = cleared([*starting, *self.pulsed]) + self.neutral + self.lowered
+        kind.lowered = cleared(self.pulsed) + self.neutral + self.lowered
+        kind.lowered_unless_done = cleared([bit for bit in starting if bit.roles & _BY_LEVEL])
+        if self.task.kind not in MOVING:
+            kind.restart = [*self.insists, *kind.restart]
+            starts = [self.places.bit(bit) for bit in self.places.starting() if "move_start" in bit.roles]
+            kind.at_once = [assigned(kind.sent, True), *self.insists, *cleared(starts)]
+        kind.tries, kind.ending = 1, draft.next
+        stands = self.conditions.stands(self.places.seen)
+        reached = self.operands.with_role("speed_reached", self.message.name)
+        if stands is None and self.neutral and len(reached) == 1:
+            # The speed 0 is commanded: the drive says when it has reached it.
+            self._settle()
+            stands = self.conditions.has(reached[0], (True,), self.places.place(reached[0])[0])
+        if stands is None:
+            self.remarks.append(
+                "The telegram does not show whether the drive stands: the block ends when it is told to stop."
+            )
+            draft.add([draft.end()])
+        else:
+            draft.add([when(every([self.places.valid, stands]), [draft.end()])], remark="until the device stands")
+
+    def _insist(self) -> None:
+        """Adds what a stop does: its bits are cleared in each scan, whatever the response, until the drive shows it."""
+        draft, task, kind = self.draft, self.task, self.kind
+        waits: list[Step] = []
+        bits: list[RequestBit] = []
+        for step in task.steps:
+            if step.action == "clear":
+                bits.append(self.places.bit(self._operand(step)))
+            elif step.action == "wait":
+                waits.append(step)
+            else:
+                raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
+        self.begun = [increment(self.places.axis_port().motion)]
+        if isinstance(kind, Stopping):
+            levels = _BY_LEVEL | {"move_start"}
+            bits += [self.places.bit(operand) for operand in self.places.starting() if levels & {*operand.roles}]
+            self.remarks.append("It clears the bits that start a motion too, in each scan while it is Busy.")
+        elif isinstance(kind, Executed) and waits:
+            kind.limit()
+        self.insists = cleared(bits)
+        draft.settle(_SETTLE)
+        computed, test = self.conditions.all_of(waits, self.places.seen) if waits else ([], None)
+        if test is None:
+            self.remarks.append(
+                "The telegram does not show whether the drive stands: Done says that it is told to stop."
+            )
+        done = self.places.valid if test is None else every([self.places.valid, test])
+        draft.add([*computed, when(done, [draft.end()])], remark="until it is there")
+
+    def _look_first(self) -> None:
+        """Adds what looks whether the task may begin, and notes what is compared with later.
+
+        Where the drive does not show that it accepts a command, nothing begins while it moves.
         """
-        block = self.block
-        end = block.go(block.next + 1)
-        following: list[Statement] = []
-        if self.setpoints:
-            self.remark = (
-                "While Execute is TRUE, the request follows the inputs. The last step is carried out whatever ends the "
-                "block."
-            )
-            commanding = self.commanding = block.declare("xCommanding", BOOL, "local")
-            following = [
-                Assignment(commanding, Truth(True)),
-                *(Assignment(place, raw) for place, raw in self.setpoints),
-            ]
-            reached = self.operands.with_role("speed_reached", self.message.name)
-            if len(reached) == 1:
-                block.settle_input("T#20ms")
-                steady = block.steady = block.declare("xSteady", BOOL, "local")
-                at_speed = block.declare("InVelocity", BOOL, "output", "the commanded speed is reached")
-                place, field = self._place(reached[0])
-                reached_bit = holds(self.world, reached[0], field.value, True, place)
-                same = every([compared(place, "=", raw) for place, raw in self.setpoints])
-                settled = Member(block.declared_once("fbSettle", TIMER, "local"), "Q", BOOL)
-                following = [
-                    Assignment(steady, same),
-                    *following,
-                    Assignment(at_speed, every([steady, settled, reached_bit])),
-                ]
-                self.lowered += [Assignment(steady, Truth(False)), Assignment(at_speed, Truth(False))]
-        converted = [*block.at_start, when(block.unharmed(), following)] if following else []
-        block.add([when(Negation(block.start), [end], converted)])
-
-    def _safe(self) -> None:
-        """Clears first what would let something go on when the alarm is gone."""
-        bits = [self._bit(operand) for operand in self._starting()]
-        words: dict[Expression, int] = {}
-        for bit in bits:
-            words[bit.word] = words.get(bit.word, 0) | bit.mask
-        if words:
-            self.remark = (
-                "Clears the bits that switch on and start first, so that nothing goes on by itself when the alarm is "
-                "gone."
-            )
-            self.block.settle_input("T#20ms")
-            go = self.block.go(self.block.next + 1)
-            self.block.add([*(masked(word, mask, False) for word, mask in words.items()), go])
-            self.block.settle()
-
-    def _starting(self) -> list[Operand]:
-        path = f"messages/{self.message.name}/{_REQUEST}/"
-        return [
-            operand
-            for operand in self.operands.all
-            if operand.path.startswith(path) and STARTING & {*operand.roles} and operand.bit is not None
+        draft, task = self.draft, self.task
+        first = task.steps[: before_effect(task)]
+        noted = [
+            item
+            for step in self.conditions.compared(task.steps)
+            for item in self.conditions.start_of(step, self.places.seen)
         ]
+        branches: list[Branch] = []
+        confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
+        stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
+        if stands is not None:
+            branches.append((opposite(stands), unready(self.kind, draft)))
+        for step in first:
+            _, holds = self.conditions.test(step, self.places.seen)
+            branches.append((opposite(holds), [draft.fail("unready")]))
+        if branches or noted:
+            then = [*noted, draft.go(draft.next + 1)]
+            draft.add([chain(branches, then)] if branches else then, remark="whether it may begin")
 
-    def _operand(self, step: Step) -> Operand:
-        return target(self.operands, step, self.message.name)
+    def _walk(self, task: Task, first: int, behind: int, accepted_at: int = -1) -> None:
+        """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
+        draft = self.draft
+        starts_at = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
+        index = first
+        while index < behind:
+            step = task.steps[index]
+            last = index + 1
+            if step.action == "wait":
+                waits = conditions(self.operands, task, index, self.message.name)[: behind - index]
+                last = index + len(waits)
+                must_begin = needs_begin(task, index, accepted_at)
+                taken = self._taken(index <= accepted_at < last)
+                self._waits(task, waits, index > accepted_at >= 0, must_begin, taken, last == len(task.steps))
+            else:
+                self._command(task, index, self._taken(index == accepted_at), index == starts_at)
+            if index <= accepted_at < last:
+                self.labels["look"] = draft.next
+            index = last
 
-    def _place(self, operand: Operand) -> tuple[Expression, FieldLayout]:
-        """The member of the port for the field of an operand."""
-        for name, record in ((_REQUEST, self.message.request), (_RESPONSE, self.message.response)):
-            for field in record.fields:
-                if field.field is operand.holder and field.value is not None:
-                    struct = member(self.world, axis_key(self.message), name, self.axis)
-                    kind = self.world.type_of(field.value)
-                    return Member(struct, self.world.member(record.name, field.name), kind), field
-        raise NoBlock(f"{operand.path} is not in {self.message.name}")
+    def _taken(self, accepts: bool) -> list[Statement]:
+        kind = self.kind
+        return kind.take_over() if accepts and isinstance(kind, Moving) else []
 
-    def _bit(self, operand: Operand) -> _Bit:
-        if operand.bit is None:
-            raise NoBlock(f"{operand.path} is not a bit")
-        word, _ = self._place(operand)
-        return _Bit(word, operand.bit.mask, frozenset(operand.roles))
+    def _waits(
+        self, task: Task, waits: Sequence[Step], moving: bool, must_begin: bool, taken: list[Statement], is_last: bool
+    ) -> None:
+        """Adds a step that looks until what is waited for is there."""
+        draft, kind = self.draft, self.kind
+        if self.unsettled:
+            self._settle()
+        on = draft.end() if is_last else draft.go(draft.next + 1)
+        then = [*(bit.put(False) for bit in self.pulsed), *taken, on]
+        refusing = any(REFUSAL in self._operand(step).roles for step in waits)
+        if moving and isinstance(kind, Moving) and task.kind in MOVING:
+            draft.add(
+                self.conditions.judged(kind, waits, self.places.seen, must_begin, then, []), remark="until it is there"
+            )
+            return
+        computed, holds = self.conditions.all_of(waits, self.places.seen)
+        remark = "whether the drive has accepted the command" if taken else "until it is there"
+        draft.add([*computed, when(holds, then, [draft.fail("exception")] if refusing else [])], remark=remark)
 
-    def _missing(self, step: Step) -> Expression:
+    def _settle(self) -> None:
+        self.draft.settle(_SETTLE)
+        self.unsettled = False
+
+    def _command(self, task: Task, index: int, taken: list[Statement], starts: bool = False) -> None:
+        """Adds a step that changes the request."""
+        draft, step = self.draft, task.steps[index]
         operand = self._operand(step)
-        place, field = self._place(operand)
-        return opposite(holds(self.world, operand, field.value, value_of(step), place))
-
-    def _step(self, step: Step) -> None:
-        block, operand = self.block, self._operand(step)
-        on = block.next + 1
-        if step.action == "wait":
-            if is_last_wait(self.task, step):
-                block.settle_input("T#20ms")
-                block.settle()
-            then = [*(bit.put(False) for bit in self.pulsed), block.go(block.next + 1)]
-            refused = [block.fail("exception")] if REFUSAL in operand.roles else []
-            block.add([when(opposite(self._missing(step)), then, refused)])
-        elif step.action == "read":
-            place, field = self._place(operand)
-            block.add([*outputs_of(block, operand.fact.name, operand, field.value, place), block.go(on)])
+        sent = [assigned(self.kind.sent, True)] if isinstance(self.kind, Moving) and (starts or taken) else []
+        is_last = index + 1 == len(task.steps)
+        on = 0 if is_last else draft.next + 1
+        if step.action == "read":
+            place, field = self.places.place(operand)
+            draft.add([*outputs_of(draft, operand.fact.name, operand, field.value, place), draft.go(on)])
         elif step.action == "pulse":
-            bit = self._bit(operand)
+            bit = self.places.bit(operand)
             self.pulsed.append(bit)
-            block.settle_input("T#20ms")
-            block.add([bit.put(False), block.go(on)])
-            block.settle()
-            block.add([bit.put(True), block.go(block.next + 1)])
+            draft.add([bit.put(False), draft.go(draft.next + 1)])
+            self._settle()
+            draft.add([*sent, bit.put(True), *taken, draft.go(0 if is_last else draft.next + 1)])
         elif step.action in ("set", "clear"):
-            bit = self._bit(operand)
+            bit = self.places.bit(operand)
             if step.action == "set":
                 self.set.append(bit)
-            block.add([bit.put(step.action == "set"), block.go(on)])
-        elif step.action == "write" and operand.bit is None:
-            place, field = self._place(operand)
-            if step.argument:
-                value: Expression = argument(block, step.argument, operand, field.value)
-                assert isinstance(value, Variable)
-                if self.task.kind in LASTING:
-                    self.setpoints.append((place, value))
-                    return
             else:
-                assert step.value is not None
-                kind = kind_of(self.world, operand, field.value)
-                value = constant(self.world, operand, field.value, step.value, kind)
-            block.add([Assignment(place, value), block.go(on)])
-            if self.task.kind in LASTING and step is self.task.steps[-1]:
-                self.ending.append(Assignment(place, value))
+                self.unsettled = True
+                if task.kind == "stop":
+                    self.insists.append(bit.put(False))
+            draft.add([*sent, bit.put(step.action == "set"), *taken, draft.go(on)])
+        elif step.action == "write" and operand.bit is None:
+            place, field = self.places.place(operand)
+            if step.argument:
+                raw = argument(draft, step.argument, operand, field.value)
+                self.conditions.arguments[step.argument] = raw
+                if task.kind in LASTING:
+                    self.setpoints.append((place, raw))
+                    if taken:
+                        draft.add([*sent, *taken, draft.go(on)])
+                    return
+                value: Expression = raw
+            else:
+                value = self._value(step, field)
+            draft.add([*sent, Assignment(place, value), *taken, draft.go(on)])
         else:
             raise NoBlock(f"`{step.action} {step.target}` is nothing that a telegram can do")
 
-    def block_of(self) -> Routine:
-        """The block."""
-        block = self.block
-        begin = block.begins()
-        valid = member(self.world, axis_key(self.message), "valid", self.axis)
-        wrong: list[tuple[Expression, Sequence[Statement]]] = [(Negation(valid), [block.fail("transport")])]
-        for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
-            place, field = self._place(watch.operand)
-            test = opposite(holds(self.world, watch.operand, field.value, watch.value, place))
-            wrong.append((test, [block.fail(watch.reason)]))
-        steps = block.selected([step.ask for step in block.steps])
-        working = when(Negation(block.busy), begin, [chain(wrong), when(block.unharmed(), steps)])
-        tail = [block.again()] if block.levelled else self._tail()
-        return block.finished([*block.timers(), *block.edges, working, when(block.busy, tail)])
+    def _value(self, step: Step, field: FieldLayout) -> Expression:
+        if step.value is None:
+            raise NoBlock(f"`{step.target}` is ended by an argument")
+        operand = self._operand(step)
+        return constant(self.world, operand, field.value, step.value, kind_of(self.world, operand, field.value))
 
-    def _tail(self) -> list[Statement]:
-        block = self.block
-        assert block.abort is not None
-        low = [bit.put(False) for bit in self.pulsed]
-        starting = [bit for bit in self.set if bit.roles & STARTING]
-        own = [bit.put(False) for bit in starting if bit.roles & _BY_LEVEL]
-        undone = [bit.put(False) for bit in starting if not bit.roles & _BY_LEVEL]
-        late = [when(block.late, [block.fail("late")])] if block.late is not None else []
-        taken = [Negation(block.displaced)] if block.displaced is not None else []
-        undoing = [when(every([*taken, Negation(block.done)]), undone)] if undone else []
-        owning = [when(Negation(block.done), own)] if own else []
-        ending = self.ending
-        if self.commanding is not None:
-            ending = [when(self.commanding, [*ending, Assignment(self.commanding, Truth(False))])]
-        return [*late, block.outcome(), block.over(*low, *owning, *undoing, *self.lowered, *ending)]
+    def _follow(self) -> None:
+        """Adds the step in which a motion goes on while Execute is TRUE: what is commanded follows its inputs.
+
+        Where the response shows that the speed is reached, it counts once the command has stood for some time.
+        """
+        draft = self.draft
+        self.remarks.append(
+            "While Execute is TRUE, the request follows the inputs; a value that is refused ends the motion. Whatever "
+            "ends it, the last step is carried out in the same scan."
+        )
+        following: list[Statement] = [Assignment(place, raw) for place, raw in self.setpoints]
+        reached = self.operands.with_role("speed_reached", self.message.name)
+        if len(reached) == 1:
+            steady = draft.flag("xSteady", "the command has not changed")
+            remark = "how long a commanded speed stands before it may count as reached"
+            settled = draft.timer("fbSteady", steady, "tSettle", _SETTLE, remark)
+            at_speed = draft.declare("InVelocity", steady.type, "output", "the commanded speed is reached")
+            place, _ = self.places.place(reached[0])
+            same = every([compared(target, "=", raw) for target, raw in self.setpoints])
+            following = [
+                Assignment(steady, same),
+                *following,
+                Assignment(at_speed, every([steady, settled, self.conditions.has(reached[0], (True,), place)])),
+            ]
+            self.lowered += [assigned(steady, False), assigned(at_speed, False)]
+        refused = [Assignment(draft.reason, draft.refusal)] if draft.at_start else []
+        if draft.at_start:
+            draft.add(
+                [*draft.at_start, when(draft.unrefused(), following, refused)], remark="the request follows the inputs"
+            )
+        else:
+            draft.add(following, remark="the request follows the inputs")
+
+    def _safe(self) -> None:
+        """Clears first what would let something go on when the alarm is gone."""
+        safe = cleared([self.places.bit(operand) for operand in self.places.starting()])
+        if safe:
+            self.remarks.append(
+                "Clears the bits that switch on and start first, so that nothing goes on when the alarm is gone."
+            )
+            draft = self.draft
+            draft.add([*safe, draft.go(draft.next + 1)])
+            self._settle()
+
+    def _operand(self, step: Step) -> Operand:
+        return self.conditions.operand(step)
+
+    def block(self) -> Routine:
+        """The block."""
+        draft, kind = self.draft, self.kind
+        edges = kind.edges()
+        guards = kind.guards()
+        insisting = bool(self.begun)
+        ending = [Negation(kind.ending_flag)] if isinstance(kind, Moving) else []
+        if not insisting:
+            guards.append((every([Negation(self.places.valid), draft.unharmed(), *ending]), [draft.fail("transport")]))
+        for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
+            place, _ = self.places.place(watch.operand)
+            test = opposite(self.conditions.has(watch.operand, (watch.value,), place))
+            guards.append((every([test, draft.unharmed(), *ending]), [draft.fail(watch.reason)]))
+        steps = draft.selected(asks=True)
+        works = [*kind.may_ask(), draft.unharmed()]
+        guards.append((every(works), steps))
+        orders = [when(kind.edge, self.begun), *self.insists] if insisting and isinstance(kind, Edged) else []
+        tail = kind.tail()
+        always = [kind.unlock()] if isinstance(kind, Stopping) else []
+        body = [*orders, chain(guards), *kind.accepted(), *tail]
+        return draft.finished([*draft.timers(), *edges, when(kind.active(), body), *always])

@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fieldspec.classes import dataclass, replace
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.model.operand import Operands
 from fieldspec.model.task import Task
+from fieldspec.model.watches import MOVING
+from fieldspec.names import Name
 from fieldspec.plc.routines.blocks.clients import client_blocks
-from fieldspec.plc.routines.blocks.cyclic import cyclic_block
-from fieldspec.plc.routines.blocks.frames import exchange_of, message_block, message_task
+from fieldspec.plc.routines.blocks.cyclic import CyclicTask
+from fieldspec.plc.routines.blocks.frames import MessageTask, exchange_of, message_block
+from fieldspec.plc.routines.blocks.kinds import Edged, Executed, Kind, Reading
+from fieldspec.plc.routines.blocks.line_tasks import LineTask
+from fieldspec.plc.routines.blocks.lines import LineDraft
+from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock
-from fieldspec.plc.routines.blocks.ports import cyclic, own_links
+from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
+from fieldspec.plc.routines.blocks.standard import BlockDraft
 from fieldspec.plc.routines.blocks.tables import group_blocks, table_blocks
-from fieldspec.plc.routines.blocks.words import Helpers, has_only_registers, word_block
+from fieldspec.plc.routines.blocks.tasks import describe
+from fieldspec.plc.routines.blocks.telegram_places import TelegramPlaces
+from fieldspec.plc.routines.blocks.words import Helpers, WordTask, has_only_registers
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.world import World
 
@@ -26,19 +36,35 @@ class Blocks:
     missing: tuple[tuple[str, str], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Job:
+    """What becomes one block: a task, or those that jog in both directions, and its name.
+
+    `halts` says that it stops and leaves the axis free.
+    """
+
+    name: str
+    tasks: tuple[Task, ...]
+    halts: bool = False
+
+    @property
+    def kind(self) -> str:
+        """The word of its tasks in the schema."""
+        return self.tasks[0].kind
+
+
 def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
     """The blocks of a device; `routines` are the functions that they may call."""
     blocks: list[Routine] = []
     missing: list[tuple[str, str]] = []
-    helpers = Helpers(world)
     layout = world.layout
     by_name = {routine.name: routine for routine in routines}
-    operands = Operands(layout.device)
-    for task in layout.device.tasks:
-        task_blocks, reason = _tried(world, operands, helpers, by_name, task)
-        blocks += task_blocks
+    maker = _Maker(world, by_name)
+    for job in jobs(layout.device.tasks):
+        job_blocks, reason = maker.tried(job)
+        blocks += job_blocks
         if reason:
-            missing.append((task.name, reason))
+            missing.append((job.tasks[0].name, reason))
     if layout.registers:
         blocks += group_blocks(world, by_name)
         blocks += table_blocks(world, by_name)
@@ -47,7 +73,29 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
         for message in link.exchanged.values():
             if message.message.accesses is None:
                 blocks.append(message_block(world, exchange_of(world, link, message, by_name)))
-    return Blocks((*helpers.routines.values(), *_distinct(blocks, by_name)), tuple(missing))
+    return Blocks((*maker.helpers.routines.values(), *_distinct(blocks, by_name)), tuple(missing))
+
+
+def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
+    """The blocks of tasks: two that jog in both directions are one, and what halts is a stop and a halt."""
+    jogs = [task for task in tasks if task.kind == "jog" and task.steps]
+    taken: set[str] = set()
+    for task in tasks:
+        if task.name in taken:
+            continue
+        if task.kind == "jog" and task.steps:
+            opposite = [
+                other
+                for other in jogs
+                if {task.direction, other.direction} == {"positive", "negative"} and other.messages == task.messages
+            ]
+            pair = sorted((task, *opposite[:1]), key=lambda other: other.direction == "negative")
+            taken |= {other.name for other in pair}
+            yield Job("jog" if task.direction else task.name, tuple(pair))
+        else:
+            yield Job(task.name, (task,))
+            if task.halt and task.steps:
+                yield Job("halt", (task,), halts=True)
 
 
 def _distinct(blocks: list[Routine], others: dict[str, Routine]) -> Iterator[Routine]:
@@ -62,34 +110,88 @@ def _distinct(blocks: list[Routine], others: dict[str, Routine]) -> Iterator[Rou
         yield replace(block, name=name)
 
 
-def _tried(
-    world: World, operands: Operands, helpers: Helpers, by_name: dict[str, Routine], task: Task
-) -> tuple[list[Routine], str]:
-    """The blocks of a task, or why it has none."""
-    try:
-        return list(_of_task(world, operands, helpers, by_name, task)), ""
-    except NoBlock as reason:
-        return [], str(reason)
+class _Maker:
+    """What makes the blocks of tasks."""
 
+    def __init__(self, world: World, by_name: Mapping[str, Routine]) -> None:
+        self.world, self.by_name = world, by_name
+        self.operands = Operands(world.layout.device)
+        self.helpers = Helpers(world)
 
-def _of_task(
-    world: World, operands: Operands, helpers: Helpers, by_name: dict[str, Routine], task: Task
-) -> Iterator[Routine]:
-    if task.open:
-        raise NoBlock(f"an open question. {task.open}")
-    if task.not_applicable:
-        raise NoBlock(task.not_applicable)
-    if task.messages:
-        for message in cyclic(world.layout):
-            if message.name in task.messages:
-                yield cyclic_block(world, operands, message, task)
-    elif has_only_registers(operands, task):
-        yield word_block(world, operands, helpers, task)
-    elif own_links(world.layout) and _sends(operands, task):
-        yield message_task(world, operands, by_name, task)
-    else:
+    def tried(self, job: Job) -> tuple[list[Routine], str]:
+        """The blocks of a job, or why it has none."""
+        try:
+            return self.blocks(job), ""
+        except NoBlock as reason:
+            return [], str(reason)
+
+    def blocks(self, job: Job) -> list[Routine]:
+        """The blocks of a job. Raises NoBlock where there is none."""
+        world, operands, task = self.world, self.operands, job.tasks[0]
+        if task.open:
+            raise NoBlock(f"an open question. {task.open}")
+        if task.not_applicable:
+            raise NoBlock(task.not_applicable)
+        if task.messages:
+            return [self._cyclic(job, item) for item in cyclic(world.layout) if item.name in task.messages]
+        if all(has_only_registers(operands, each) for each in job.tasks):
+            return [self._line(job, AXIS)]
+        if own_links(world.layout) and all(_sends(each) for each in job.tasks):
+            return [self._line(job, FRAMES)]
         raise NoBlock("its steps act on parameters, or on several kinds of facts: send the messages one by one")
 
+    def _line(self, job: Job, port: str) -> Routine:
+        """A block that asks over a line. It is made twice, so that steps know the numbers of those behind them."""
 
-def _sends(operands: Operands, task: Task) -> bool:
+        def build(known: LineTask | None) -> tuple[LineDraft, LineTask]:
+            draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)
+            draft.connect(_kind(draft, job, draft.axis_port))
+            if port == AXIS:
+                return draft, WordTask(self.world, self.operands, self.helpers, draft, job.tasks, known)
+            return draft, MessageTask(self.world, self.operands, self.by_name, draft, job.tasks, known)
+
+        _, first = build(None)
+        first.all()
+        draft, task = build(first)
+        task.all()
+        describe(draft, job.tasks, Name.of(job.name).title(), *_comments(draft.kind))
+        return draft.block()
+
+    def _cyclic(self, job: Job, message: MessageLayout) -> Routine:
+        """A block that works with a telegram, made twice as those of a line."""
+        named = message.name in job.name
+        name = self.world.block(job.name) if named else self.world.block(message.name, job.name)
+
+        def build(known: CyclicTask | None) -> CyclicTask:
+            draft = BlockDraft(self.world, name, f"telegram {message.name}")
+            kind = _kind(draft, job, TelegramPlaces(self.world, self.operands, draft, message).axis_port)
+            return CyclicTask(self.world, self.operands, draft, kind, message, job.tasks, known)
+
+        first = build(None)
+        first.all()
+        task = build(first)
+        task.all()
+        describe(task.draft, job.tasks, Name.of(job.name).title(), *task.remarks, *_comments(task.kind))
+        return task.block()
+
+
+def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
+    """How the block of a job starts and ends."""
+    if job.kind.startswith("read_"):
+        return Reading(draft)
+    if job.kind == "jog":
+        backward = any(task.direction == "negative" for task in job.tasks)
+        return Jogging(draft, axis(), len(job.tasks) > 1 or not backward, backward)
+    if job.kind in MOVING or job.halts:
+        return Moving(draft, axis(), job.halts)
+    return Stopping(draft, axis()) if job.kind == "stop" else Executed(draft, abort=False)
+
+
+def _comments(kind: Kind) -> tuple[str, ...]:
+    """What the comment of a block says of its start and end."""
+    assert isinstance(kind, Edged | Reading)
+    return (kind.comment,)
+
+
+def _sends(task: Task) -> bool:
     return any(step.action == "send" for step in task.steps)

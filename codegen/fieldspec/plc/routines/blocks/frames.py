@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import LASTING, REFUSAL, before_effect, watches
+from fieldspec.model.watches import MOVING, before_effect, halting_task, is_command, last_command
 from fieldspec.names import Name
 from fieldspec.plc.routines.answers import judged, received
+from fieldspec.plc.routines.blocks.line_tasks import Decide, LineTask, Unit
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, outputs_of
-from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, member, own_links
-from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
-from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
-from fieldspec.plc.routines.blocks.words import opposite, value_of
-from fieldspec.plc.routines.expressions import (
-    Expression,
-    Variable,
-)
+from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant
+from fieldspec.plc.routines.blocks.ports import FRAMES, own_links
+from fieldspec.plc.routines.blocks.progress import Seen
+from fieldspec.plc.routines.blocks.standard import ERRORS, meanings
+from fieldspec.plc.routines.expressions import Expression, Variable
 from fieldspec.plc.routines.parameters import FRAME, parameters_of
 from fieldspec.plc.routines.routine import Assignment, Declared, Routine, Statement
 from fieldspec.plc.routines.world import World
@@ -51,6 +48,7 @@ def add_exchange(
     answered: Mapping[str, Expression],
     then: Sequence[Statement],
     refused: Sequence[Statement] = (),
+    remark: str = "",
 ) -> int:
     """Adds a step that sends a request and parses the response into variables.
 
@@ -66,14 +64,14 @@ def add_exchange(
 
     judgement = judged(block.world, exchange.link, exchange.message, block.result, asked, answered, block, fail, then)
     take: list[Statement] = [Assignment(block.result, parsed), *judgement]
-    return block.request(fill, take)
+    return block.request(fill, take, remark)
 
 
 def message_block(world: World, exchange: Exchange) -> Routine:
     """The block that exchanges a message."""
     several = link_words(world, exchange.link)
     name = world.block(*several, "send", exchange.message.name)
-    block = LineDraft(world, name, f"messages of {exchange.link.name}", FRAMES)
+    block = LineDraft.executed(world, name, f"messages of {exchange.link.name}", FRAMES)
     block.limit()
     asked = {
         declared.variable.name: block.declare(
@@ -89,7 +87,7 @@ def message_block(world: World, exchange: Exchange) -> Routine:
         return block.declare(text, declared.variable.type, declared.role, declared.remark)
 
     answer = received(world, exchange.link, exchange.message, exchange.parse, block, output)
-    add_exchange(block, exchange, asked, answer.answered, [*answer.taken, block.go(2)], answer.refused)
+    add_exchange(block, exchange, asked, answer.answered, [*answer.taken, block.end()], answer.refused)
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()
     block.remarks += [
@@ -100,101 +98,96 @@ def message_block(world: World, exchange: Exchange) -> Routine:
     return block.block()
 
 
-def message_task(world: World, operands: Operands, by_name: Mapping[str, Routine], task: Task) -> Routine:
-    """The block for a task whose steps send messages; NoBlock is raised where it cannot be."""
-    levelled = task.kind.startswith("read_")
-    block = LineDraft(world, world.block(task.name), f"task {task.name}", FRAMES, levelled)
-    if task.kind in TAKING_OVER:
-        axis = block.struct("axis", AXIS, "the same for all blocks of the device")
-        block.take_over(member(world, AXIS, "motion", axis))
-    _Sending(world, operands, by_name, block, task).all()
-    describe(block, task)
-    return block.block()
-
-
-class _Sending:
-    """The steps of a block while they are being added."""
+class MessageTask(LineTask):
+    """The steps of a block that sends messages."""
 
     def __init__(
-        self, world: World, operands: Operands, by_name: Mapping[str, Routine], block: LineDraft, task: Task
+        self,
+        world: World,
+        operands: Operands,
+        by_name: Mapping[str, Routine],
+        draft: LineDraft,
+        tasks: Sequence[Task],
+        known: LineTask | None,
     ) -> None:
-        self.world, self.operands, self.by_name, self.block, self.task = world, operands, by_name, block, task
-        self.watches = watches(world.layout.device, operands, task)
-        self.sent: list[tuple[int, Step, Exchange]] = []
+        super().__init__(world, operands, draft, tasks, known)
+        self.by_name = by_name
 
-    def all(self) -> None:
-        """Adds the steps: each message with what is looked at in its response."""
-        task, block = self.task, self.block
-        if before_effect(task):
-            raise NoBlock("it waits before it has sent anything")
-        ends = end_steps(task)
-        if not block.levelled and task.kind not in LASTING:
-            block.limit()
-        begins: dict[int, int] = {}
-        at = 0
-        while at < len(task.steps):
-            if ends is not None and at == ends[1]:
-                block.hold = True
-                block.add([])
-            begins[at] = block.next
-            at = self._sends(at)
-        if ends is not None:
-            block.ends_by(begins[ends[0]], begins[ends[1]], block.next - 1)
+    def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
+        """See `LineTask`. Raises NoBlock for what is no message."""
+        index = first
+        while index < behind:
+            step = task.steps[index]
+            if step.action != "send":
+                raise NoBlock(f"`{step.target}` is no message")
+            last = index + 1
+            while last < behind and task.steps[last].action in ("wait", "read"):
+                last += 1
+            looks = task.steps[index + 1 : last]
+            waits = tuple(look for look in looks if look.action == "wait")
+            reads = tuple(look for look in looks if look.action == "read")
+            commands = is_command(task, index)
+            yield Unit(index, last, commands, waits, reads, again=index > 0 and bool(waits) and not commands)
+            index = last
 
-    def _sends(self, at: int) -> int:
-        """Adds a message and the steps behind it that look at its response; gives the place of the next one."""
-        steps = self.task.steps
-        step = steps[at]
-        if step.action != "send":
-            raise NoBlock(f"`{step.target}` is no message")
-        operand = target(self.operands, step)
-        exchange = self._exchange(operand)
-        last = at + 1
-        while last < len(steps) and steps[last].action in ("wait", "read"):
-            last += 1
-        looks = steps[at + 1 : last]
-        asks_again = at > 0 and not step.values and not step.arguments
-        if asks_again and any(look.action == "wait" for look in looks):
-            self.block.settle_input("T#100ms")
-            self.block.settle()
+    def first_units(self) -> Iterable[tuple[Task, Unit]]:
+        """See `LineTask`."""
+        task, first = self.task, before_effect(self.task)
+        looks = [(task, replace(unit, again=False)) for unit in self.units(task, 0, first)]
+        compared_later = self.conditions.compared(task.steps)
+        later = self.units(task, first, len(task.steps))
+        at_start = [unit for unit in later if any(wait in compared_later for wait in unit.waits)]
+        looks += [(task, Unit(unit.index, unit.behind, False)) for unit in at_start]
+        if task.kind in MOVING and all(self.conditions.stands(self.seen(*look)) is None for look in looks):
+            looks += [(own, replace(unit, waits=(), again=False)) for own, unit in self._standing()]
+        return looks
+
+    def _standing(self) -> Iterable[tuple[Task, Unit]]:
+        """What the task that stops the device looks at."""
+        halting = halting_task(self.world.layout.device)
+        if halting is not None:
+            for unit in self.units(halting, last_command(halting) + 1, len(halting.steps)):
+                if unit.waits:
+                    yield halting, unit
+
+    def watching_unit(self) -> tuple[Task, Unit] | None:
+        """See `LineTask`."""
+        for unit in self.units(self.task, last_command(self.task) + 1, len(self.task.steps)):
+            seen = self.seen(self.task, unit)
+            if any(seen(watch.operand) is not None for watch in self.watches):
+                return self.task, Unit(unit.index, unit.behind, False, again=True)
+        return None
+
+    def seen(self, task: Task, unit: Unit) -> Seen:
+        """See `LineTask`."""
+        exchange = self._exchange(self.target(task.steps[unit.index]))
+        answered = self._answered(exchange)
+        return lambda operand: self._seen(operand, exchange, answered)
+
+    def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+        """See `LineTask`. Raises NoBlock for what is not in the response."""
+        step = task.steps[unit.index]
+        exchange = self._exchange(self.target(step))
+        seen = self.seen(task, unit)
+        for look in (*unit.waits, *unit.reads):
+            if seen(self.target(look)) is None:
+                raise NoBlock(f"{self.target(look).path} is not in the response of {exchange.message.name}")
+        if unit.again:
+            self.draft.settle("T#100ms")
         asked = self._request_arguments(step, exchange)
+        then = decide(self.draft.next + 1)
+        add_exchange(self.draft, exchange, asked, self._answered(exchange), then, remark=remark)
+
+    def _answered(self, exchange: Exchange) -> dict[str, Variable]:
+        """The variables for what a response has."""
         answered = {
-            declared.variable.name: _local(self.block, declared)
+            declared.variable.name: _local(self.draft, declared)
             for declared in exchange.parse.declared
             if declared.role == "output" and declared.variable.name != FRAME
         }
         if len(answered) + 1 < sum(declared.role in ("output", "in_out") for declared in exchange.parse.declared):
             raise NoBlock(f"the response of {exchange.message.name} has more than single values")
-        here = self.block.next
-        then: list[Statement] = []
-        branches: list[tuple[Expression, Sequence[Statement]]] = []
-        waits = [look for look in looks if look.action == "wait"]
-        if waits:
-            for watch in self.watches:
-                read = self._seen(watch.operand, exchange, answered)
-                if read is not None:
-                    test = holds(self.world, watch.operand, watch.operand.value, watch.value, read)
-                    branches.append((opposite(test), [self.block.fail(watch.reason)]))
-            for look in waits:
-                seen = target(self.operands, look)
-                read = self._seen(seen, exchange, answered)
-                if read is None:
-                    raise NoBlock(f"{seen.path} is not in the response of {exchange.message.name}")
-                test = holds(self.world, seen, seen.value, value_of(look), read)
-                missing = self.block.go(here) if asks_again else self.block.fail("unready")
-                if REFUSAL in seen.roles:
-                    missing = self.block.fail("exception")
-                branches.append((opposite(test), [missing]))
-        for look in looks:
-            if look.action == "read":
-                seen = target(self.operands, look)
-                read = self._seen(seen, exchange, answered)
-                if read is None:
-                    raise NoBlock(f"{seen.path} is not in the response of {exchange.message.name}")
-                then += outputs_of(self.block, seen.fact.name, seen, seen.value, read)
-        then.append(self.block.go(here + 1))
-        add_exchange(self.block, exchange, asked, answered, [chain(branches, then)] if branches else then)
-        return last
+        return answered
 
     def _exchange(self, operand: Operand) -> Exchange:
         assert isinstance(operand.fact, Message)
@@ -215,13 +208,14 @@ class _Sending:
         remarks = {declared.variable.name: declared.remark for declared in exchange.build.declared}
         for variable in asks.head.values():
             remark = remarks[variable.name]
-            asked[variable.name] = self.block.declared_once(variable.name, variable.type, "input", remark)
+            asked[variable.name] = self.draft.declared_once(variable.name, variable.type, "input", remark)
         for name, variable in asks.fields.variables.items():
             operand = self.operands.by_path.get(f"messages/{exchange.message.name}/request/{name}")
             if operand is None:
                 raise NoBlock(f"the request of {exchange.message.name} has more than single values")
             if name in step.arguments:
-                asked[variable.name] = argument(self.block, step.arguments[name], operand, operand.value)
+                raw = argument(self.draft, step.arguments[name], operand, operand.value)
+                asked[variable.name] = self.conditions.arguments[step.arguments[name]] = raw
             elif name in step.values:
                 value = step.values[name]
                 if not isinstance(value, bool | int | str):
@@ -246,9 +240,4 @@ class _Sending:
 
 
 def _local(block: LineDraft, declared: Declared) -> Variable:
-    name = declared.variable.name
-    for other in block.declared:
-        if other.variable.name == name and other.role != "local":
-            name = f"{name}Answered"
-            break
-    return block.declared_once(name, declared.variable.type, "local")
+    return block.declared_once(f"{declared.variable.name}Answered", declared.variable.type, "local")

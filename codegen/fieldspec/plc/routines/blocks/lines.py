@@ -2,159 +2,119 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE, increment, member
-from fieldspec.plc.routines.blocks.standard import BlockDraft, chain
+from fieldspec.plc.routines.blocks.kinds import Executed, Kind, Reading
+from fieldspec.plc.routines.blocks.motion import AxisPort, Stopping
+from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FREE, URGENT, increment, member
+from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
-    INT,
     UDINT,
     UINT,
-    Expression,
     Member,
     Negation,
-    Truth,
-    Variable,
     Whole,
     compared,
     either,
     every,
     number,
-    plus,
 )
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
-_TRIES = 3
-"""How often the end of what was started is asked for, where it fails."""
-
 
 class LineDraft(BlockDraft):
-    """A block that asks through the port with a key."""
+    """A block that asks through the port with a key. `kind` says how it starts and ends."""
 
-    def __init__(self, world: World, name: str, group: str, port: str, levelled: bool = False) -> None:
-        super().__init__(world, name, group, levelled)
+    kind: Kind
+
+    def __init__(self, world: World, name: str, group: str, port: str) -> None:
+        super().__init__(world, name, group)
         self.key = port
-        self.port = self.struct(_port_name(port), port, "call the block that serves it in each scan")
-        self.asked = self.declare("xAsked", BOOL, "local")
-        self.hold = False
-        self.first, self.ending = 0, (0, 0)
+        port_name = "axis" if port.startswith("axis") else "frames"
+        self.port = self.struct(port_name, port, "call the block that serves it in each scan")
 
-    def of_port(self, name: str) -> Member:
-        """A member of the port."""
-        return member(self.world, self.key, name, self.port)
+    @classmethod
+    def executed(cls, world: World, name: str, group: str, port: str, abort: bool = True) -> LineDraft:
+        """A block that does something once, and ends when its time is over."""
+        draft = cls(world, name, group, port)
+        kind = Executed(draft, abort)
+        draft.connect(kind)
+        return draft
 
-    def request(self, fill: Iterable[Statement], take: Iterable[Statement]) -> int:
-        """Adds a step that asks, once what `fill` computes is good, and takes the answer."""
-        return self.add(fill, take)
+    @classmethod
+    def reading(cls, world: World, name: str, group: str, port: str) -> LineDraft:
+        """A block that reads while Enable is TRUE."""
+        draft = cls(world, name, group, port)
+        draft.connect(Reading(draft))
+        return draft
 
-    def ask(self, *fields: Statement) -> list[Statement]:
-        """The statements that ask."""
-        return [*fields, Assignment(self.asked, Truth(True))]
-
-    def ends_by(self, begin: int, first: int, last: int) -> None:
-        """Says that the steps from `first` to `last` end what the step `begin` has started, whatever happens."""
-        self.first, self.ending = begin, (first, last)
-
-    def block(self) -> Routine:
-        """The block."""
-        begin = self.begins()
-        state = self.of_port("state")
-        answered = every([self.asked, compared(state, "=", number(ANSWERED))])
-        free = every([Negation(self.asked), compared(state, "=", number(FREE))])
-        error = self.of_port("error")
-        number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
-        takes = self.selected([step.take for step in self.steps])
-        asks = self.selected([step.ask for step in self.steps])
-        asking = [increment(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
-        working = chain(
-            [
-                (Negation(self.busy), begin),
-                (
-                    answered,
-                    [
-                        Assignment(self.asked, Truth(False)),
-                        Assignment(state, number(FREE)),
-                        chain(
-                            [
-                                (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
-                                (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
-                            ],
-                            takes,
-                        ),
-                    ],
-                ),
-                (free, [*asks, when(self.asked, asking)]),
-            ]
-        )
-        tail = [self.again(self._dropped())] if self.levelled else self._tail()
-        return self.finished([*self.timers(), *self.edges, working, when(self.busy, tail)])
-
-    def _dropped(self) -> Statement:
-        """What gives up a request; its answer belongs to nobody."""
+    def connect(self, kind: Kind) -> None:
+        """Says how the block starts and ends."""
+        self.kind = kind
+        self.asked = self.declare("xAsked", BOOL, "local", "a request of this block is on its way")
         state = self.of_port("state")
         release = when(
             compared(state, "=", number(ANSWERED)),
             [Assignment(state, number(FREE))],
             [Assignment(state, number(ABANDONED))],
         )
-        return when(self.asked, [release, Assignment(self.asked, Truth(False))])
+        kind.release = [when(self.asked, [release, assigned(self.asked, False)])]
+        self.dropped = self.declare("xDrop", BOOL, "local", "what it has asked for is given up in this scan")
+        kind.drop = [assigned(self.dropped, True)]
 
-    def _tail(self) -> list[Statement]:
-        if self.ending == (0, 0):
-            late = [when(self.late, [self.fail("late")])] if self.late is not None else []
-            return [*late, self.outcome(), self.over(self._dropped())]
-        ending = self.declare("xEnding", BOOL, "local")
-        self.at_start.append(Assignment(ending, Truth(False)))
-        late = [when(every([self.late, Negation(ending)]), [self.fail("late")])] if self.late is not None else []
-        return [*late, self.outcome(self._ending(ending)), self.over(self._dropped())]
+    def axis_port(self) -> AxisPort:
+        """The members that say who moves the axis."""
+        axis = self.port if self.key == AXIS else self.struct("axis", AXIS, "the same for all blocks of the device")
+        return AxisPort(*(member(self.world, AXIS, name, axis) for name in ("motion", "claims", "stops")))
 
-    def _ending(self, ending: Variable) -> list[tuple[Expression, Sequence[Statement]]]:
-        """What ends a motion that was started, when the block fails or is aborted, or is no longer to go on."""
-        assert self.abort is not None
-        assert self.aborted is not None
-        aborting = self.declare("xAborting", BOOL, "local")
-        tries = self.declare("iTry", INT, "local")
-        why = self.declare("uiFirstReason", UINT, "local", "why it ends before its time")
-        first, last = self.ending
-        stops: list[Expression] = [self.failed(), self.abort]
-        aborts: list[Expression] = [self.abort]
-        if self.hold:
-            stops.append(Negation(self.start))
-        elif self.displaced is not None:
-            stops.append(self.displaced)
-            aborts.append(self.displaced)
-        bounds = [
-            compared(self.step, ">=", number(self.first)),
-            compared(self.step, "<=", number(last)),
+    def limit(self) -> None:
+        """Ends the block with an error when its time is over."""
+        assert isinstance(self.kind, Executed)
+        self.kind.limit()
+
+    def of_port(self, name: str) -> Member:
+        """A member of the port."""
+        return member(self.world, self.key, name, self.port)
+
+    def request(self, fill: Iterable[Statement], take: Iterable[Statement], remark: str = "") -> int:
+        """Adds a step that asks, once what `fill` computes is good, and takes the answer."""
+        return self.add(fill, take, remark)
+
+    def ask(self, *fields: Statement) -> list[Statement]:
+        """The statements that ask."""
+        return [*fields, assigned(self.asked, True)]
+
+    def block(self) -> Routine:
+        """The block."""
+        kind = self.kind
+        state, error, urgent = (self.of_port(name) for name in ("state", "error", "urgent"))
+        number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
+        answered = every([self.asked, compared(state, "=", number(ANSWERED))])
+        first = kind.urgent()
+        calm = compared(urgent, "=", number(0))
+        may_ask = [*kind.may_ask(), self.unharmed(), Negation(self.asked), compared(state, "=", number(FREE))]
+        may_ask.append(calm if first is None else either([calm, first]))
+        take: list[Statement] = [
+            assigned(self.asked, False),
+            Assignment(state, number(FREE)),
+            chain(
+                [
+                    (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
+                    (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
+                ],
+                self.selected(asks=False),
+            ),
         ]
-        none = Whole(0, UINT)
-        no_reason = Assignment(self.reason, none)
-        begin: list[Statement] = [
-            *(self._dropped(), Assignment(ending, Truth(True)), Assignment(aborting, either(aborts))),
-            *(Assignment(why, self.reason), no_reason, Assignment(tries, number(1)), self.go(first)),
-        ]
-        wrong = [Assignment(self.error_id, self.reason), Assignment(self.error, Truth(True))]
-        failed_again = when(
-            compared(tries, "<", number(_TRIES)),
-            [Assignment(tries, plus(tries, 1)), no_reason, self.go(first)],
-            [when(compared(why, "<>", none), [Assignment(self.reason, why)]), *wrong],
+        asking = [increment(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
+        ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
+        working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
+        claims = [when(first, [Assignment(urgent, number(URGENT))])] if first is not None else []
+        drops = when(self.dropped, [*kind.release, assigned(self.dropped, False)])
+        always = [kind.unlock()] if isinstance(kind, Stopping) else []
+        tail = kind.tail()
+        edges = kind.edges()
+        return self.finished(
+            [*self.timers(), *edges, when(kind.active(), [working, *kind.accepted(), *tail, drops, *claims]), *always]
         )
-        ended = chain(
-            [
-                (compared(why, "<>", none), [Assignment(self.error_id, why), Assignment(self.error, Truth(True))]),
-                (aborting, [Assignment(self.aborted, Truth(True))]),
-            ],
-            [Assignment(self.done, Truth(True))],
-        )
-        behind = compared(self.step, ">", number(last))
-        over = chain([(self.failed(), [failed_again]), (behind, [ended])])
-        # The end of a jog would end the motion of the block that has taken over.
-        displaced = self.displaced if self.hold else None
-        taken = [(displaced, [Assignment(self.aborted, Truth(True))])] if displaced is not None else []
-        return [*taken, (ending, [over]), (every([either(stops), *bounds]), begin)]
-
-
-def _port_name(key: str) -> str:
-    return "axis" if key.startswith("axis") else "frames"

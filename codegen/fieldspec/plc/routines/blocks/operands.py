@@ -111,7 +111,7 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
             ((parameter, raw),),
             block.status.type,
         )
-        block.at_start += _unless_refused(block, _refusing(block, call))
+        block.at_start += _unless_refused(block, _refusing(block, call, block.refuse()))
         return raw
     source = block.declare(world.variable(f"{name}{_counts(operand, value)}", kind), kind, "input", remark)
     raw = block.declare(raw_name, kind, "output", "what is sent")
@@ -121,16 +121,22 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
     return raw
 
 
+def unit_of(operand: Operand) -> str:
+    """The unit of a fact, or counts."""
+    value = operand.value
+    return value.unit if value is not None and value.unit and value.scaled else "counts"
+
+
 def _counts(operand: Operand, value: Value | None) -> str:
     has_counts = value is not None and not value.scaled and (not value.unit or bool(value.scale_by))
     measured = has_counts and bool(_MEASURED & {*operand.roles})
     return "_counts" if measured else ""
 
 
-def _refusing(block: BlockDraft, call: Call) -> list[Statement]:
+def _refusing(block: BlockDraft, call: Call, refuse: Statement) -> list[Statement]:
     return [
         Assignment(block.result, call),
-        when(compared(block.result, "<>", block.status.of("ok")), [block.fail("request")]),
+        when(compared(block.result, "<>", block.status.of("ok")), [refuse]),
     ]
 
 
@@ -138,7 +144,7 @@ def _unless_refused(block: BlockDraft, statements: list[Statement]) -> list[Stat
     """What converts a further argument: left out once one is refused, so that eStatus remains that of the refusal."""
     if not any(isinstance(statement, Condition) for statement in block.at_start) or not statements:
         return statements
-    return [when(block.unharmed(), statements)]
+    return [when(block.unrefused(), statements)]
 
 
 def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) -> Iterator[Statement]:
@@ -149,7 +155,7 @@ def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) ->
     sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
     wrong = outside(raw, [*ranges.intervals, *sentinels], kind)
     if wrong is not None:
-        yield when(wrong, [Assignment(block.result, block.status.of("out_of_range")), block.fail("request")])
+        yield when(wrong, [Assignment(block.result, block.status.of("out_of_range")), block.refuse()])
 
 
 def outputs_of(block: BlockDraft, name: str, operand: Operand, value: Value | None, raw: Expression) -> list[Statement]:
@@ -173,7 +179,7 @@ def outputs_of(block: BlockDraft, name: str, operand: Operand, value: Value | No
     call = Call(
         world.routine(quantity.name, "from_counts"), ((parameter, raw),), (("lrValue", physical),), block.status.type
     )
-    return [Assignment(beside, raw), *_refusing(block, call)]
+    return [Assignment(beside, raw), *_refusing(block, call, block.fail("request"))]
 
 
 def field_of(bit: Bit, word: Expression) -> Expression:

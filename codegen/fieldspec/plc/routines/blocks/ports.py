@@ -36,12 +36,15 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
+URGENT = 2
+"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down."""
 STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("state", INT, STATE_REMARK),
     ("error", UINT, "0, or why there is no answer: an ErrorID"),
     ("request", UDINT, "the number of the request, which whoever asks counts up"),
     ("answered", UDINT, "the number of the request that was answered"),
+    ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
 
@@ -59,7 +62,11 @@ class Port:
 def ports(world: World) -> Iterator[Port]:
     """The ports of a device, as far as the structs in them are declared."""
     layout = world.layout
-    motion = ("motion", UDINT, "counts the blocks that have taken over the motion")
+    mover = (
+        ("motion", UDINT, "counts the commands that were accepted: the block of the last one has the axis"),
+        ("claims", UDINT, "counts the commands that were begun: only the last one is sent"),
+        ("stops", UDINT, "how many stops lock the axis"),
+    )
     if layout.registers:
         asked = (
             ("write", BOOL, "whether the words are to be written"),
@@ -67,9 +74,9 @@ def ports(world: World) -> Iterator[Port]:
             ("count", INT, "how many words"),
             ("words", world.words, "what is written, or was read"),
         )
-        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *asked, motion))
+        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *asked, *mover))
     elif sends(layout):
-        yield Port(AXIS, "axis", "A device, and who moves it", (motion,))
+        yield Port(AXIS, "axis", "A device, and who moves it", mover)
     if own_links(layout):
         frame = (
             ("send", INT, "how many bytes of the frame are to be sent"),
@@ -86,7 +93,7 @@ def ports(world: World) -> Iterator[Port]:
                 ("valid", BOOL, "whether the response has come in this cycle"),
                 ("request", StructType(world.names.structs[message.request.name]), ""),
                 ("response", StructType(world.names.structs[message.response.name]), ""),
-                motion,
+                *mover,
             ),
         )
 

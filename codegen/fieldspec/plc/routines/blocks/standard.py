@@ -1,35 +1,32 @@
-"""What all blocks have in common: variables, edges, and the outputs that say how a block has ended."""
+"""What all blocks have in common: their variables, their steps, and the numbers of their errors."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.exchanges import ERRORS as EXCHANGE_ERRORS
 from fieldspec.plc.routines.expressions import (
     BOOL,
     INT,
     TIME,
     TIMER,
-    UDINT,
     UINT,
     Expression,
     Member,
-    Negation,
     StructType,
     Truth,
     Variable,
     Whole,
     compared,
     either,
-    every,
     number,
 )
 from fieldspec.plc.routines.routine import (
     Assignment,
     Body,
     Condition,
+    Remark,
     Routine,
     Selection,
     Statement,
@@ -48,11 +45,16 @@ ERRORS = {
     "exception": (EXCHANGE_ERRORS["exception"][0], "the device refuses"),
     "transport": (EXCHANGE_ERRORS["transport"][0], "nothing could be sent or received"),
     "alarm": (8, "the device has an alarm"),
-    "late": (9, "tLimit is over"),
+    "late": (9, "its time is over"),
     "servo": (10, "the servo is off"),
     "unready": (11, "the device is not ready for the task"),
+    "locked": (12, "the axis is being stopped"),
+    "idle": (13, "the motion did not begin"),
+    "short": (14, "the motion ended before its target"),
 }
 """The numbers of ErrorID, and what they mean."""
+MAY_MOVE = ("timeout", "damaged", "transport", "late")
+"""The errors behind which a device may be moving: that its end has reached it is not known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,35 +63,43 @@ class Section:
 
     ask: tuple[Statement, ...]
     take: tuple[Statement, ...] = ()
+    remark: str = ""
 
 
 class BlockDraft(Variables):
-    """A block while it is being made. `levelled` blocks work while Enable is TRUE; the others start by an edge.
+    """A block while it is being made. Its steps are numbered from 1 on; the step 0 is behind the last one.
 
-    `port` is the struct through which it asks; its `steps` are numbered from 1 on, and a block that has the number
-    behind the last one is done.
+    `refusal` is the variable that says whether a value of an input is refused, by the number of an error.
     """
 
-    def __init__(self, world: World, name: str, group: str, levelled: bool = False) -> None:
+    def __init__(self, world: World, name: str, group: str) -> None:
         super().__init__()
-        self.world, self.name, self.group, self.levelled = world, name, group, levelled
+        self.world, self.name, self.group = world, name, group
         self.remarks: list[str] = []
         self.steps: list[Section] = []
         self.at_start: list[Statement] = []
+        self.timed: list[tuple[Variable, Expression, Variable]] = []
         self.settling: list[int] = []
         self.status = world.status
-        start = "reads while it is TRUE" if levelled else "a rising edge starts"
-        self.start = self.declare("Enable" if levelled else "Execute", BOOL, "input", start)
-        self.abort = None if levelled else self.declare("Abort", BOOL, "input", "ends the block with CommandAborted")
-        self.done = self.declare("Valid" if levelled else "Done", BOOL, "output")
+
+    def outputs(self, done: str, aborted: bool) -> None:
+        """Declares the outputs that say how a block ends."""
+        self.done = self.declare(done, BOOL, "output")
         self.busy = self.declare("Busy", BOOL, "output")
-        self.aborted = None if levelled else self.declare("CommandAborted", BOOL, "output")
+        self.aborted = self.declare("CommandAborted", BOOL, "output") if aborted else None
         self.error = self.declare("Error", BOOL, "output")
         self.error_id = self.declare("ErrorID", UINT, "output", "0, or why Error is TRUE")
         self.result = self.declare("eStatus", self.status.type, "output", "what the last function has returned")
-        self.step = self.declare("iStep", INT, "local")
-        self.reason = self.declare("uiReason", UINT, "local")
+        self.reason = self.refusal = self.declare("uiReason", UINT, "local")
         self.good = compared(self.result, "=", self.status.of("ok"))
+
+    def steps_from(self, initial: int) -> None:
+        """Declares the step, and the number that it has before anything was asked for."""
+        self.step = self.declare("iStep", INT, "local", "0 behind the last one", f"{initial}" if initial else "")
+
+    def flag(self, name: str, remark: str = "") -> Variable:
+        """A truth that the block remembers."""
+        return self.declared_once(name, BOOL, "local", remark)
 
     def struct(self, name: str, key: str, remark: str = "") -> Variable:
         """A struct that the block is lent, by its key."""
@@ -100,9 +110,17 @@ class BlockDraft(Variables):
         """The statement that says why the block ends."""
         return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
 
-    def add(self, ask: Iterable[Statement], take: Iterable[Statement] = ()) -> int:
+    def refuse(self) -> Statement:
+        """The statement that refuses a value of an input."""
+        return Assignment(self.refusal, Whole(ERRORS["request"][0], UINT))
+
+    def unrefused(self) -> Expression:
+        """Whether no value of an input is refused."""
+        return compared(self.refusal, "=", Whole(0, UINT))
+
+    def add(self, ask: Iterable[Statement], take: Iterable[Statement] = (), remark: str = "") -> int:
         """Adds a step, and gives its number."""
-        self.steps.append(Section(tuple(ask), tuple(take)))
+        self.steps.append(Section(tuple(ask), tuple(take), remark))
         return len(self.steps)
 
     @property
@@ -114,116 +132,54 @@ class BlockDraft(Variables):
         """The statement that goes to a step."""
         return Assignment(self.step, number(step))
 
-    def settle(self) -> None:
-        """Adds a step that waits until the device can show what it was told."""
+    def end(self) -> Statement:
+        """The statement that goes behind the last step."""
+        return self.go(0)
+
+    def timer(self, name: str, running: Expression, time: str, initial: str, remark: str) -> Expression:
+        """Declares a timer with its time as an input, and gives whether the time is over."""
+        timer = self.declared_once(name, TIMER, "local")
+        if all(timer != other for other, _, _ in self.timed):
+            self.timed.append((timer, running, self.declared_once(time, TIME, "input", remark, initial)))
+        return Member(timer, "Q", BOOL)
+
+    def settle(self, initial: str) -> None:
+        """Adds a step that waits until the device has seen what it was sent."""
         step = self.next
         self.settling.append(step)
         timer = self.declared_once("fbSettle", TIMER, "local")
-        self.add([when(_over(timer), [self.go(step + 1)])])
-
-    def limit(self) -> None:
-        """Ends the block with an error when its time is over."""
-        time = self.declared_once("tLimit", TIME, "input", "the longest time until Done", "T#60s")
-        timer = self.declared_once("fbLimit", TIMER, "local")
-        assert time
-        self.late = _over(timer)
-
-    late: Expression | None = None
-    steady: Variable | None = None
-    """What fbSettle times in place of the steps that wait for it: a command that stands."""
-
-    def take_over(self, count: Expression) -> None:
-        """Ends the motion of every other block with the same count, and this one when another takes over."""
-        owner = self.declare("udiOwner", UDINT, "local")
-        self.claim = [when(self.unharmed(), [increment(count)]), Assignment(owner, count)]
-        self.displaced = compared(owner, "<>", count)
-
-    displaced: Expression | None = None
-    claim: Sequence[Statement] = ()
-
-    def selected(self, bodies: Sequence[tuple[Statement, ...]]) -> list[Statement]:
-        """CASE over the step, without the steps that have nothing to do."""
-        branches = tuple((((at, at),), body) for at, body in enumerate(bodies, 1) if body)
-        return [Selection(self.step, branches)] if branches else []
+        remark = "how long the device has to see what it was sent, before that changes or is looked at"
+        self.declared_once("tSettle", TIME, "input", remark, initial)
+        self.add([when(Member(timer, "Q", BOOL), [self.go(step + 1)])], remark="the device sees what was sent")
 
     def timers(self) -> list[Statement]:
         """The calls of the timers."""
-        calls: list[Statement] = []
-        names = {declared.variable.name: declared.variable for declared in self.declared}
-        if "fbSettle" in names:
-            settling = either([compared(self.step, "=", number(step)) for step in self.settling])
-            running = settling if self.steady is None else self.steady
-            calls.append(Timing(names["fbSettle"], running, names["tSettle"]))
-        if "fbLimit" in names:
-            calls.append(Timing(names["fbLimit"], self.busy, names["tLimit"]))
+        calls: list[Statement] = [Timing(timer, running, time) for timer, running, time in self.timed]
+        if self.settling:
+            running = either([compared(self.step, "=", number(step)) for step in self.settling])
+            calls.append(Timing(Variable("fbSettle", TIMER), running, Variable("tSettle", TIME)))
         return calls
 
-    def settle_input(self, initial: str) -> None:
-        """Declares the time that the device has to show what it was told."""
-        remark = "how long the device may take to show what it was told; the manual does not print it"
-        self.declared_once("tSettle", TIME, "input", remark, initial)
+    def selected(self, asks: bool) -> list[Statement]:
+        """CASE over the step, without the steps that have nothing to do."""
+        bodies = [(at, step.ask if asks else step.take, step.remark) for at, step in enumerate(self.steps, 1)]
+        branches = tuple(
+            (((at, at),), (Remark(remark), *body) if remark else body) for at, body, remark in bodies if body
+        )
+        return [Selection(self.step, branches)] if branches else []
 
-    def begins(self) -> list[Statement]:
-        """What starts and ends the block by its input, while it is not busy."""
-        reset: list[Statement] = [Assignment(variable, Truth(False)) for variable in self._ends()]
-        reset.append(Assignment(self.error_id, Whole(0, UINT)))
-        begin: list[Statement] = [
-            Assignment(self.busy, Truth(True)),
-            Assignment(self.reason, Whole(0, UINT)),
-            self.go(1),
-            *self.at_start,
-            *self.claim,
-        ]
-        if self.levelled:
-            return [
-                when(Negation(self.start), reset),
-                when(every([self.start, Negation(self.error)]), begin),
-            ]
-        edge = self.declare("xEdge", BOOL, "local")
-        before = self.declare("xExecuteBefore", BOOL, "local", "so that nothing starts in the first scan", "TRUE")
-        self.edges: list[Statement] = [
-            Assignment(edge, every([self.start, Negation(before)])),
-            Assignment(before, self.start),
-        ]
-        return [when(either([edge, Negation(self.start)]), reset), when(edge, begin)]
+    def cleared(self) -> list[Statement]:
+        """What takes back the outputs that say how the block has ended."""
+        ends = [variable for variable in (self.done, self.aborted, self.error) if variable is not None]
+        return [*(assigned(variable, False) for variable in ends), Assignment(self.error_id, Whole(0, UINT))]
 
-    edges: Sequence[Statement] = ()
-
-    def _ends(self) -> list[Variable]:
+    def ends(self) -> list[Expression]:
+        """The outputs that say that the block has ended."""
         return [variable for variable in (self.done, self.aborted, self.error) if variable is not None]
 
-    def outcome(self, early: Sequence[tuple[Expression, Sequence[Statement]]] = ()) -> Statement:
-        """What sets the output that says how the block ends, unless one of some tests holds before."""
-        branches = list(early)
-        stops = [test for test in (self.displaced, self.abort) if test is not None]
-        if self.aborted is not None and stops:
-            branches.append((either(stops), [Assignment(self.aborted, Truth(True))]))
-        branches += [
-            (self.failed(), [Assignment(self.error_id, self.reason), Assignment(self.error, Truth(True))]),
-            (compared(self.step, ">", number(len(self.steps))), [Assignment(self.done, Truth(True))]),
-        ]
-        return chain(branches)
-
-    def over(self, *others: Statement) -> Statement:
-        """What a block does when one of its outputs says that it has ended."""
-        return when(either(self._ends()), [*others, Assignment(self.busy, Truth(False)), self.go(0)])
-
-    def again(self, *others: Statement) -> Statement:
-        """The end of a block that reads while Enable is TRUE: it begins again, or stops."""
-        invalid = Assignment(self.done, Truth(False))
-        off: list[Statement] = [invalid, *others, Assignment(self.busy, Truth(False))]
-        wrong: list[Statement] = [
-            *(invalid, Assignment(self.error_id, self.reason), Assignment(self.error, Truth(True))),
-            Assignment(self.busy, Truth(False)),
-        ]
-        round_again: list[Statement] = [Assignment(self.done, Truth(True)), self.go(1)]
-        behind = compared(self.step, ">", number(len(self.steps)))
-        return chain([(Negation(self.start), off), (self.failed(), wrong), (behind, round_again)])
-
-    def finished(self, body: Sequence[Statement]) -> Routine:
-        """The block; local variables that no statement uses are left out."""
-        declared = self.needed(tuple(body))
-        return Routine(self.name, self.group, None, declared, tuple(body), tuple(filter(None, self.remarks)))
+    def erroneous(self) -> list[Statement]:
+        """What ends the block with an error."""
+        return [Assignment(self.error_id, self.reason), assigned(self.error, True)]
 
     def unharmed(self) -> Expression:
         """Whether there is no reason to end with an error."""
@@ -233,13 +189,23 @@ class BlockDraft(Variables):
         """Whether there is a reason to end with an error."""
         return compared(self.reason, "<>", Whole(0, UINT))
 
+    def forgotten(self) -> Statement:
+        """What forgets the reason to end with an error."""
+        return Assignment(self.reason, Whole(0, UINT))
+
     def attempt(self, call: Expression, then: Body, reason: str) -> list[Statement]:
         """Calls a function, and goes on where it returns Ok; else ends with an error."""
         return [Assignment(self.result, call), when(self.good, then, [self.fail(reason)])]
 
+    def finished(self, body: Sequence[Statement]) -> Routine:
+        """The block; local variables that no statement uses are left out."""
+        remarks = tuple(filter(None, self.remarks))
+        return Routine(self.name, self.group, None, self.needed(tuple(body)), tuple(body), remarks)
 
-def _over(timer: Variable) -> Expression:
-    return Member(timer, "Q", BOOL)
+
+def assigned(variable: Expression, value: bool) -> Statement:
+    """What makes a truth TRUE or FALSE."""
+    return Assignment(variable, Truth(value))
 
 
 def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:

@@ -45,7 +45,7 @@ def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routi
 
 
 def _group_block(world: World, group: RegisterGroup, way: str, routine: Routine) -> Routine:
-    block = LineDraft(world, world.block(way, group.name), f"registers {group.name}", AXIS)
+    block = LineDraft.executed(world, world.block(way, group.name), f"registers {group.name}", AXIS)
     address = block.declare("uiAddress", UINT, "input", "of the first register")
     count = block.declare("iCount", INT, "input", f"how many words, 1..{world.words.high + 1}")
     kind = world.struct(group.name)
@@ -58,7 +58,7 @@ def _group_block(world: World, group: RegisterGroup, way: str, routine: Routine)
         Assignment(port("address"), address),
         Assignment(port("count"), count),
     ]
-    _add(block, way, call, ask, [block.go(2)], compared(count, "<", number(1)), count)
+    _add(block, way, call, ask, [block.end()], compared(count, "<", number(1)), count)
     title = group.title or Name.of(group.name).title()
     block.remarks += [f"{way.title()}s registers: {title}. {world.comment(group, None)}".strip(), meanings(ERRORS)]
     return block.block()
@@ -110,12 +110,12 @@ def _element_block(
     world: World, table: TableLayout, way: str, routine: Routine, by_name: Mapping[str, Routine], name: str
 ) -> Routine:
     """The block for one element."""
-    block = LineDraft(world, world.block(way, name), f"table {table.name}", AXIS)
+    block = LineDraft.executed(world, world.block(way, name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
     index = block.declare("iNumber", INT, "input", _numbers(table))
     data = block.declare(world.variable("data", kind), kind, "in_out")
     block.limit()
-    _transfer(block, table, way, routine, by_name, index, data, [block.go(2)])
+    _transfer(block, table, way, routine, by_name, index, data, [block.end()])
     _about(block, world, table, f"{way.title()}s one element of {table.name}.")
     return block.block()
 
@@ -126,7 +126,7 @@ def _table_block(
     """The block for elements in a row."""
     first = table.table.index_from
     last = first + table.table.count - 1
-    block = LineDraft(world, world.block(way, table.name), f"table {table.name}", AXIS)
+    block = LineDraft.executed(world, world.block(way, table.name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
     low = block.declare("iFirst", INT, "input", f"first element: {_numbers(table)}", str(first))
     high = block.declare("iLast", INT, "input", "last element", str(last))
@@ -139,7 +139,7 @@ def _table_block(
     element = Element(data, index, kind)
     ready: list[Statement] = [Assignment(copied, element)] if way == "write" else []
     after: list[Statement] = [Assignment(element, copied)] if way == "read" else []
-    more = when(compared(index, "<", high), [Assignment(index, plus(index, 1))], [block.go(2)])
+    more = when(compared(index, "<", high), [Assignment(index, plus(index, 1))], [block.end()])
     _transfer(block, table, way, routine, by_name, index, copied, [*after, more], ready)
     _about(block, world, table, f"{way.title()}s elements of {table.name}, one after the other.")
     return block.block()

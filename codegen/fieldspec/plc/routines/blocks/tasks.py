@@ -1,6 +1,8 @@
-"""What blocks need to know of the tasks of a device: which of them take over, what they act on, what they say."""
+"""What blocks need to know of the tasks of a device: what they act on, how motions end, what they say."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from fieldspec.model import watches
 from fieldspec.model.operand import Operand, Operands
@@ -11,9 +13,6 @@ from fieldspec.plc.routines.blocks.operands import NoBlock
 from fieldspec.plc.routines.blocks.standard import ERRORS, BlockDraft, meanings
 from fieldspec.plc.routines.remarks import source
 
-TAKING_OVER = (*MOVING, "servo_off", "stop")
-"""The tasks whose start ends the motion of other blocks."""
-
 
 def target(operands: Operands, step: Step, message: str = "") -> Operand:
     """The operand of a step. Raises NoBlock where it is not exactly one fact."""
@@ -23,25 +22,27 @@ def target(operands: Operands, step: Step, message: str = "") -> Operand:
     return targets[0]
 
 
-def describe(block: BlockDraft, task: Task, *more: str) -> None:
-    """Adds the comment of a block: what it does, its steps as the spec has them, and what is not known."""
-    title = Name.of(task.name).title()
-    cited = source(task)
-    block.remarks.append(f"{title}. {task.doc} {cited}".replace(" .", ".").strip())
-    block.remarks.append("Steps: " + "; ".join(step_text(step) for step in task.steps) + ".")
-    block.remarks += [f"Note: {note}" for note in task.notes]
-    block.remarks += [text for text in more if text]
-    block.remarks.append(meanings(ERRORS))
-    if not block.levelled:
-        block.remarks.append(
-            "Nothing starts without a rising edge of Execute, the first scan included. Done, CommandAborted and Error "
-            "stay until Execute is FALSE, and at least one scan. Call the block in each scan."
-        )
-
-
 def end_steps(task: Task) -> tuple[int, int] | None:
     """The steps that begin and end what must not go on by itself. Raises NoBlock for what lasts and no step ends."""
     try:
         return watches.end_steps(task)
     except ValueError as error:
         raise NoBlock(str(error)) from None
+
+
+def describe(block: BlockDraft, tasks: Sequence[Task], title: str, *more: str) -> None:
+    """Adds the comment of a block: what it does, its steps as the spec has them, and what is not known."""
+    for task in tasks:
+        head = title if len(tasks) == 1 else Name.of(task.name).title()
+        block.remarks.append(f"{head}. {task.doc} {source(task)}".replace(" .", ".").strip())
+        block.remarks.append("Steps: " + "; ".join(step_text(step) for step in task.steps) + ".")
+    notes = dict.fromkeys(note for task in tasks for note in task.notes)
+    block.remarks += [f"Note: {note}" for note in notes]
+    block.remarks += [text for text in more if text]
+    block.remarks.append(meanings(ERRORS))
+    if tasks[0].kind in MOVING:
+        block.remarks.append(
+            "It takes the axis over when the device has accepted its command, and the block before it ends with "
+            "CommandAborted. Where its command may be on its way, it ends the motion before it says Error. Behind 2, "
+            "3, 7 and 9 the device may be moving: whether it has heard of the end is not known."
+        )

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
+from fieldspec.layout.read_plan import read_plan
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
-from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import REGISTERS, Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import LASTING, MOVING, REFUSAL, Watch, before_effect, is_last_wait, watches
+from fieldspec.model.value import Value
+from fieldspec.model.watches import before_effect, conditions
+from fieldspec.plc.routines.blocks.line_tasks import Decide, LineTask, Unit
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, kind_of, outputs_of
-from fieldspec.plc.routines.blocks.ports import AXIS
-from fieldspec.plc.routines.blocks.standard import chain
-from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
+from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of
+from fieldspec.plc.routines.blocks.progress import Seen
 from fieldspec.plc.routines.expressions import (
     BITS,
+    INT,
     UINT,
     Elementary,
     Expression,
-    Negation,
     Operation,
     Truth,
     Variable,
@@ -43,6 +43,7 @@ class Helpers:
     def __init__(self, world: World) -> None:
         self.world = world
         self.routines: dict[str, Routine] = {}
+        self.runs = [range(block.start, block.end) for block in read_plan(world.layout).blocks if not block.space]
 
     def from_words(self, register: RegisterLayout) -> Routine:
         """What takes the value of a register out of words."""
@@ -63,13 +64,14 @@ class Helpers:
         about = f"{way}: {fact.printed_name or register.name}. {self.world.comment(fact, fact.value)}".strip()
         return Draft(name, "blocks", self.world.status, about)
 
-    def _holder(self, draft: Draft, remark: str) -> Words:
+    def _holder(self, draft: Draft, first: Expression, remark: str) -> Words:
         array = draft.declare("aWords", self.world.words, "in_out", remark)
-        return Words(array, number(0), self.world.layout.device.byte_order)
+        return Words(array, first, self.world.layout.device.byte_order)
 
     def _unpacked(self, name: str, register: RegisterLayout) -> Routine:
         draft = self._draft(name, register, "Words to register")
-        holder = self._holder(draft, "is read only")
+        first = draft.declare("iFirst", INT, "input", "where its first word is")
+        holder = self._holder(draft, first, "is read only")
         kind = self.world.type_of(register.register.answer)
         value = draft.declare(self.world.variable(register.name, kind), kind, "output")
         draft.add(read(draft, self.world, Wire.of_answer(register), holder, 0, value))
@@ -79,7 +81,7 @@ class Helpers:
         draft = self._draft(name, register, "Register to words")
         kind = self.world.type_of(register.register.value)
         value = draft.declare(self.world.variable(register.name, kind), kind, "input")
-        holder = self._holder(draft, "receives the words")
+        holder = self._holder(draft, number(0), "receives the words")
         draft.add(write(draft, self.world, Wire.of_register(register), holder, 0, value))
         return draft.finished()
 
@@ -104,146 +106,177 @@ def register_of(world: World, operand: Operand) -> RegisterLayout:
     raise NoBlock(f"{operand.path} is no register")
 
 
-def word_block(world: World, operands: Operands, helpers: Helpers, task: Task) -> Routine:
-    """The block for a task; NoBlock is raised where it cannot be."""
-    levelled = task.kind.startswith("read_")
-    block = LineDraft(world, world.block(task.name), f"task {task.name}", AXIS, levelled)
-    maker = _Maker(world, operands, helpers, block, task)
-    if task.kind in TAKING_OVER:
-        block.take_over(block.of_port("motion"))
-    maker.all()
-    describe(block, task)
-    return block.block()
+class WordTask(LineTask):
+    """The steps of a block that reads and writes registers."""
 
-
-class _Maker:
-    """The steps of a block while they are being added."""
-
-    def __init__(self, world: World, operands: Operands, helpers: Helpers, block: LineDraft, task: Task) -> None:
-        self.world, self.operands, self.helpers, self.block, self.task = world, operands, helpers, block, task
-        self.watches = watches(world.layout.device, operands, task)
+    def __init__(
+        self,
+        world: World,
+        operands: Operands,
+        helpers: Helpers,
+        draft: LineDraft,
+        tasks: Sequence[Task],
+        known: LineTask | None,
+    ) -> None:
+        super().__init__(world, operands, draft, tasks, known)
+        self.helpers = helpers
         self.watches = [watch for watch in self.watches if watch.operand.scope == REGISTERS]
 
-    def all(self) -> None:
-        """Adds the steps."""
-        task, block = self.task, self.block
-        first = before_effect(task)
-        ends = end_steps(task)
-        begins: dict[int, int] = {}
-        if task.kind in MOVING or first:
-            self._looks(self.watches, [(self._target(step), step) for step in task.steps[:first]], once=True)
-        if not block.levelled and task.kind not in LASTING:
-            block.limit()
-        at = first
-        while at < len(task.steps):
-            begins[at] = block.next
-            if ends is not None and task.kind in LASTING and at == ends[1]:
-                self._lasting()
-                begins[at] = block.next
-            at = self._step(at)
-        if ends is not None:
-            after = begins.get(ends[1] + 1, block.next)
-            block.hold = task.kind in LASTING
-            block.ends_by(begins[ends[0]], begins[ends[1]], after - 1)
+    def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
+        """See `LineTask`."""
+        index = first
+        while index < behind:
+            step = task.steps[index]
+            last = index + 1
+            if step.action == "wait":
+                waits = conditions(self.operands, task, index)[: behind - index]
+                last = index + len(waits)
+                yield Unit(index, last, False, waits)
+            elif step.action == "read":
+                yield Unit(index, last, False, (), (step,))
+            else:
+                holder = self.target(step).holder
+                while (
+                    step.action == "write"
+                    and self.target(step).bit is not None
+                    and last < behind
+                    and task.steps[last].action == "write"
+                    and self.target(task.steps[last]).holder is holder
+                ):
+                    last += 1
+                yield Unit(index, last, True)
+            index = last
 
-    def _target(self, step: Step) -> Operand:
-        return target(self.operands, step)
+    def first_units(self) -> Iterable[tuple[Task, Unit]]:
+        """See `LineTask`."""
+        first = before_effect(self.task)
+        yield self.task, Unit(0, first, False, self.task.steps[:first])
 
-    def _step(self, at: int) -> int:
-        """Adds a step of the task, or several that write bits of one word; gives the place of the next one."""
-        step = self.task.steps[at]
-        operand = self._target(step)
-        if step.action == "read":
-            self._reads(operand)
-        elif step.action == "wait" and REFUSAL in operand.roles:
-            self.watches.append(Watch(operand, value_of(step), "exception"))
-        elif step.action == "wait":
-            if is_last_wait(self.task, step):
-                self.block.settle_input(_SETTLE)
-                self.block.settle()
-            self._looks(self.watches, [(operand, step)], once=False)
-        elif operand.bit is not None:
-            return self._bits(at)
+    def watching_unit(self) -> tuple[Task, Unit] | None:
+        """See `LineTask`."""
+        return (self.task, Unit(0, 0, False)) if self.watches else None
+
+    def seen(self, task: Task, unit: Unit) -> Seen:
+        """See `LineTask`."""
+        if unit.commands:
+            return lambda operand: None
+        return lambda operand: self._variable(register_of(self.world, operand))
+
+    def content(self, operand: Operand) -> Value | None:
+        """See `LineTask`."""
+        return register_of(self.world, operand).register.answer
+
+    def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+        """See `LineTask`. Raises NoBlock for what is not a bit."""
+        if not unit.commands:
+            self._observe(needed, decide, remark)
+            return
+        step = task.steps[unit.index]
+        operand = self.target(step)
+        if operand.bit is not None:
+            self._bits(task, unit, decide, remark)
         elif step.action == "write":
-            self._writes(operand, self._value(operand, step))
+            self._writes(operand, self._value(operand, step), decide, remark)
         else:
             raise NoBlock(f"{operand.path} is not a bit")
-        return at + 1
 
     def _value(self, operand: Operand, step: Step) -> Expression:
         register = register_of(self.world, operand)
         if step.argument:
-            return argument(self.block, step.argument, operand, register.register.value)
+            raw = argument(self.draft, step.argument, operand, register.register.value)
+            self.conditions.arguments[step.argument] = raw
+            return raw
         assert step.value is not None
         kind = kind_of(self.world, operand, register.register.value)
         return constant(self.world, operand, register.register.value, step.value, kind)
 
-    def _address(self, register: RegisterLayout, writing: bool) -> list[Statement]:
-        port = self.block.of_port
+    def _address(self, first: int, words: int, writing: bool) -> list[Statement]:
+        port = self.draft.of_port
         return [
             Assignment(port("write"), Truth(writing)),
-            Assignment(port("address"), Whole(register.address, UINT)),
-            Assignment(port("count"), number(register.words)),
+            Assignment(port("address"), Whole(first, UINT)),
+            Assignment(port("count"), number(words)),
         ]
 
     def _variable(self, register: RegisterLayout) -> Variable:
         kind = self.world.type_of(register.register.answer)
-        return self.block.declared_once(self.world.variable(f"{register.name}_read", kind), kind, "local")
+        return self.draft.declared_once(self.world.variable(f"{register.name}_read", kind), kind, "local")
 
-    def _asks(self, register: RegisterLayout, then: Sequence[Statement]) -> int:
-        """Adds a step that reads a register into its variable."""
-        helper = self.helpers.from_words(register)
-        variable = self._variable(register)
-        call = helper.called(
-            **{declared.variable.name: variable for declared in helper.of_role("output")},
-            aWords=self.block.of_port("words"),
-        )
-        take = self.block.attempt(call, tuple(then), "damaged")
-        return self.block.request(self.block.ask(*self._address(register, False)), take)
+    def _runs(self, needed: Iterable[Operand]) -> list[list[RegisterLayout]]:
+        """The registers of some operands, those together that one request reads without a hole."""
+        registers = {id(register): register for register in (register_of(self.world, item) for item in needed)}
+        runs: list[list[RegisterLayout]] = []
+        most = self.world.words.high + 1
+        for register in sorted(registers.values(), key=lambda register: register.address):
+            first = runs[-1][0] if runs else register
+            end = register.address + register.words
+            together = any(run.start <= first.address and end <= run.stop for run in self.helpers.runs)
+            if runs and together and end - first.address <= most:
+                runs[-1].append(register)
+            else:
+                runs.append([register])
+        return runs
 
-    def _writes(self, operand: Operand, value: Expression) -> None:
+    def _observe(self, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+        """Adds steps that read registers into their variables, and decide."""
+        runs = self._runs(needed)
+        behind = self.draft.next + len(runs)
+        for run in runs:
+            then = decide(behind) if run is runs[-1] else [self.draft.go(self.draft.next + 1)]
+            self._asks(run, then, remark)
+
+    def _asks(self, run: Sequence[RegisterLayout], then: Sequence[Statement], remark: str = "") -> None:
+        """Adds a step that reads a run of registers."""
+        first = run[0].address
+        for register in reversed(run):
+            helper = self.helpers.from_words(register)
+            call = helper.called(
+                **{declared.variable.name: self._variable(register) for declared in helper.of_role("output")},
+                iFirst=number(register.address - first),
+                aWords=self.draft.of_port("words"),
+            )
+            then = self.draft.attempt(call, tuple(then), "damaged")
+        words = max(register.address + register.words for register in run) - first
+        self.draft.request(self.draft.ask(*self._address(first, words, False)), then, remark)
+
+    def _writes(self, operand: Operand, value: Expression, decide: Decide, remark: str = "") -> None:
         """Adds a step that writes a register."""
-        register = register_of(self.world, operand)
+        draft, register = self.draft, register_of(self.world, operand)
         helper = self.helpers.to_words(register)
         call = helper.called(
             **{declared.variable.name: value for declared in helper.of_role("input")},
-            aWords=self.block.of_port("words"),
+            aWords=draft.of_port("words"),
         )
-        fill = self.block.attempt(call, tuple(self.block.ask(*self._address(register, True))), "request")
-        self.block.request(fill, [self.block.go(self.block.next + 1)])
+        address = self._address(register.address, register.words, True)
+        fill = draft.attempt(call, tuple(draft.ask(*address)), "request")
+        draft.request(fill, decide(draft.next + 1), remark)
 
-    def _bits(self, at: int) -> int:
+    def _next(self, behind: int) -> list[Statement]:
+        return [self.draft.go(behind)]
+
+    def _bits(self, task: Task, unit: Unit, decide: Decide, remark: str) -> None:
         """Adds steps that change bits of one word and leave the others: consecutive writes together."""
-        steps = self.task.steps
-        operand = self._target(steps[at])
-        last = at + 1
-        if steps[at].action == "write":
-            while (
-                last < len(steps)
-                and steps[last].action == "write"
-                and self._target(steps[last]).holder is operand.holder
-            ):
-                last += 1
+        steps = task.steps
+        operand = self.target(steps[unit.index])
         if not operand.readable:
             raise NoBlock(f"{operand.holder.name} cannot be read, so that none of its bits can be written alone")
         register = register_of(self.world, operand)
         word = self._variable(register)
-        if steps[at].action == "pulse":
-            self._asks(register, [_masked(word, operand, False), self.block.go(self.block.next + 1)])
-            self._writes(operand, word)
-            self.block.settle_input(_SETTLE)
-            self.block.settle()
+        action = steps[unit.index].action
+        if action == "pulse":
+            self._asks([register], [_masked(word, operand, False), self.draft.go(self.draft.next + 1)])
+            self._writes(operand, word, self._next)
+            self.draft.settle(_SETTLE)
         # What a later step sets may still be set by a task that failed: then it would count for the new values.
         changes: list[Statement] = [
-            _masked(word, self._target(later), False)
-            for later in steps[last:]
-            if later.action == "set" and self._target(later).holder is operand.holder and steps[at].action == "write"
+            _masked(word, self.target(later), False)
+            for later in steps[unit.behind :]
+            if later.action == "set" and self.target(later).holder is operand.holder and action == "write"
         ]
-        for step in steps[at:last]:
-            changes += self._changed(self._target(step), step, word)
-        self._asks(register, [*changes, self.block.go(self.block.next + 1)])
-        self._writes(operand, word)
-        return last
+        for step in steps[unit.index : unit.behind]:
+            changes += self._changed(self.target(step), step, word)
+        self._asks([register], [*changes, self.draft.go(self.draft.next + 1)])
+        self._writes(operand, word, decide, remark)
 
     def _changed(self, operand: Operand, step: Step, word: Variable) -> list[Statement]:
         """What changes bits in a word that was read."""
@@ -255,67 +288,8 @@ class _Maker:
             raise NoBlock(f"{operand.path} is several bits")
         if not step.argument:
             return [_masked(word, operand, bool(step.value))]
-        value = argument(self.block, step.argument, operand, None)
+        value = argument(self.draft, step.argument, operand, None)
         return [when(value, [_masked(word, operand, True)], [_masked(word, operand, False)])]
-
-    def _reads(self, operand: Operand) -> None:
-        register = register_of(self.world, operand)
-        value = register.register.answer
-        filled = outputs_of(self.block, operand.fact.name, operand, value, self._variable(register))
-        self._asks(register, [*filled, self.block.go(self.block.next + 1)])
-
-    def _looks(self, watched: Sequence[Watch], wanted: Sequence[tuple[Operand, Step]], once: bool) -> None:
-        """Adds steps that read what is watched and what is waited for: `once`, or until it is there."""
-        needed = [register_of(self.world, watch.operand) for watch in watched]
-        needed += [register_of(self.world, operand) for operand, _ in wanted]
-        registers = list({id(register): register for register in needed}.values())
-        first, last = self.block.next, self.block.next + len(registers) - 1
-        for register in registers:
-            behind = self.block.next == last
-            wrong = [
-                (self._missing(watch), [self.block.fail(watch.reason)])
-                for watch in watched
-                if register_of(self.world, watch.operand) is register
-            ]
-            go: Statement = self.block.go(self.block.next + 1)
-            if behind and wanted:
-                tests = [(self._missing(Watch(o, value_of(step), "")), o) for o, step in wanted]
-                missing = [test for test, _ in tests]
-                otherwise = self.block.fail("unready") if once else self.block.go(first)
-                go = chain([(test, [otherwise]) for test in missing], [go])
-            elif behind and not once:
-                go = self.block.go(first)
-            self._asks(register, [chain(wrong, [go])] if wrong else [go])
-
-    def _missing(self, watch: Watch) -> Expression:
-        register = register_of(self.world, watch.operand)
-        variable = self._variable(register)
-        test = holds(self.world, watch.operand, register.register.answer, watch.value, variable)
-        return opposite(test)
-
-    def _lasting(self) -> None:
-        """Adds the steps in which a motion goes on, until Execute is FALSE."""
-        if self.watches:
-            self._looks(self.watches, [], once=False)
-        else:
-            self.block.add([])
-
-
-def value_of(step: Step) -> ScalarValue:
-    """What a step waits for. Raises NoBlock where that is an argument."""
-    if step.value is None:
-        raise NoBlock(f"what `{step.target}` is waited for is an argument")
-    return step.value
-
-
-_OPPOSITES = {"=": "<>", "<>": "="}
-
-
-def opposite(test: Expression) -> Expression:
-    """NOT of a comparison or of a truth."""
-    if isinstance(test, Operation) and test.operator in _OPPOSITES:
-        return Operation(_OPPOSITES[test.operator], test.operands, test.type)
-    return Negation(test)
 
 
 def _masked(word: Variable, operand: Operand, on: bool) -> Statement:

@@ -1,0 +1,373 @@
+"""How blocks move an axis: who is responsible for it, how a motion ends, what a stop locks.
+
+A block takes the axis over when the device has accepted its command, and the block before it ends then. A block that
+fails while its command may be on its way ends the motion before it says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Kind
+from fieldspec.plc.routines.blocks.ports import increment
+from fieldspec.plc.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
+from fieldspec.plc.routines.expressions import (
+    BOOL,
+    INT,
+    UDINT,
+    UINT,
+    Expression,
+    Member,
+    Negation,
+    Operation,
+    Variable,
+    Whole,
+    compared,
+    either,
+    every,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.routine import Assignment, Statement, when
+
+TRIES = 3
+"""How often the end of a motion is asked for, where it fails."""
+_NONE = Whole(0, UINT)
+
+
+class AxisPort:
+    """The members of a port that say who moves the axis."""
+
+    def __init__(self, motion: Member, claims: Member, stops: Member) -> None:
+        self.motion, self.claims, self.stops = motion, claims, stops
+
+    @property
+    def locked(self) -> Expression:
+        """Whether a stop has the axis."""
+        return compared(self.stops, ">", Whole(0, UDINT))
+
+
+def between(draft: BlockDraft, first: int, last: int) -> Expression:
+    """Whether the block is in one of some steps."""
+    if first == last:
+        return compared(draft.step, "=", number(first))
+    return every([compared(draft.step, ">=", number(first)), compared(draft.step, "<=", number(last))])
+
+
+class Moving(Edged):
+    """A block that moves the axis, or halts it.
+
+    `commands` are the steps whose requests begin the motion, `look` is the one behind its acceptance. `ending` is the
+    first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does.
+    `at_once` is done where it begins, `restart` where its end begins, `tries` is how often that is tried. `wanted` is
+    None, or what must hold for the motion to go on. One that `halts` is sent before all starts, and has failed only
+    where none of its tries succeeds.
+    """
+
+    def __init__(self, draft: BlockDraft, axis: AxisPort, halts: bool = False) -> None:
+        self.halts = halts
+        self.wanted: Expression | None = None
+        super().__init__(draft, aborted=True)
+        self.axis = axis
+        draft.refusal = draft.declare("uiRefusal", UINT, "local", "why the inputs of the last edge are refused")
+        self.pending = draft.flag("xPending", "an edge that has not begun yet") if self.remembers else None
+        self.earlier = draft.flag("xEarlier", "a command of before may be moving the axis")
+        self.sent = draft.flag("xSent", "the command may be on its way")
+        self.taken = draft.flag("xTaken", "the device has accepted the command: the block has the axis")
+        self.accepts = draft.flag("xAccepted", "the device has accepted the command in this scan")
+        self.ending_flag = draft.flag("xEnding", "the motion is being ended")
+        self.owner = draft.declare("udiOwner", UDINT, "local", "the count of motions when the block had the axis last")
+        self.claim = draft.declare("udiClaim", UDINT, "local", "the count of starts with the one of this block")
+        self.first_reason = draft.declare("uiFirstReason", UINT, "local", "why the motion is being ended")
+        self.tries_left = draft.declare("iTry", INT, "local")
+        self.look = self.ending = self.stop = 0
+        self.commands: list[int] = []
+        self.restart: Sequence[Statement] = ()
+        self.at_once: Sequence[Statement] = ()
+        self.tries = TRIES
+        self.lowered: Sequence[Statement] = ()
+        self.lowered_unless_done: Sequence[Statement] = ()
+        self.fresh: list[Statement] = []
+
+    late: Expression | None = None
+    remembers = True
+    """Whether an edge that comes while the motion is being ended begins afterwards."""
+
+    def limit(self) -> None:
+        """Ends the motion when its time is over."""
+        running = every([self.draft.busy, Negation(self.ending_flag)])
+        self.late = self.draft.timer("fbLimit", running, "tLimit", "T#60s", "the longest time until Done")
+
+    def on_ask(self) -> list[Statement]:
+        """What notes that the command is on its way, where the block asks."""
+        steps = [compared(self.draft.step, "=", number(step)) for step in self.commands]
+        return [when(either(steps), [assigned(self.sent, True)])] if steps else []
+
+    def take_over(self) -> list[Statement]:
+        """What makes the block responsible: its command is accepted."""
+        return [assigned(self.accepts, True)]
+
+    def accepted(self) -> list[Statement]:
+        """See `Kind`."""
+        motion = self.axis.motion
+        taken = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
+        return [when(self.accepts, [*taken, assigned(self.accepts, False)])]
+
+    def edges(self) -> list[Statement]:
+        """See `Kind`."""
+        assert self.pending is not None
+        return [
+            *self.find_edge(),
+            chain([(self.edge, [*self.converted(), assigned(self.pending, True)]), self.idle()]),
+            # A halt that is asked for anew is sent anew; what moves begins when the motion before has ended.
+            when(self.pending if self.halts else every([self.pending, Negation(self.ending_flag)]), self.begun()),
+        ]
+
+    def converted(self) -> list[Statement]:
+        """What converts the inputs."""
+        draft = self.draft
+        return [Assignment(draft.refusal, _NONE), *draft.at_start] if draft.at_start else []
+
+    def begun(self) -> list[Statement]:
+        """See `Edged`."""
+        draft, axis = self.draft, self.axis
+        reason = draft.refusal if draft.at_start else _NONE
+        claims = [increment(axis.claims), Assignment(self.claim, axis.claims)]
+        unlocked = [] if reason == _NONE else [draft.unharmed()]
+        return [
+            *([assigned(self.pending, False)] if self.pending is not None else []),
+            *super().begun(),
+            Assignment(self.earlier, either([self.earlier, self.sent, self.taken])),
+            when(Negation(self.taken), [Assignment(self.owner, axis.motion)]),
+            *(assigned(flag, False) for flag in (self.sent, self.taken)),
+            *([assigned(self.ending_flag, False)] if self.halts else []),
+            *self.fresh,
+            Assignment(self.first_reason, _NONE),
+            Assignment(draft.reason, reason),
+            when(every([*unlocked, Negation(axis.locked)]), [*claims, *self.at_once]),
+        ]
+
+    def guards(self) -> list[Branch]:
+        """See `Kind`."""
+        draft, axis = self.draft, self.axis
+        assert draft.aborted is not None
+        displaced = compared(self.owner, "<>", axis.motion)
+        ended = [
+            Assignment(draft.reason, _NONE if self.halts else self.first_reason),
+            Assignment(draft.aborted, draft.unharmed()),
+            *(assigned(flag, False) for flag in self._flags()),
+            *([assigned(self.pending, False)] if self.pending is not None else []),
+        ]
+        waits = [Negation(self.taken), Negation(self.ending_flag)]
+        locked = [assigned(self.earlier, False), when(draft.unharmed(), [draft.fail("locked")])]
+        superseded = compared(self.claim, "<>", axis.claims)
+        goes_on = [*self.drop, *self.take_over(), draft.go(self.look)]
+        # What is asked for over a line is answered before another start goes out, so that its own answer decides.
+        unsent = [Negation(self.sent)] if self.stop else []
+        moving = self.earlier if self.stop else either([self.sent, self.earlier])
+        left = when(moving, goes_on, [assigned(draft.aborted, True)])
+        branches: list[Branch] = [
+            (every([either([self.taken, self.ending_flag]), displaced]), ended),
+            (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
+        ]
+        if self.wanted is not None:
+            branches.append((every([Negation(self.wanted), Negation(self.ending_flag)]), self._withdrawn()))
+        if not self.halts:
+            branches.append((every([superseded, draft.unharmed(), *waits, *unsent]), [left]))
+        if self.late is not None:
+            branches.append((every([self.late, Negation(self.ending_flag)]), [draft.fail("late")]))
+        return branches
+
+    def _withdrawn(self) -> list[Statement]:
+        """What is done when the input that a motion lasts with is taken away."""
+        draft = self.draft
+        moving = either([self.sent, self.taken, self.earlier])
+        return [when(moving, self._end_begun(), [draft.forgotten(), draft.end()])]
+
+    def _flags(self) -> tuple[Variable, ...]:
+        return self.sent, self.taken, self.earlier, self.ending_flag
+
+    def _end_begun(self) -> list[Statement]:
+        """What begins to end the motion, for the reason that there is."""
+        draft = self.draft
+        return [
+            *self.drop,
+            when(Negation(self.taken), [Assignment(self.owner, self.axis.motion)]),
+            Assignment(self.first_reason, draft.reason),
+            draft.forgotten(),
+            assigned(self.ending_flag, True),
+            *([Assignment(self.tries_left, number(self.tries))] if self.tries > 1 else []),
+            *self.restart,
+            draft.go(self.ending),
+        ]
+
+    def urgent(self) -> Expression | None:
+        """See `Kind`."""
+        if not self.stop:
+            return None
+        ends = between(self.draft, self.ending, self.stop)
+        if not self.commands or self.look <= max(self.commands) + 1:
+            return ends
+        return either([ends, every([self.sent, Negation(self.taken), Negation(self.ending_flag)])])
+
+    def tail(self) -> list[Statement]:
+        """See `Kind`."""
+        draft = self.draft
+        branches: list[Branch] = []
+        if self.ending:
+            remark = "the longest time until it stands, where its motion is being ended"
+            late = draft.timer("fbEnding", self.ending_flag, "tEnding", "T#5s", remark)
+            branches.append((self.ending_flag, self._ending(late)))
+            at_command = either([compared(draft.step, "=", number(step)) for step in self.commands])
+            refused = every([compared(draft.reason, "=", Whole(ERRORS["exception"][0], UINT)), at_command])
+            maybe = every([self.sent, Negation(refused)]) if self.commands else self.sent
+            may_move = either([self.taken, self.earlier, maybe])
+            branches.append((every([draft.failed(), may_move]), self._end_begun()))
+        branches += [(draft.failed(), draft.erroneous()), self.done()]
+        flags = [assigned(flag, False) for flag in self._flags() if self.ending or flag is not self.ending_flag]
+        lowered = [*self.lowered]
+        if self.lowered_unless_done:
+            lowered.append(when(Negation(draft.done), self.lowered_unless_done))
+        return [chain(branches), self.over(*flags, *lowered)]
+
+    def _ending(self, late: Expression) -> list[Statement]:
+        """What is done while the motion is being ended: tries, and what comes after."""
+        draft = self.draft
+        once_more: list[Branch] = []
+        if self.tries > 1:
+            again = every([draft.failed(), compared(self.tries_left, ">", number(1))])
+            minus = Assignment(self.tries_left, plus(self.tries_left, -1))
+            once_more.append((again, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
+        behind = compared(draft.step, "=", number(0))
+        flags = [assigned(flag, False) for flag in (self.ending_flag, self.sent, self.taken)]
+        outcome = when(draft.failed(), draft.erroneous(), self.ended_well())
+        tells = [compared(self.first_reason, "<>", _NONE), *([draft.failed()] if self.halts else [])]
+        ended: list[Statement] = [
+            *flags,
+            *([] if self.pending is None else [Assignment(self.earlier, draft.failed())]),
+            when(every(tells), [Assignment(draft.reason, self.first_reason)]),
+            outcome if self.pending is None else when(Negation(self.pending), [outcome]),
+        ]
+        return [
+            when(every([late, draft.unharmed(), compared(draft.step, ">", number(self.stop))]), [draft.fail("late")]),
+            chain([*once_more, (either([draft.failed(), behind]), ended)]),
+        ]
+
+
+def unready(kind: Kind, draft: BlockDraft) -> list[Statement]:
+    """What is done where the axis has to stand: a motion of the block itself is ended, and it begins again."""
+    again = [Assignment(kind.pending, kind.earlier)] if isinstance(kind, Moving) and kind.pending is not None else []
+    return [*again, draft.fail("unready")]
+
+
+class Jogging(Moving):
+    """A block that moves the axis in a direction while the input of that direction alone is TRUE."""
+
+    comment = (
+        "It moves while one of its inputs is TRUE; with both TRUE, or none, it stops, and is Busy until the device "
+        "stands. Nothing starts in the first scan, and after an error or CommandAborted not before both inputs were "
+        "FALSE. These outputs stay while an input is TRUE, and at least one scan. Call the block in each scan."
+    )
+
+    def __init__(self, draft: BlockDraft, axis: AxisPort, forward: bool, backward: bool) -> None:
+        self._directions = {"JogForward": ("positive", forward), "JogBackward": ("negative", backward)}
+        super().__init__(draft, axis)
+
+    remembers = False
+
+    def declare_start(self) -> None:
+        """See `Edged`."""
+        self.levels = [
+            self.draft.declare(name, BOOL, "input", f"moves in the {direction} direction while it is TRUE")
+            for name, (direction, exists) in self._directions.items()
+            if exists
+        ]
+
+    def declare_edge(self) -> None:
+        """See `Edged`."""
+        draft = self.draft
+        self.edge = draft.declare("xEdge", BOOL, "local", "a motion begins in this scan")
+        self.ready = draft.flag("xReady", "no input was TRUE since the first scan, or the last error")
+        self.execute = either(self.levels)
+        self.backward = draft.flag("xBackward", "the direction of the motion")
+        if len(self.levels) == 1:
+            self.wanted = self.levels[0]
+        else:
+            turned = compared(self.backward, "=", self.levels[1])
+            self.wanted = every([_single(self.levels), turned])
+
+    def edges(self) -> list[Statement]:
+        """See `Kind`."""
+        draft = self.draft
+        # At its end it begins in the other direction where that alone is asked for.
+        free = either([Negation(draft.busy), compared(draft.step, "=", number(0))])
+        begins = every([self.ready, free, _single(self.levels)])
+        direction = [Assignment(self.backward, self.levels[1])] if len(self.levels) > 1 else []
+        return [
+            when(Negation(self.execute), [assigned(self.ready, True)]),
+            Assignment(self.edge, begins),
+            chain([(self.edge, [*direction, *self.converted(), *self.begun()]), self.idle()]),
+        ]
+
+    def ended_well(self) -> list[Statement]:
+        """See `Edged`."""
+        return [when(Negation(_single(self.levels)), super().ended_well())]
+
+    def over(self, *others: Statement) -> Statement:
+        """See `Edged`."""
+        return super().over(*others, when(Negation(self.draft.done), [assigned(self.ready, False)]))
+
+
+def _single(levels: Sequence[Expression]) -> Expression:
+    """Whether exactly one of the inputs is TRUE."""
+    return levels[0] if len(levels) == 1 else compared(levels[0], "<>", levels[1])
+
+
+class Stopping(Edged):
+    """A block that stops the axis, and locks it while Execute is TRUE. It asks until it is answered."""
+
+    comment = (
+        "While it is Busy or Execute is TRUE, the axis is locked: no motion starts. It asks for the stop until it is "
+        "answered, and is Busy until the device stands."
+    )
+
+    def __init__(self, draft: BlockDraft, axis: AxisPort) -> None:
+        super().__init__(draft, aborted=False)
+        self.axis = axis
+        remark = "why its last request has failed, an ErrorID; it asks again"
+        self.last_error = draft.declare("uiLastError", UINT, "output", remark)
+        self.lock = draft.flag("xLocking", "the axis is locked by this block")
+        self.stop = 0
+        self.insists: Sequence[Statement] = ()
+
+    def take_over(self) -> list[Statement]:
+        """What makes the block responsible: the device has accepted the stop."""
+        return [increment(self.axis.motion)]
+
+    def edges(self) -> list[Statement]:
+        """See `Kind`."""
+        draft, stops = self.draft, self.axis.stops
+        more = Operation("+", (stops, Whole(1, UDINT)), UDINT)
+        lock = [Assignment(stops, more), assigned(self.lock, True)]
+        begin = [*self.begun(), Assignment(self.last_error, _NONE), draft.forgotten(), *draft.at_start]
+        allowed = [Negation(self.lock), *([draft.unharmed()] if draft.at_start else [])]
+        begin.append(when(every(allowed), lock))
+        return [*self.find_edge(), chain([(self.edge, begin), self.idle()])]
+
+    def urgent(self) -> Expression | None:
+        """See `Kind`."""
+        return between(self.draft, 1, self.stop) if self.stop else None
+
+    def tail(self) -> list[Statement]:
+        """See `Kind`."""
+        draft = self.draft
+        again = [Assignment(self.last_error, draft.reason), draft.forgotten(), *self.drop, draft.go(1)]
+        refused = [(every([draft.failed(), self.edge]), draft.erroneous())] if draft.at_start else []
+        return [*self.insists, chain([*refused, (draft.failed(), again), self.done()]), self.over()]
+
+    def unlock(self) -> Statement:
+        """What unlocks the axis, in each scan."""
+        stops = self.axis.stops
+        releases = every([self.lock, Negation(self.draft.busy), Negation(self.execute)])
+        less = Assignment(stops, Operation("-", (stops, Whole(1, UDINT)), UDINT))
+        return when(releases, [when(self.axis.locked, [less]), assigned(self.lock, False)])

@@ -1,0 +1,220 @@
+"""What blocks wait for: conditions that hold together, and whether a motion has begun and where it has ended."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction as Ratio
+
+from fieldspec.model.fact import ScalarValue
+from fieldspec.model.operand import Operand, Operands
+from fieldspec.model.task import Step, Task
+from fieldspec.model.watches import Watch, halting_task, last_command, shows_acceptance
+from fieldspec.plc.routines.blocks.kinds import Branch
+from fieldspec.plc.routines.blocks.motion import Moving
+from fieldspec.plc.routines.blocks.operands import NoBlock, holds, unit_of
+from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.tasks import target
+from fieldspec.plc.routines.expressions import (
+    LREAL,
+    Conversion,
+    Elementary,
+    Expression,
+    Fraction,
+    Negation,
+    Operation,
+    Variable,
+    compared,
+    either,
+    every,
+)
+from fieldspec.plc.routines.routine import Assignment, Statement, when
+from fieldspec.plc.routines.scaling import times
+from fieldspec.plc.routines.world import World
+
+Seen = Callable[[Operand], "Expression | None"]
+"""What shows a fact where a block looks: its raw number, the word of a bit, or None where it is not to be seen."""
+_START = "how long the device may stand before it moves, or off its target; the manual does not print it"
+
+
+class Conditions:
+    """What a block waits for. `arguments` has the raw numbers of arguments, `message` the telegram."""
+
+    def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: str = "") -> None:
+        self.world, self.operands, self.draft, self.message = world, operands, draft, message
+        self.arguments: dict[str, Variable] = {}
+        self.windows: dict[str, Variable] = {}
+        halting = halting_task(world.layout.device, message)
+        self.standstill = () if halting is None else standstill(operands, halting, message)
+
+    def operand(self, step: Step) -> Operand:
+        """What a step acts on."""
+        return target(self.operands, step, self.message)
+
+    def compared(self, steps: Sequence[Step]) -> list[Step]:
+        """The steps for which the block looks before the command where the device is."""
+        return [step for step in steps if step.relative or step.within is not None]
+
+    def start_of(self, step: Step, seen: Seen) -> list[Statement]:
+        """What notes where the device is before the command: the value there, and whether that is away from the target.
+
+        What is near the target may not have begun yet, or need no motion at all.
+        """
+        raw = self._raw(step, seen)
+        noted: list[Statement] = [Assignment(self._at_start(step, raw), raw)] if step.relative else []
+        if step.within is not None and step.argument in self.arguments:
+            computed, there = self.test(step, seen)
+            noted += [*computed, Assignment(self._away(), opposite(there))]
+        return noted
+
+    def _away(self) -> Variable:
+        return self.draft.flag("xAway", "the device was away from its target before the command")
+
+    def _at_start(self, step: Step, raw: Expression) -> Variable:
+        fact = self.operand(step).fact.name
+        name = f"{self.world.variable(fact, raw.type)}AtStart"
+        return self.draft.declared_once(name, raw.type, "local", "what it was before the command")
+
+    def _raw(self, step: Step, seen: Seen) -> Expression:
+        operand = self.operand(step)
+        raw = seen(operand)
+        if raw is None:
+            raise NoBlock(f"{operand.path} is not where the block looks")
+        return raw
+
+    def test(self, step: Step, seen: Seen) -> tuple[list[Statement], Expression]:
+        """What is computed before, and whether what a step waits for is there.
+
+        Raises NoBlock for an argument that nothing sends, and for what is not to be seen.
+        """
+        raw, operand = self._raw(step, seen), self.operand(step)
+        if not step.argument:
+            return [], self.has(operand, step.wanted, raw)
+        if step.argument not in self.arguments:
+            raise NoBlock(f"no step before sends what `{step.target}` is waited for")
+        wanted = self.arguments[step.argument]
+        if step.within is None and not step.relative and wanted.type == raw.type:
+            return [], compared(raw, "=", wanted)
+        away = _difference(raw, wanted)
+        if step.relative:
+            away = Operation("-", (_difference(raw, self._at_start(step, raw)), _real(wanted)), LREAL)
+        if operand.value is not None and operand.value.scaled:
+            away = times(away, Ratio(operand.value.scale))
+        distance = self.draft.declared_once("lrAway", LREAL, "local", "how far it is from where it was sent")
+        computed: list[Statement] = [Assignment(distance, away)]
+        if step.within is None:
+            return computed, compared(distance, "=", Fraction("0.0"))
+        window = self._window(step, operand)
+        minus = Operation("-", (Fraction("0.0"), window), LREAL)
+        return computed, every([compared(distance, "<=", window), compared(distance, ">=", minus)])
+
+    def _window(self, step: Step, operand: Operand) -> Variable:
+        """The input with the distance from its target at which a device is there."""
+        if step.argument not in self.windows:
+            remark = f"how far from its target the device may be at the end, in {unit_of(operand)}"
+            digits = f"{step.within:f}"
+            initial = digits if "." in digits else f"{digits}.0"
+            self.windows[step.argument] = self.draft.declare("lrWindow", LREAL, "input", remark, initial)
+        return self.windows[step.argument]
+
+    def has(self, operand: Operand, wanted: Sequence[ScalarValue], raw: Expression) -> Expression:
+        """Whether a fact has one of some values."""
+        return either([holds(self.world, operand, operand.value, value, raw) for value in wanted])
+
+    def all_of(self, steps: Sequence[Step], seen: Seen) -> tuple[list[Statement], Expression]:
+        """What is computed before, and whether all that some steps wait for is there."""
+        computed: list[Statement] = []
+        tests: list[Expression] = []
+        for step in steps:
+            more, test = self.test(step, seen)
+            computed += more
+            tests.append(test)
+        return computed, every(tests)
+
+    def stands(self, seen: Seen) -> Expression | None:
+        """Whether the device stands, by what the task that stops it waits for; None where that is not to be seen."""
+        tests: list[Expression] = []
+        for step in self.standstill:
+            raw = seen(self.operand(step))
+            if raw is None:
+                return None
+            tests.append(self.has(self.operand(step), step.wanted, raw))
+        return every(tests) if tests else None
+
+    def watched(self, watches: Sequence[Watch], seen: Seen) -> list[Branch]:
+        """What ends the block where something that it is watched by is no longer so."""
+        branches: list[Branch] = []
+        for watch in watches:
+            raw = seen(watch.operand)
+            if raw is not None:
+                test = opposite(self.has(watch.operand, (watch.value,), raw))
+                branches.append((test, [self.draft.fail(watch.reason)]))
+        return branches
+
+    def judged(
+        self,
+        kind: Moving,
+        steps: Sequence[Step],
+        seen: Seen,
+        must_begin: bool,
+        then: Sequence[Statement],
+        again: Sequence[Statement],
+    ) -> list[Statement]:
+        """Judges a motion: whether it is where it is to be, has not begun, or has ended before.
+
+        Where it `must_begin`, what is waited for may be that of a motion before: it must be seen not to be there first.
+        """
+        draft = self.draft
+        computed, reached = self.all_of(steps, seen)
+        stands = self.stands(seen)
+        there = draft.flag("xReached", "all that is waited for is there, in one look")
+        standing = draft.flag("xStanding", "the device stands")
+        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        body = [*computed, Assignment(there, reached), Assignment(standing, there if stands is None else stands)]
+        fresh, wrong = [standing], [draft.fail("idle")]
+        evidence: list[Expression] = []
+        if stands is not None:
+            moved = draft.flag("xMoved", "the device was seen to move")
+            fresh.append(moved)
+            body.append(when(Negation(standing), [assigned(moved, True)]))
+            wrong = [when(moved, [draft.fail("short")], wrong)]
+            evidence.append(moved)
+        enough: Expression = there
+        if must_begin:
+            changed = draft.flag("xChanged", "what is waited for was seen not to be there: the motion has begun")
+            fresh.append(changed)
+            body.append(when(Negation(there), [assigned(changed, True)]))
+            enough = every([there, changed])
+        elif any(step.within is not None for step in steps):
+            enough = every([there, either([self._away(), *evidence, idle])])
+        for flag in fresh:
+            if all(not isinstance(other, Assignment) or other.target != flag for other in kind.fresh):
+                kind.fresh.append(assigned(flag, False))
+        return [*body, chain([(enough, then), (idle, wrong)], again)]
+
+
+def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
+    """What a task waits for behind its last command."""
+    behind = task.steps[last_command(task) + 1 :]
+    return tuple(step for step in behind if step.action == "wait" and not shows_acceptance(operands, step, message))
+
+
+_OPPOSITES = {"=": "<>", "<>": "="}
+
+
+def opposite(test: Expression) -> Expression:
+    """NOT of a comparison or of a truth."""
+    if isinstance(test, Operation) and test.operator in _OPPOSITES:
+        return Operation(_OPPOSITES[test.operator], test.operands, test.type)
+    return Negation(test)
+
+
+def _real(of: Expression) -> Expression:
+    kind = of.type
+    assert isinstance(kind, Elementary)
+    if kind.family not in ("signed", "unsigned"):
+        raise NoBlock("what it compares is no whole number")
+    return Conversion(of, LREAL)
+
+
+def _difference(first: Expression, second: Expression) -> Expression:
+    return Operation("-", (_real(first), _real(second)), LREAL)

@@ -1,0 +1,91 @@
+"""Where the facts of a telegram are in its port, and the bits of its request."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.classes import dataclass
+from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.operand import Operand, Operands
+from fieldspec.model.watches import STARTING
+from fieldspec.plc.routines.blocks.motion import AxisPort
+from fieldspec.plc.routines.blocks.operands import NoBlock
+from fieldspec.plc.routines.blocks.ports import axis_key, member
+from fieldspec.plc.routines.blocks.standard import BlockDraft
+from fieldspec.plc.routines.blocks.words import masked
+from fieldspec.plc.routines.expressions import Expression, Member
+from fieldspec.plc.routines.routine import Statement
+from fieldspec.plc.routines.world import World
+
+_REQUEST, _RESPONSE = "request", "response"
+
+
+@dataclass(frozen=True, slots=True)
+class RequestBit:
+    """A bit of the request: its word, its mask, and the roles of what it stands for."""
+
+    word: Expression
+    mask: int
+    roles: frozenset[str]
+
+    def put(self, on: bool) -> Statement:
+        """The statement that sets or clears it."""
+        return masked(self.word, self.mask, on)
+
+
+class TelegramPlaces:
+    """The facts of a telegram, as members of its port."""
+
+    def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: MessageLayout) -> None:
+        self.world, self.operands, self.message = world, operands, message
+        self.axis = draft.struct("axis", axis_key(message), "the same for all blocks of the telegram")
+        self.valid = self._member("valid")
+
+    def axis_port(self) -> AxisPort:
+        """The members of the port that say who moves the axis."""
+        return AxisPort(*(self._member(name) for name in ("motion", "claims", "stops")))
+
+    def _member(self, name: str) -> Member:
+        return member(self.world, axis_key(self.message), name, self.axis)
+
+    def starting(self) -> list[Operand]:
+        """The bits of the request that let something begin or go on."""
+        path = f"messages/{self.message.name}/{_REQUEST}/"
+        return [
+            operand
+            for operand in self.operands.all
+            if operand.path.startswith(path) and STARTING & {*operand.roles} and operand.bit is not None
+        ]
+
+    def seen(self, operand: Operand) -> Expression | None:
+        """What shows a fact: a field of the request or of the response."""
+        try:
+            return self.place(operand)[0]
+        except NoBlock:
+            return None
+
+    def place(self, operand: Operand) -> tuple[Expression, FieldLayout]:
+        """The member of the port for the field of an operand. Raises NoBlock where there is none."""
+        for name, record in ((_REQUEST, self.message.request), (_RESPONSE, self.message.response)):
+            for field in record.fields:
+                if field.field is operand.holder and field.value is not None:
+                    struct = self._member(name)
+                    kind = self.world.type_of(field.value)
+                    return Member(struct, self.world.member(record.name, field.name), kind), field
+        raise NoBlock(f"{operand.path} is not in {self.message.name}")
+
+    def bit(self, operand: Operand) -> RequestBit:
+        """A bit of the request. Raises NoBlock for what is none."""
+        if operand.bit is None:
+            raise NoBlock(f"{operand.path} is not a bit")
+        word, _ = self.place(operand)
+        return RequestBit(word, operand.bit.mask, frozenset(operand.roles))
+
+
+def cleared(bits: Sequence[RequestBit]) -> list[Statement]:
+    """What clears bits, those of one word together."""
+    words: dict[Expression, int] = {}
+    for bit in bits:
+        words[bit.word] = words.get(bit.word, 0) | bit.mask
+    return [masked(word, mask, False) for word, mask in words.items()]
