@@ -70,9 +70,15 @@ def _overview(context: Context, task: Task) -> TableRow:
 
 def _task(context: Context, task: Task, operands: Operands) -> Section:
     blocks: list[Block] = [Paragraph(line) for line in context.about(task)]
+    facts: list[tuple[str, tuple[Line, ...]]] = []
     if task.messages:
-        with_messages = joined((code(name, f"#messages/{name}"),) for name in task.messages)
-        blocks.append(Facts((("With", (with_messages,)),)))
+        facts.append(("With", (joined((code(name, f"#messages/{name}"),) for name in task.messages),)))
+    if task.direction:
+        facts.append(("Direction", ((text_piece(task.direction),),)))
+    if task.halt:
+        facts.append(("Halt", ((text_piece("leaves the axis free for the next command"),),)))
+    if facts:
+        blocks.append(Facts(tuple(facts)))
     rows = [_step(number, step, task, operands) for number, step in enumerate(task.steps, 1)]
     blocks.append(table(f"Steps of {task.name}", STEPS, rows))
     blocks += [Paragraph(line, "note") for line in reasons(task.inferred)]
