@@ -1,6 +1,6 @@
 """The generated Python clients, against models that are written from the manuals and know nothing of the specs.
 
-Each test is a scene, in a time that nobody waits for. `EXPECTED` has those that fail until the clients are mended.
+Each test is a scene, in a time that nobody waits for.
 """
 
 from __future__ import annotations
@@ -38,88 +38,6 @@ CALM = {
 FRAMED = ("tc100", "ck10", "esc11")
 TELEGRAMS = ("9", "111")
 SPEEDS = ("3", "102")
-EXPECTED: dict[str, tuple[str, tuple[str, ...]]] = {
-    "a_gripper_is_not_done_at_a_place_that_it_cannot_reach": (
-        "1.4",
-        (
-            "command error",
-            "number alone",
-        ),
-    ),
-    "a_gripper_without_a_home_is_not_done": (
-        "1.4",
-        (
-            "command error",
-            "number alone",
-        ),
-    ),
-    "a_jog_whose_stop_is_lost_asks_again": (
-        "1.2",
-        (
-            "ck10",
-            "esc11",
-            "tc100",
-        ),
-    ),
-    "a_stop_returns_when_the_axis_stands": (
-        "1.8",
-        (
-            "111",
-            "9",
-        ),
-    ),
-    "the_servo_is_on_at_the_first_try_after_a_quick_stop": (
-        "1.5",
-        (
-            "102",
-            "111",
-            "3",
-            "9",
-        ),
-    ),
-    "what_begins_late_is_not_done_early": (
-        "1.4",
-        (
-            "home-0.38-tc100",
-            "home-1.0-tc100",
-            "move_absolute-0.38-ck10",
-            "move_absolute-0.38-tc100",
-            "move_absolute-1.0-ck10",
-            "move_absolute-1.0-esc11",
-            "move_absolute-1.0-tc100",
-            "move_relative-0.38-111",
-            "move_relative-0.38-9",
-            "move_relative-0.38-ck10",
-            "move_relative-0.38-tc100",
-            "move_relative-1.0-111",
-            "move_relative-1.0-9",
-            "move_relative-1.0-ck10",
-            "move_relative-1.0-esc11",
-            "move_relative-1.0-tc100",
-        ),
-    ),
-    "what_is_stopped_from_outside_is_not_done": (
-        "1.4",
-        (
-            "move_absolute-ck10",
-            "move_absolute-esc11",
-            "move_absolute-tc100",
-            "move_relative-ck10",
-            "move_relative-esc11",
-            "move_relative-tc100",
-        ),
-    ),
-}
-"""The scenes that fail, by test: the item that mends them, and which of them."""
-
-
-@pytest.fixture(autouse=True)
-def expected(request: pytest.FixtureRequest) -> None:
-    """Marks the tests that fail until the clients are mended."""
-    test, _, parameters = request.node.name.removeprefix("test_").rstrip("]").partition("[")
-    item, failing = EXPECTED.get(test, ("", ()))
-    if parameters in failing:
-        request.applymarker(pytest.mark.xfail(reason=f"to be mended: {item}", strict=True))
 
 
 def connected(name: str, home: bool = True, **readings: str) -> tuple[Any, Carrier]:

@@ -16,6 +16,7 @@ from .errors import (
     InvalidAnswerError,
     InvalidValueError,
     MotionError,
+    NoAnswerError,
     NotReadyError,
     RefusedError,
     ServoOffError,
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
 
 POLL: Final = 0.02
 """The seconds between two looks at what a task waits for."""
+TRIES: Final = 3
+"""How often a client tries to stop a device."""
 
 
 class Condition:
@@ -90,6 +93,19 @@ def raw(value: Any) -> Any:
     return getattr(value, "raw", value)
 
 
+def repeated(steps: Callable[[], Sequence[Work[Any]]]) -> Work[None]:
+    """Carries out what stops a device, again where its answer is lost, damaged or a refusal."""
+    for attempt in range(1, TRIES + 1):
+        try:
+            for step in steps():
+                yield from step
+        except (NoAnswerError, InvalidAnswerError, RefusedError):
+            if attempt == TRIES:
+                raise
+        else:
+            return
+
+
 class Task:
     """A task that is carried out once. `limit` is the time in seconds that it may take, None for any time.
 
@@ -105,13 +121,13 @@ class Task:
         self,
         steps: Sequence[Work[Any]],
         ending: Sequence[Work[Any]] = (),
-        halting: Sequence[Work[Any]] = (),
+        halting: Callable[[], Sequence[Work[Any]]] | None = None,
         first: int = 0,
     ) -> Work[Any]:
         """Carries out the steps; the result is that of the step that reads, or of several as a tuple.
 
         Where a step fails from the place `first` on, the steps of the `ending` are carried out, as far as they can be,
-        and before them those of `halting`, unless the device has refused.
+        and before them those that `halting` makes, which stop the device, unless it has refused.
         """
         if self.limit is not None:
             self.deadline = self.session.now() + self.limit
@@ -122,10 +138,13 @@ class Task:
             except GeneratorExit:
                 raise
             except BaseException as error:
-                stops = () if isinstance(error, RefusedError) else halting
-                for last in (*stops, *ending) if index >= first else ():
-                    with suppress(DeviceError):
-                        yield from last
+                if index >= first:
+                    if halting is not None and not isinstance(error, RefusedError):
+                        with suppress(DeviceError):
+                            yield from repeated(halting)
+                    for last in ending:
+                        with suppress(DeviceError):
+                            yield from last
                 raise
             if result is not None:
                 results.append(result)
@@ -342,11 +361,17 @@ def _attribute(reply: Any, path: str) -> Any:
 class Jog:
     """A jog: what begins it, what looks whether it may go on, and what ends it.
 
-    `look` and `end` make a new generator at each call.
+    `look` and `steps` make new generators at each call.
     """
 
-    def __init__(self, begin: Work[None], look: Callable[[], Work[None]], end: Callable[[], Work[None]]) -> None:
-        self.begin, self.look, self.end = begin, look, end
+    def __init__(
+        self, begin: Work[None], look: Callable[[], Work[None]], steps: Callable[[], Sequence[Work[Any]]]
+    ) -> None:
+        self.begin, self.look, self.steps = begin, look, steps
+
+    def end(self) -> Work[None]:
+        """Stops the device. Raises DeviceError."""
+        yield from repeated(self.steps)
 
 
 class DeviceWork:

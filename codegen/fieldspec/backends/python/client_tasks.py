@@ -157,7 +157,7 @@ class TaskDraft:
         lines = [*item_lines(f"task = self.{make}(", arguments, ")", 8), *self.locals]
         if jog:
             lines += ["return _Jog(", *_steps("    task.run(", self.steps, [], 0), "    task.look,"]
-            lines += [f"    lambda: task.run([{', '.join(ending)}]),", ")"]
+            lines += [f"    lambda: [task.run([{', '.join(ending)}])],", ")"]
         else:
             call = "return task.carry_out(" if make == "task" else "return task.run("
             lines += _steps(call, self.steps, ending, first, halting)
@@ -182,7 +182,7 @@ def _steps(
     margin = " " * (len(start) - len(start.lstrip()))
     lines = [start, f"{margin}    [", *(f"{margin}        {step}," for step in steps), f"{margin}    ],"]
     lines += [f"{margin}    ending=[{', '.join(ending)}]," for _ in range(bool(ending))]
-    lines += [f"{margin}    halting=[{', '.join(halting)}]," for _ in range(bool(halting))]
+    lines += [f"{margin}    halting=lambda: [{', '.join(halting)}]," for _ in range(bool(halting))]
     lines += [f"{margin}    first={first}," for _ in range(bool(ending or halting))]
     return [*lines, f"{margin}),"]
 

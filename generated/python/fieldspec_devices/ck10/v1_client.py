@@ -196,7 +196,7 @@ class _Tasks(_DeviceWork):
                 task.begin(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x0, mask=0x40000, name="homing"), _Condition(_codec.MOTION_STATUS, 0x2000000, mask=0x2000000, name="homing_complete")),
                 task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x0, mask=0x40000, name="homing"), _Condition(_codec.MOTION_STATUS, 0x2000000, mask=0x2000000, name="homing_complete")),
             ],
-            halting=[task.write(_codec.STOP, 1)],
+            halting=lambda: [task.write(_codec.STOP, 1)],
             first=1,
         )
 
@@ -216,7 +216,7 @@ class _Tasks(_DeviceWork):
                 task.write(_codec.START_MOVE, 2),
                 task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x80000, mask=0x80000, name="in_position"), target),
             ],
-            halting=[task.write(_codec.STOP, 1)],
+            halting=lambda: [task.write(_codec.STOP, 1)],
             first=3,
         )
 
@@ -237,7 +237,7 @@ class _Tasks(_DeviceWork):
                 task.write(_codec.START_MOVE, 1),
                 task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x80000, mask=0x80000, name="in_position"), target),
             ],
-            halting=[task.write(_codec.STOP, 1)],
+            halting=lambda: [task.write(_codec.STOP, 1)],
             first=4,
         )
 
@@ -258,7 +258,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.STOP, 1), task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"))]),
+            lambda: [task.run([task.write(_codec.STOP, 1), task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"))])],
         )
 
     def jog_counterclockwise(self, *, speed: int) -> _Jog:
@@ -278,7 +278,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.STOP, 1), task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"))]),
+            lambda: [task.run([task.write(_codec.STOP, 1), task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"))])],
         )
 
     def run_point(self, *, point_number: int, limit: float = 60.0) -> _Work[_Any]:
@@ -296,7 +296,7 @@ class _Tasks(_DeviceWork):
                 task.begin(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
                 task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
             ],
-            halting=[task.write(_codec.STOP, 1)],
+            halting=lambda: [task.write(_codec.STOP, 1)],
             first=2,
         )
 
@@ -315,7 +315,7 @@ class _Tasks(_DeviceWork):
                 task.begin(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
                 task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x8000000, name="moving"), _Condition(_codec.MOTION_STATUS, 0x400000, mask=0x400000, name="point_table_stopped")),
             ],
-            halting=[task.write(_codec.STOP, 1)],
+            halting=lambda: [task.write(_codec.STOP, 1)],
             first=2,
         )
 

@@ -85,7 +85,7 @@ class _Tasks(_DeviceWork):
                 task.begin(task.request(_codec.ReadHomingStateRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("message.homing_complete", 1)),
                 task.wait(task.request(_codec.ReadHomingStateRequest), _Condition("status", 0x0, mask=0x1, name="executing"), _Condition("message.homing_complete", 1)),
             ],
-            halting=[task.send(task.request(_codec.StopRequest))],
+            halting=lambda: [task.send(task.request(_codec.StopRequest))],
             first=0,
         )
 
@@ -103,7 +103,7 @@ class _Tasks(_DeviceWork):
                 task.send(task.request(_codec.MoveAbsoluteRequest, position_mm=position_mm, speed=speed)),
                 task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
-            halting=[task.send(task.request(_codec.StopRequest))],
+            halting=lambda: [task.send(task.request(_codec.StopRequest))],
             first=1,
         )
 
@@ -122,7 +122,7 @@ class _Tasks(_DeviceWork):
                 task.send(task.request(_codec.MoveRelativeRequest, distance_mm=distance_mm, speed=speed)),
                 task.wait(task.request(_codec.ReadCurrentPositionRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
-            halting=[task.send(task.request(_codec.StopRequest))],
+            halting=lambda: [task.send(task.request(_codec.StopRequest))],
             first=2,
         )
 
@@ -140,7 +140,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.send(task.request(_codec.StopRequest)), task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing"))]),
+            lambda: [task.run([task.send(task.request(_codec.StopRequest)), task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing"))])],
         )
 
     def jog_close(self, *, speed: int) -> _Jog:
@@ -157,7 +157,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.send(task.request(_codec.StopRequest)), task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing"))]),
+            lambda: [task.run([task.send(task.request(_codec.StopRequest)), task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing"))])],
         )
 
     def run_point(self, *, point_number: int, speed: int, limit: float = 60.0) -> _Work[_Any]:
@@ -174,7 +174,7 @@ class _Tasks(_DeviceWork):
                 task.begin(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
                 task.wait(task.request(_codec.ReadCurrentPointNumberRequest), _Condition("status", 0x0, mask=0x1, name="executing"), target),
             ],
-            halting=[task.send(task.request(_codec.StopRequest))],
+            halting=lambda: [task.send(task.request(_codec.StopRequest))],
             first=0,
         )
 

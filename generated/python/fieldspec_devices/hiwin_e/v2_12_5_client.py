@@ -323,7 +323,7 @@ class _Telegram3Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+            lambda: [task.run([task.write("speed_setpoint_b", 0)])],
         )
 
     def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
@@ -652,7 +652,7 @@ class _Telegram5Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+            lambda: [task.run([task.write("speed_setpoint_b", 0)])],
         )
 
     def quick_stop(self, *, limit: float = 60.0) -> _Work[_Any]:
@@ -1058,7 +1058,7 @@ class _Telegram9Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x100, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
+            lambda: [task.run([task.put("control_word_1", 0x100, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))])],
         )
 
     def jog_negative(self) -> _Jog:
@@ -1076,7 +1076,7 @@ class _Telegram9Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x200, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
+            lambda: [task.run([task.put("control_word_1", 0x200, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))])],
         )
 
     def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
@@ -1567,7 +1567,7 @@ class _Telegram102Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+            lambda: [task.run([task.write("speed_setpoint_b", 0)])],
         )
 
     def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> _Work[_Any]:
@@ -1935,7 +1935,7 @@ class _Telegram105Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+            lambda: [task.run([task.write("speed_setpoint_b", 0)])],
         )
 
     def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> _Work[_Any]:
@@ -2382,7 +2382,7 @@ class _Telegram111Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x100, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
+            lambda: [task.run([task.put("control_word_1", 0x100, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))])],
         )
 
     def jog_negative(self) -> _Jog:
@@ -2400,7 +2400,7 @@ class _Telegram111Tasks(_CyclicWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.put("control_word_1", 0x200, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))]),
+            lambda: [task.run([task.put("control_word_1", 0x200, False), task.wait(_Condition("status_word_1", 0x2000, mask=0x2000, name="motor_stopped"))])],
         )
 
     def stop(self, *, limit: float = 60.0) -> _Work[_Any]:

@@ -228,7 +228,7 @@ class _Tasks(_DeviceWork):
                 task.begin(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.OUTPUT_STATES, 0x1, mask=0x1, name="output_1")),
                 task.wait(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.OUTPUT_STATES, 0x1, mask=0x1, name="output_1")),
             ],
-            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            halting=lambda: [task.write(_codec.MOTION_COMMAND, 8)],
             first=1,
         )
 
@@ -249,7 +249,7 @@ class _Tasks(_DeviceWork):
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
                 task.wait(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.IN_POSITION, 1), target),
             ],
-            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            halting=lambda: [task.write(_codec.MOTION_COMMAND, 8)],
             first=3,
         )
 
@@ -271,7 +271,7 @@ class _Tasks(_DeviceWork):
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
                 task.wait(_Condition(_codec.ACTION_STATUS, 0), _Condition(_codec.IN_POSITION, 1), target),
             ],
-            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            halting=lambda: [task.write(_codec.MOTION_COMMAND, 8)],
             first=4,
         )
 
@@ -292,7 +292,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))]),
+            lambda: [task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))])],
         )
 
     def jog_negative(self, *, speed: int) -> _Jog:
@@ -312,7 +312,7 @@ class _Tasks(_DeviceWork):
                 ],
             ),
             task.look,
-            lambda: task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))]),
+            lambda: [task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))])],
         )
 
     def run_point(self, *, point_number_bit_0: bool, point_number_bit_1: bool, point_number_bit_2: bool, point_number_bit_3: bool, point_number_bit_4: bool, point_number_bit_5: bool, point_number_bit_6: bool, limit: float = 60.0) -> _Work[_Any]:
@@ -340,7 +340,7 @@ class _Tasks(_DeviceWork):
                 task.wait(_Condition(_codec.ACTION_STATUS, 0)),
             ],
             ending=[task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0)],
-            halting=[task.write(_codec.MOTION_COMMAND, 8)],
+            halting=lambda: [task.write(_codec.MOTION_COMMAND, 8)],
             first=9,
         )
 
