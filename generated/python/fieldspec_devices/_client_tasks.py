@@ -95,15 +95,16 @@ def raw(value: Any) -> Any:
 
 def repeated(steps: Callable[[], Sequence[Work[Any]]]) -> Work[None]:
     """Carries out what stops a device, again where its answer is lost, damaged or a refusal."""
-    for attempt in range(1, TRIES + 1):
+    left = TRIES
+    while True:
+        left -= 1
         try:
             for step in steps():
                 yield from step
-        except (NoAnswerError, InvalidAnswerError, RefusedError):
-            if attempt == TRIES:
-                raise
-        else:
             return
+        except (NoAnswerError, InvalidAnswerError, RefusedError):
+            if not left:
+                raise
 
 
 class Task:
