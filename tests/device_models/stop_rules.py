@@ -97,13 +97,13 @@ def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
 def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
     """Rule 28: at standstill a stop is done within a bounded time; a halt is refused while a stop has the axis."""
     for calls, index, scan in _stop_edges(history):
-        if calls.kind == "halt" and calls.error[index] == LOCKED:
-            continue
         if not scan or not _is_clear(history, scan) or history.scans[scan - 1].state.velocity:
             continue
         end = history.after(scan)
         places = range(index, calls.index_at(end) + 1)
         if any(calls.abort[place] or (calls.edges[place] and place > index) for place in places):
+            continue
+        if calls.kind == "halt" and any(calls.error[place] == LOCKED for place in places):
             continue
         good = ("Done", "CommandAborted") if calls.kind == "halt" else ("Done",)
         if not any(end in calls.ends[place] for place in places for end in good):

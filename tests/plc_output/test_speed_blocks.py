@@ -61,8 +61,9 @@ def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: SpeedRig) -> None
     assert (commanded_speed(speed), speed.bench.out[speed.move, "InVelocity"]) == (pytest.approx(-20.0), False)
     assert speed.run(40).bench.out[speed.move, "InVelocity"]
     speed.run(3, speed.move, Execute=False)
-    assert (commanded_speed(speed), speed.bench.ended(speed.move)) == (0.0, "")
-    assert not speed.run(40).device.motion.moving
+    assert (commanded_speed(speed), speed.bench.ended(speed.move)) == (0.0, "Busy")
+    assert not speed.run(60).device.motion.moving
+    assert speed.bench.ended(speed.move) == ""
 
 
 @pytest.mark.parametrize("end", ["alarm", "lost", "servo", "quick stop", "servo off", "refused"])
@@ -86,10 +87,12 @@ def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str)
         speed.bench.set(speed.move, lrSpeed=250.0)
         result = f"Error {NUMBER['request']}"
     speed.run(4)
-    assert (commanded_speed(speed), speed.ended(speed.move)) == (0.0, result)
+    assert commanded_speed(speed) == 0.0
     assert not speed.bench.out[speed.move, "InVelocity"]
-    assert bool(speed.bench.out[speed.move, "eStatus"]) == (end == "refused")
     speed.lost = False
+    speed.run(600)
+    assert speed.ended(speed.move) == result
+    assert bool(speed.bench.out[speed.move, "eStatus"]) == (end == "refused")
     starts = len(speed.device.motion.starts)
     speed.run(60)
     assert (speed.device.motion.moving, len(speed.device.motion.starts)) == (False, starts)
@@ -126,7 +129,8 @@ def test_a_reduction_of_torque_goes_with_the_speed_and_stays_after_it(speed: Spe
     speed.run(3, speed.move, Execute=True)
     assert commanded_reduction(speed) == pytest.approx(25.0)
     speed.run(2, speed.move, lrTorqueReduction=120.0)
-    assert (commanded_speed(speed), speed.ended(speed.move)) == (0.0, f"Error {NUMBER['request']}")
+    assert commanded_speed(speed) == 0.0
+    assert speed.run(600).ended(speed.move) == f"Error {NUMBER['request']}"
     assert commanded_reduction(speed) == pytest.approx(25.0)
 
 

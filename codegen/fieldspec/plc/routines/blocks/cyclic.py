@@ -135,7 +135,7 @@ class CyclicTask:
         if self.task.kind not in MOVING:
             kind.restart = [*self.insists, *kind.restart]
             starts = [self.places.bit(bit) for bit in self.places.starting() if "move_start" in bit.roles]
-            kind.at_once = [assigned(kind.sent, True), *self.insists, *cleared(starts)]
+            kind.at_once = [*kind.goes_out(), *kind.take_over(), *self.insists, *cleared(starts)]
         kind.tries, kind.ending = 1, draft.next
         stands = self.conditions.stands(self.places.seen)
         reached = self.operands.with_role("speed_reached", self.message.name)
@@ -226,7 +226,7 @@ class CyclicTask:
 
     def _taken(self, accepts: bool) -> list[Statement]:
         kind = self.kind
-        return kind.take_over() if accepts and isinstance(kind, Moving) else []
+        return kind.take_over() if accepts and isinstance(kind, Moving) and not kind.halts else []
 
     def _waits(
         self, task: Task, waits: Sequence[Step], moving: bool, must_begin: bool, taken: list[Statement], is_last: bool
@@ -255,7 +255,9 @@ class CyclicTask:
         """Adds a step that changes the request."""
         draft, step = self.draft, task.steps[index]
         operand = self._operand(step)
-        sent = [assigned(self.kind.sent, True)] if isinstance(self.kind, Moving) and (starts or taken) else []
+        sent: list[Statement] = []
+        if isinstance(self.kind, Moving) and not self.kind.halts and (starts or taken):
+            sent = self.kind.goes_out()
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
         if step.action == "read":

@@ -101,7 +101,11 @@ class Moving(Edged):
     def on_ask(self) -> list[Statement]:
         """What notes that the command is on its way, where the block asks."""
         steps = [compared(self.draft.step, "=", number(step)) for step in self.commands]
-        return [when(either(steps), [assigned(self.sent, True)])] if steps else []
+        return [when(either(steps), self.goes_out())] if steps else []
+
+    def goes_out(self) -> list[Statement]:
+        """What notes that the command is on its way: what is accepted from now on comes behind it."""
+        return [assigned(self.sent, True), Assignment(self.owner, self.axis.motion)]
 
     def take_over(self) -> list[Statement]:
         """What makes the block responsible: its command is accepted."""
@@ -167,7 +171,7 @@ class Moving(Edged):
         moving = self.earlier if self.stop else either([self.sent, self.earlier])
         left = when(moving, goes_on, [assigned(draft.aborted, True)])
         branches: list[Branch] = [
-            (every([either([self.taken, self.ending_flag]), displaced]), ended),
+            (every([either([self.sent, self.taken, self.earlier, self.ending_flag]), displaced]), ended),
             (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
         ]
         if self.wanted is not None:
