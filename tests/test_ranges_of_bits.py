@@ -53,7 +53,8 @@ def test_an_explanation_marks_bits_out_of_their_range() -> None:
 
 def test_a_number_that_the_bits_do_not_hold_has_no_word() -> None:
     assert DRIVE is not None
-    assert raw_value(COUNTER.device, "drive", DRIVE, "speed=-2000") == word(-2000)
+    # The temperature that is left out has its default, 20 °C.
+    assert raw_value(COUNTER.device, "drive", DRIVE, "speed=-2000") == word(-2000, 120)
     with pytest.raises(MeaningError, match="5000 does not fit the 12 bits of speed"):
         raw_value(COUNTER.device, "drive", DRIVE, "speed=5000")
 
