@@ -117,9 +117,8 @@ def _response_code(request: Any) -> int | None:
 class Session:
     """The conversation with one unit on one link, as generators. It is not for several threads at once.
 
-    `settle` is how long a device may take to show what it was asked for, and `begin` how long a motion may take to
-    begin, in seconds. `parts` has the parts of requests that users choose, by their names. Raises ValueError for parts
-    that the link does not have, and for those that lack.
+    `settle` and `begin` are the seconds in which a device shows what it was asked for, and begins a motion. `parts` has
+    the parts of requests that users choose. Raises ValueError for those that the link does not have, or that lack.
     """
 
     def __init__(
@@ -143,11 +142,9 @@ class Session:
         self.datagrams = datagrams
         make = None if datagrams else getattr(link.codec, "response_framer", None)
         self._framer: Framer | None = make() if make is not None else None
-        self._head: dict[str, Any] = link.chosen_parts(parts or {})
-        self._head.update((name, high) for name, _, high in link.counters)
-        self._silent_until = 0.0
+        self._head = link.chosen_parts(parts or {}) | {name: high for name, _, high in link.counters}
+        self._silent_until = self._owed_until = 0.0
         self._owed = 0
-        self._owed_until = 0.0
         self._owed_request: Any = None
 
     def ask(self, request: RequestOf[R], retries: int | None = None) -> Work[Any]:

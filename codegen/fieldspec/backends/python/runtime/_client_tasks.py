@@ -314,7 +314,7 @@ class MessageTask(Task):
 
     def send(self, request: Any, *conditions: Condition) -> Work[Any]:
         """Sends a request once. Its response must show what is watched, and the conditions."""
-        reply = yield from self.session.ask(request, 0)
+        reply = self.reply = yield from self.session.ask(request, 0)
         self._compare(reply, (*self.watched, *conditions) if conditions else ())
 
     def read(self, request: Any, *paths: str) -> Work[Any]:
@@ -329,8 +329,13 @@ class MessageTask(Task):
         return [_attribute(reply, condition.place) for condition in conditions]
 
     def begin(self, request: Any, *conditions: Condition | Target) -> Work[None]:
-        """Sends a request until its response does not show all conditions. Raises MotionError."""
-        yield from self.until_begun(conditions, lambda: self._values(request, conditions))
+        """Sends a request until its response does not show all conditions, unless that to the command did not.
+
+        Raises MotionError.
+        """
+        heads = [each for each in conditions if "." not in each.place]
+        if all(each.holds(_attribute(self.reply, each.place)) for each in heads):
+            yield from self.until_begun(conditions, lambda: self._values(request, conditions))
 
     def wait(self, request: Any, *conditions: Condition | Target) -> Work[None]:
         """Sends a request until its response shows the conditions. Raises TimeLimitError and MotionError."""
