@@ -301,6 +301,7 @@ class Jogging(Moving):
         self.edge = draft.declare("xEdge", BOOL, "local", "a motion begins in this scan")
         self.ready = draft.flag("xReady", "no input was TRUE since the first scan, or the last error")
         self.execute = either(self.levels)
+        self.pressed = draft.flag("xPressed", "an input was TRUE in the scan before")
         self.backward = draft.flag("xBackward", "the direction of the motion")
         if len(self.levels) == 1:
             self.wanted = self.levels[0]
@@ -319,7 +320,14 @@ class Jogging(Moving):
             when(Negation(self.execute), [assigned(self.ready, True)]),
             Assignment(self.edge, begins),
             chain([(self.edge, [*direction, *self.converted(), *self.begun()]), self.idle()]),
+            Assignment(self.pressed, self.execute),
         ]
+
+    def idle(self) -> Branch:
+        """See `Edged`. Both inputs at once begin nothing, and end what was shown before."""
+        draft = self.draft
+        fresh = either([Negation(self.execute), Negation(self.pressed)])
+        return every([Negation(draft.busy), fresh]), draft.cleared()
 
     def ended_well(self) -> list[Statement]:
         """See `Edged`."""
