@@ -105,7 +105,12 @@ class Moving(Edged):
 
     def goes_out(self) -> list[Statement]:
         """What notes that the command is on its way: what is accepted from now on comes behind it."""
-        return [assigned(self.sent, True), Assignment(self.owner, self.axis.motion)]
+        earlier = Assignment(self.earlier, self.still_earlier())
+        return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion)]
+
+    def still_earlier(self) -> Expression:
+        """Whether a command of before may be moving the axis, and no other was accepted since."""
+        return every([self.earlier, compared(self.owner, "=", self.axis.motion)])
 
     def take_over(self) -> list[Statement]:
         """What makes the block responsible: its command is accepted."""
@@ -138,11 +143,12 @@ class Moving(Edged):
         reason = draft.refusal if draft.at_start else _NONE
         claims = [increment(axis.claims), Assignment(self.claim, axis.claims)]
         unlocked = [] if reason == _NONE else [draft.unharmed()]
+        same = compared(self.owner, "=", axis.motion)
         return [
             *([assigned(self.pending, False)] if self.pending is not None else []),
             *super().begun(),
-            Assignment(self.earlier, either([self.earlier, self.sent, self.taken])),
-            when(Negation(self.taken), [Assignment(self.owner, axis.motion)]),
+            Assignment(self.earlier, every([either([self.earlier, self.sent, self.taken]), same])),
+            Assignment(self.owner, axis.motion),
             *(assigned(flag, False) for flag in (self.sent, self.taken)),
             *([assigned(self.ending_flag, False)] if self.halts else []),
             *self.fresh,
@@ -160,7 +166,7 @@ class Moving(Edged):
             Assignment(draft.reason, _NONE if self.halts else self.first_reason),
             Assignment(draft.aborted, draft.unharmed()),
             *(assigned(flag, False) for flag in self._flags()),
-            *([assigned(self.pending, False)] if self.pending is not None else []),
+            *([Assignment(self.pending, self.edge)] if self.pending is not None else []),
         ]
         waits = [Negation(self.taken), Negation(self.ending_flag)]
         locked = [assigned(self.earlier, False), when(draft.unharmed(), [draft.fail("locked")])]
@@ -168,10 +174,12 @@ class Moving(Edged):
         goes_on = [*self.drop, *self.take_over(), draft.go(self.look)]
         # What is asked for over a line is answered before another start goes out, so that its own answer decides.
         unsent = [Negation(self.sent)] if self.stop else []
-        moving = self.earlier if self.stop else either([self.sent, self.earlier])
-        left = when(moving, goes_on, [assigned(draft.aborted, True)])
+        lost: list[Branch] = [(self.still_earlier(), [draft.fail("short")])]
+        if not self.stop:
+            lost.insert(0, (self.sent, goes_on))
+        left = chain(lost, [assigned(draft.aborted, True)])
         branches: list[Branch] = [
-            (every([either([self.sent, self.taken, self.earlier, self.ending_flag]), displaced]), ended),
+            (every([either([self.sent, self.taken, self.ending_flag]), displaced]), ended),
             (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
         ]
         if self.wanted is not None:
@@ -185,7 +193,7 @@ class Moving(Edged):
     def _withdrawn(self) -> list[Statement]:
         """What is done when the input that a motion lasts with is taken away."""
         draft = self.draft
-        moving = either([self.sent, self.taken, self.earlier])
+        moving = either([self.sent, self.taken, self.still_earlier()])
         return [when(moving, self._end_begun(), [draft.forgotten(), draft.end()])]
 
     def _flags(self) -> tuple[Variable, ...]:
@@ -225,7 +233,7 @@ class Moving(Edged):
             at_command = either([compared(draft.step, "=", number(step)) for step in self.commands])
             refused = every([compared(draft.reason, "=", Whole(ERRORS["exception"][0], UINT)), at_command])
             maybe = every([self.sent, Negation(refused)]) if self.commands else self.sent
-            may_move = either([self.taken, self.earlier, maybe])
+            may_move = either([self.taken, self.still_earlier(), maybe])
             branches.append((every([draft.failed(), may_move]), self._end_begun()))
         branches += [(draft.failed(), draft.erroneous()), self.done()]
         flags = [assigned(flag, False) for flag in self._flags() if self.ending or flag is not self.ending_flag]
@@ -293,6 +301,7 @@ class Jogging(Moving):
         self.edge = draft.declare("xEdge", BOOL, "local", "a motion begins in this scan")
         self.ready = draft.flag("xReady", "no input was TRUE since the first scan, or the last error")
         self.execute = either(self.levels)
+        self.pressed = draft.flag("xPressed", "an input was TRUE in the scan before")
         self.backward = draft.flag("xBackward", "the direction of the motion")
         if len(self.levels) == 1:
             self.wanted = self.levels[0]
@@ -311,7 +320,14 @@ class Jogging(Moving):
             when(Negation(self.execute), [assigned(self.ready, True)]),
             Assignment(self.edge, begins),
             chain([(self.edge, [*direction, *self.converted(), *self.begun()]), self.idle()]),
+            Assignment(self.pressed, self.execute),
         ]
+
+    def idle(self) -> Branch:
+        """See `Edged`. Both inputs at once begin nothing, and end what was shown before."""
+        draft = self.draft
+        fresh = either([Negation(self.execute), Negation(self.pressed)])
+        return every([Negation(draft.busy), fresh]), draft.cleared()
 
     def ended_well(self) -> list[Statement]:
         """See `Edged`."""
