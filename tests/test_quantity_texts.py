@@ -99,7 +99,8 @@ def test_a_text_is_within_half_a_digit_of_the_exact_quantity_and_its_last_digit_
         text, quantity = text_of(number, count), exact(number, count)
         last_digit = Fraction(1, 10 ** len(text.partition(".")[2]))
         assert abs(Fraction(text) - quantity) <= last_digit / 2, (count, text)
-        assert Fraction(text) == quantity or last_digit <= abs(Fraction(exact(number, 1) - exact(number, 0)))
+        coarsest = abs(Fraction(exact(number, 1) - exact(number, 0))) if Fraction(text) != quantity else last_digit
+        assert last_digit <= coarsest
 
 
 @pytest.mark.parametrize("number", range(len(SCALES)), ids=lambda number: "{} {} {}".format(*SCALES[number]))
