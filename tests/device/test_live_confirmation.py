@@ -22,6 +22,7 @@ HARMLESS = {
     *("target_speed", "target_acceleration", "target_deceleration", "torque_limit", "torque_reduction"),
     *("command_accepted", "busy", "in_position", "speed_reached", "done", "jog_direction", "jog_speed"),
     *("point_number", "point_active", "actual_position", "actual_speed", "actual_torque", "alarm_present"),
+    *("command_position", "standstill", "switch_on_inhibited"),
     *("alarm_code", "fault_code", "warning_present", "warning_code", "firmware_version", "serial_number"),
 }
 """The roles of what is set before something begins, and of what a device says."""
