@@ -3605,7 +3605,6 @@ class LogReader {
   constructor(device, options = new FrameOptions(), asked = null) {
     Object.assign(this, { device, options, asked, open: [], mark: "", number: 0 });
     this.links = [...device.links.values()];
-    this.repeated = new Map(this.links.map((link) => [link.name, repeatedParts(link)]));
   }
 
   /**
@@ -3656,7 +3655,7 @@ class LogReader {
 
   /** What responses repeat of their requests, in a request or in a response; undefined where a frame lacks it. */
   numbersOf({ link, direction, values }) {
-    return this.repeated.get(link).map(([asked, answer]) => values.get((direction === "request" ? asked : answer).name));
+    return this.device.links.get(link).repeated.map(([asked, answer]) => values.get(direction === "request" ? asked : answer));
   }
 
   /** The frame as the request that the next response answers; null for what nobody answers. */
@@ -3674,13 +3673,6 @@ class LogReader {
     if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) === broadcast) return null;
     return request;
   }
-}
-
-/** The parts of requests on a link that responses repeat, the unit address among them, each with its repetition. */
-function repeatedParts({ request, response }) {
-  const repetitions = response.header.filter(({ sameAs }) => sameAs).map((part) => [part.sameAs, part]);
-  const pairs = repetitions.map(([name, part]) => [request.header.find((asked) => asked.name === name), part]);
-  return [[request.unitAddress, response.unitAddress], ...pairs].filter(([asked, answer]) => asked && answer);
 }
 
 const COUNT = /^[-+]?(?:0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})$/;

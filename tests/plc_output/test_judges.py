@@ -105,7 +105,6 @@ def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
     for item in [item for item in program.items if "PointMode" in item.name or "Grip" in item.name][:8]:
         blark_takes(item.lines)
     (text,) = (text for name, text in st_files([hostile()]).items() if name.endswith(".st"))
-    assert "]] >" in text
     assert "]]>" in text
     for piece in re.split(r"\n\n(?=// ==|// GVL)", text)[1:3]:
         for kind in re.findall(r"(?ms)^\{attribute.*?^END_TYPE$", piece)[:6]:

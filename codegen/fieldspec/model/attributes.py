@@ -164,7 +164,10 @@ MODEL_CLASSES: dict[type, ModelClass] = {
     Conversion: ModelClass("conversion", documentation=(*_FACT, "title", "printed")),
     Lookup: ModelClass("table to look up", documentation=(*_FACT, "title", "kind", "columns", "rows")),
     Limit: ModelClass("limit", documentation=(*_FACT, "sum_of", "within", "transmits")),
-    Task: ModelClass("task", documentation=(*_FACT, "kind", "messages", "not_applicable", "open", "steps")),
+    Task: ModelClass(
+        "task",
+        documentation=(*_FACT, "direction", "halt", "kind", "messages", "not_applicable", "open", "steps"),
+    ),
     Note: ModelClass("note", documentation=("title", "text", "about", "statements", "sources")),
     Example: ModelClass("example", documentation=("title", "sources", "notes"), key=attrgetter("id")),
     Erratum: ModelClass(

@@ -7,6 +7,7 @@ from fieldspec.explain.script.values import fact_data, intervals, stated, value_
 from fieldspec.layout.exception_mark import ExceptionMark
 from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.layout.part import PartLayout
+from fieldspec.layout.repeated_parts import repeated_parts
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.escape import Escape
 from fieldspec.model.link import ExceptionResponse
@@ -47,6 +48,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
+        "repeated": [[part.name, repetition.name] for part, repetition in repeated_parts(link)],
         "request": _frame(link.request),
         "response": _frame(link.response),
     }

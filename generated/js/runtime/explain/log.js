@@ -23,7 +23,6 @@ export class LogReader {
   constructor(device, options = new FrameOptions(), asked = null) {
     Object.assign(this, { device, options, asked, open: [], mark: "", number: 0 });
     this.links = [...device.links.values()];
-    this.repeated = new Map(this.links.map((link) => [link.name, repeatedParts(link)]));
   }
 
   /**
@@ -74,7 +73,7 @@ export class LogReader {
 
   /** What responses repeat of their requests, in a request or in a response; undefined where a frame lacks it. */
   numbersOf({ link, direction, values }) {
-    return this.repeated.get(link).map(([asked, answer]) => values.get((direction === "request" ? asked : answer).name));
+    return this.device.links.get(link).repeated.map(([asked, answer]) => values.get(direction === "request" ? asked : answer));
   }
 
   /** The frame as the request that the next response answers; null for what nobody answers. */
@@ -92,11 +91,4 @@ export class LogReader {
     if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) === broadcast) return null;
     return request;
   }
-}
-
-/** The parts of requests on a link that responses repeat, the unit address among them, each with its repetition. */
-function repeatedParts({ request, response }) {
-  const repetitions = response.header.filter(({ sameAs }) => sameAs).map((part) => [part.sameAs, part]);
-  const pairs = repetitions.map(([name, part]) => [request.header.find((asked) => asked.name === name), part]);
-  return [[request.unitAddress, response.unitAddress], ...pairs].filter(([asked, answer]) => asked && answer);
 }
