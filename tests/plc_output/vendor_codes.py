@@ -1,4 +1,7 @@
-"""The codes of the vendors' blocks, as their documentation lists them, and the ErrorID that each must become.
+"""The codes of the vendors' blocks, and the ErrorID that each must become.
+
+They are those of the vendors' documentation, but those of Send_P2P, Port_Config, DPRD_DAT and DPWR_DAT are not all
+confirmed there.
 
 2 no answer in time, 3 damaged, 4 another station, 5 another request, 6 the device refuses, 7 the port.
 """

@@ -72,16 +72,6 @@ def before_effect(task: Task) -> int:
     return 0
 
 
-def is_last_wait(task: Task, step: Step) -> bool:
-    """Whether no step behind this one waits.
-
-    The last wait may still show the end of what was before, so the device gets time before it. The others show that
-    something has begun, which may be over soon.
-    """
-    waits = [other for other in task.steps if other.action == "wait"]
-    return waits[-1] is step
-
-
 def is_query(task: Task, index: int) -> bool:
     """Whether a step sends a message only to look at its response."""
     step, behind = task.steps[index], task.steps[index + 1 : index + 2]
