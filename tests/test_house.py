@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from functools import cache
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -130,6 +131,17 @@ def _imported(path: Path) -> Iterator[str]:
             )
 
 
+def imported_modules(path: Path, known: set[str]) -> Iterator[str]:
+    """The modules that a module imports, those in folders by their own names."""
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names if alias.name in known)
+        elif isinstance(node, ast.ImportFrom) and node.module in known:
+            names = {f"{node.module}.{alias.name}" for alias in node.names}
+            yield from names & known
+            yield from [node.module] * bool(names - known)
+
+
 def layer(name: str) -> str:
     """The part of the compiler that a module belongs to: `reading` for `fieldspec.reading.nodes`."""
     return name.split(".")[1]
@@ -180,6 +192,15 @@ def test_a_module_imports_only_what_stands_above_it(folder: str) -> None:
             ours = {name for name in imported(path) if name.startswith("fieldspec.")} - {"fieldspec.__version__"}
             wrong += [(inside(path), name) for name in ours if layer(name) not in above(own)]
     assert wrong == []
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    # An import for annotations alone counts: a reader has to know both modules to understand one.
+    names = {path: ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts) for path in MODULES}
+    names = {path: name.removesuffix(".__init__") for path, name in names.items()}
+    # `from fieldspec.commands import streams` imports a module, `from fieldspec.names import Name` no other one.
+    graph = {name: {*imported_modules(path, {*names.values()})} - {name} for path, name in names.items()}
+    TopologicalSorter(graph).prepare()
 
 
 @pytest.mark.parametrize("path", [path for path in MODULES if inside(path).startswith("backends/")], ids=inside)

@@ -10,7 +10,8 @@ from drawing import drawn_bytes, drawn_values
 from loaded import judged, reason, words_in
 from proving import Proof, without
 
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.plc.routines.absent import absent_values

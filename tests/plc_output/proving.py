@@ -9,7 +9,8 @@ from typing import Any
 
 from st_machine import Machine
 
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.plc.routines.expressions import BITS, EnumType, Type

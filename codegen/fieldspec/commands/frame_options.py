@@ -12,7 +12,7 @@ from fieldspec.commands import layout_cache, spec_files
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.readings import DIRECTIONS, FrameOptions, option_word
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.model.quantity import count_of
 from fieldspec.reading.findings import MAIN
 

@@ -30,7 +30,7 @@ from fieldspec.explain.spans import accessed, accessed_bits
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError, original_places
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.value_texts import spec_text

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.device import Device

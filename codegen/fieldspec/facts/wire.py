@@ -7,7 +7,7 @@ from functools import partial
 
 from fieldspec.facts.row import Cell, FactRow, SharedRows, of_fact, of_flag, of_ranges, row
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.refusal import Refusal
 from fieldspec.model.registers import Parameter, Table

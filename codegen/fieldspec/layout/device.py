@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.bit_counts import with_bit_count
-from fieldspec.layout.frame import LinkLayout, MessageLayout, link_layout
+from fieldspec.layout.frame import LinkLayout, link_layout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout, record_layout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device

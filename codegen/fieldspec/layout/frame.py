@@ -7,32 +7,13 @@ from collections.abc import Iterable, Mapping
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.layout.escapes import original_places
 from fieldspec.layout.exception_mark import ExceptionMark, exception_mark
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.layout.subcodes import Subcode, subcode
 from fieldspec.model.escape import Escape
 from fieldspec.model.link import Link
-from fieldspec.model.record import Message
 from fieldspec.model.sizes import part_size, sent_on
-
-
-@dataclass(frozen=True, slots=True)
-class MessageLayout:
-    """The data of a message's request and response."""
-
-    message: Message
-    name: str
-    request: RecordLayout
-    response: RecordLayout
-
-    def data(self, direction: str) -> RecordLayout:
-        """The data in one direction, `request` or `response`."""
-        return self.request if direction == "request" else self.response
-
-    @property
-    def bodies(self) -> tuple[RecordLayout, ...]:
-        """The data that frames carry: of the request, of the response, or of both, as `Message.directions` says."""
-        return tuple(map(self.data, self.message.directions))
 
 
 def original_parts(frame: FrameLayout, sent: bytes) -> bytes:

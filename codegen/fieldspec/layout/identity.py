@@ -6,7 +6,8 @@ import hashlib
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.open_parts import open_parts
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import FieldLayout

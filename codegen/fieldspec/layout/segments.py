@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from typing import Any, Literal
 
     from fieldspec.layout.device import DeviceLayout
-    from fieldspec.layout.frame import MessageLayout
+    from fieldspec.layout.message import MessageLayout
     from fieldspec.layout.record import FieldLayout, RecordLayout
     from fieldspec.model.record import Segments, SegmentsAbort
 

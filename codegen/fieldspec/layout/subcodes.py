@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.message import MessageLayout
 from fieldspec.model.ranges import merged
 from fieldspec.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
 if TYPE_CHECKING:
     from typing import Literal
 
-    from fieldspec.layout.frame import MessageLayout
     from fieldspec.layout.record import RecordLayout
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.explain.hazards import is_argument, is_query, is_single, reads_state
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 
 ADVICE = "it is for the generated client, or for `fieldspec encode` and `fieldspec decode`"
 """Where such a message is sent and read."""

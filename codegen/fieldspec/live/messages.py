@@ -8,7 +8,8 @@ from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.explain.hazards import is_bare, is_query, is_single, reads_state, roles_of, write_hazards
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.layout.segments import segments_of
 from fieldspec.layout.values import MeaningError, raw_value

@@ -5,7 +5,32 @@ from __future__ import annotations
 from fieldspec.classes import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from fieldspec.model.value import Value
+    from typing import Protocol
+
+    class Number(Protocol):
+        """The type of the number that the digits are those of."""
+
+        @property
+        def signed(self) -> bool: ...
+        @property
+        def high(self) -> int: ...
+
+    class Digits(Protocol):
+        """What matters of a `Value` that is sent as digits. The model of values is made of this module."""
+
+        @property
+        def type(self) -> Number: ...
+        @property
+        def size(self) -> int: ...
+        @property
+        def width(self) -> int: ...
+        @property
+        def digits(self) -> str: ...
+        @property
+        def places(self) -> int: ...
+        @property
+        def has_blanks(self) -> bool: ...
+
 
 BCD = "bcd"
 """Two decimal digits in each byte; all other forms are characters."""
@@ -19,7 +44,7 @@ _CHARACTERS = {
 }
 
 
-def has_sign(value: Value) -> bool:
+def has_sign(value: Digits) -> bool:
     """Whether a sign has a place of its own before the digits.
 
     A hexadecimal number has none, as it is in two's complement. Where blanks are in place of leading zeros, `-` comes
@@ -28,12 +53,12 @@ def has_sign(value: Value) -> bool:
     return value.digits == "decimal" and value.type.signed and not value.has_blanks
 
 
-def is_complement(value: Value) -> bool:
+def is_complement(value: Digits) -> bool:
     """Whether the digits are those of a number in two's complement."""
     return value.type.signed and value.digits in ("upper_hex", "lower_hex")
 
 
-def digit_count(value: Value) -> int:
+def digit_count(value: Digits) -> int:
     """How many digits a number has, without its sign and its decimal point; 0 or less where there is no room.
 
     Where blanks are in place of leading zeros, it is how many it has at most, when no sign takes the place of one.
@@ -43,17 +68,17 @@ def digit_count(value: Value) -> int:
     return value.size - has_sign(value) - (value.places > 0)
 
 
-def digits_letters(value: Value) -> bytes:
+def digits_letters(value: Digits) -> bytes:
     """The characters that may be digits of a value."""
     return _CHARACTERS[value.digits]
 
 
-def widest_digits(value: Value) -> int:
+def widest_digits(value: Digits) -> int:
     """How many digits a number that varies in width has at most, without those behind the point."""
     return value.width - (value.places + 1 if value.places else 0)
 
 
-def digit_bounds(value: Value) -> tuple[int, int]:
+def digit_bounds(value: Digits) -> tuple[int, int]:
     """The least and the greatest number that the digits of a value can express."""
     count = max(digit_count(value), 0)
     if value.digits in ("upper_hex", "lower_hex"):
@@ -68,12 +93,12 @@ def digit_bounds(value: Value) -> tuple[int, int]:
     return (-high if has_sign(value) else 0), high
 
 
-def _least_below_zero(value: Value, count: int) -> int:
+def _least_below_zero(value: Digits, count: int) -> int:
     """The least number of `count` characters, of which one is `-` and one digit comes before the point."""
     return 1 - 10 ** (count - 1) if count - 1 > value.places else 0
 
 
-def digits_number(value: Value, data: bytes) -> int | None:
+def digits_number(value: Digits, data: bytes) -> int | None:
     """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
     if value.digits == BCD:
         return int(data.hex()) if data.hex().isdecimal() else None
@@ -99,7 +124,7 @@ def digits_number(value: Value, data: bytes) -> int | None:
     return number - 16 ** len(text) if value.type.signed and number > value.type.high else number
 
 
-def _number_behind_blanks(value: Value, data: bytes) -> int | None:
+def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
     """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
     text = data.lstrip(b" ")
     is_negative = value.type.signed and text.startswith(b"-")
@@ -114,7 +139,7 @@ def _number_behind_blanks(value: Value, data: bytes) -> int | None:
     return -int(digits) if is_negative else int(digits)
 
 
-def digits_bytes(value: Value, number: int) -> bytes:
+def digits_bytes(value: Digits, number: int) -> bytes:
     """The digits of a number within the bounds of a value, the most significant digit first."""
     count = digit_count(value)
     if value.digits == BCD:
@@ -130,7 +155,7 @@ def digits_bytes(value: Value, number: int) -> bytes:
     return ((("-" if number < 0 else "+") if has_sign(value) else "") + text).encode("ascii")
 
 
-def digits_text(value: Value) -> str:
+def digits_text(value: Digits) -> str:
     """How people call the digits: `5 decimal digits, 2 of them after a point, with a sign`."""
     name = {"decimal": "decimal", BCD: "BCD"}.get(value.digits, "hexadecimal")
     if value.width:
@@ -144,7 +169,7 @@ def digits_text(value: Value) -> str:
     return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{sign}"
 
 
-def _varying_text(value: Value, name: str) -> str:
+def _varying_text(value: Digits, name: str) -> str:
     """`1 to 8 characters: decimal digits, 2 places after a point, a sign below zero`"""
     case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
     places = f", {value.places} place{'s' * (value.places != 1)} after a point" if value.places else ""

@@ -5,7 +5,16 @@ from __future__ import annotations
 from fieldspec.classes import TYPE_CHECKING, dataclass, field
 
 if TYPE_CHECKING:
-    from fieldspec.model.value import Value
+    from typing import Protocol
+
+    class Text(Protocol):
+        """What matters of a `Value` that is a text. The model of values is made of this module."""
+
+        @property
+        def size(self) -> int: ...
+        @property
+        def text_form(self) -> TextForm | None: ...
+
 
 UTF_16 = "utf_16"
 """The encoding whose characters are numbers of 16 bits, in the byte order of the value."""
@@ -74,7 +83,7 @@ def text_form(encoding: str, padding: str, align: str, terminator: int | None, b
     return None if form == TextForm("ascii", 0, False, None) else form
 
 
-def decoded_text(value: Value, order: str, data: bytes) -> str | None:
+def decoded_text(value: Text, order: str, data: bytes) -> str | None:
     """The characters of the bytes of a text; None for bytes that its encoding does not have, and for a zero in it."""
     form = value.text_form
     try:
@@ -87,7 +96,7 @@ def decoded_text(value: Value, order: str, data: bytes) -> str | None:
     return None if text is None or "\0" in text else text
 
 
-def text_fault(value: Value, order: str, text: str) -> tuple[str, str] | None:
+def text_fault(value: Text, order: str, text: str) -> tuple[str, str] | None:
     """Why a text cannot be sent, as a reason and in words; None where it can."""
     form = value.text_form
     codec = "ascii" if form is None else form.codec(order)
@@ -109,7 +118,7 @@ def text_fault(value: Value, order: str, text: str) -> tuple[str, str] | None:
     return None
 
 
-def text_bytes(value: Value, order: str, text: str) -> bytes:
+def text_bytes(value: Text, order: str, text: str) -> bytes:
     """The bytes of a text; a question mark for a character that its encoding does not have, and no more than fit."""
     form = value.text_form
     if form is None:
@@ -125,12 +134,12 @@ def text_bytes(value: Value, order: str, text: str) -> bytes:
     return turned_words(whole) if form.is_turned else whole
 
 
-def encoding_title(value: Value) -> str:
+def encoding_title(value: Text) -> str:
     """How people call the encoding of a text: `Latin-1`."""
     return _TITLES[value.text_form.encoding if value.text_form is not None else "ascii"]
 
 
-def text_form_title(value: Value) -> str:
+def text_form_title(value: Text) -> str:
     """How people call the form of a text: `Latin-1, filled up with spaces before it`; empty for the usual form."""
     form = value.text_form
     if form is None:

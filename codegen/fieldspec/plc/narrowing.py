@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.classes import replace
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.layout.refusal import Refusal
 from fieldspec.model.fact import Fact

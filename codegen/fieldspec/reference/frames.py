@@ -9,7 +9,8 @@ import construct
 
 from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.digits import digits_text

@@ -8,7 +8,7 @@ from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.explain.parameters import number_of_text
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.address_space import AddressSpace

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Fact

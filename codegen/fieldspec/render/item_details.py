@@ -8,7 +8,7 @@ from fieldspec.classes import replace
 from fieldspec.explain.body import references_text
 from fieldspec.explain.recognition import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.nested_fields import nested_fields
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.address_space import BIT, AddressSpace

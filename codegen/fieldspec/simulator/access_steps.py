@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.model.record import RegisterAccess
 from fieldspec.simulator.judging import first_out_of_range
 from fieldspec.simulator.refusal import Refusal

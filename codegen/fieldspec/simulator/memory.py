@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING, replace
-from fieldspec.explain.registers import Occupant, base_of_table, occupants
+from fieldspec.explain.registers import Occupant, base_of_table, count_of_occupant, element_number, occupants
 from fieldspec.explain.spans import Span
 from fieldspec.explain.values import number_of
 from fieldspec.layout.bases import at_usual_bases, moving_tables
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
-from fieldspec.model.registers import Parameter, ParameterSet, Register
+from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
 from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.structs import value_construct
@@ -139,6 +139,16 @@ class Memory:
     def has_base(self, space: str, addresses: range) -> bool:
         """Whether some addresses have a register that says where a table begins."""
         return any(own == space and register.address in addresses for _, own, register in self._bases)
+
+    def is_absent(self, occupant: Occupant) -> bool:
+        """Whether something is a field in an element of a table that the device has not got now."""
+        count = count_of_occupant(self.layout, occupant)
+        if count is None:
+            return False
+        table = occupant.outer
+        assert isinstance(table, Table)
+        number = self.read(self.layout.device.space_name(table.space), count)
+        return isinstance(number, int) and element_number(occupant) >= number
 
     def read(self, space: str, occupant: Occupant) -> Raw:
         """The raw value of an occupant."""

@@ -4,39 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.access import readable
-from fieldspec.model.registers import Parameter
 from fieldspec.simulator.memory import element_value, numbers_of
 from fieldspec.simulator.refusal import Refusal
 from fieldspec.simulator.registers import invalid
+from fieldspec.simulator.target import Target
 
 if TYPE_CHECKING:
     from typing import Any
 
     from fieldspec.layout.values import Raw
     from fieldspec.simulator.engine import Engine
-
-
-@dataclass(frozen=True, slots=True)
-class Target:
-    """The elements of a parameter that a request means. `count` is None for one value.
-
-    `parameter` is None for a number that the set has and no row describes: it holds what is written to it.
-    """
-
-    set_name: str
-    number: int
-    parameter: Parameter | None
-    first: int
-    count: int | None
-
-    @property
-    def elements(self) -> range:
-        """The indices of the elements."""
-        return range(self.first, self.first + (1 if self.count is None else self.count))
 
 
 def part_of(record: RecordLayout, part: str) -> FieldLayout | None:

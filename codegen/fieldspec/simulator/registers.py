@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.explain.registers import FORBIDS, Occupant, count_of_occupant, element_number
+from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.layout.value_texts import spec_text
 from fieldspec.model.record import Message, RegisterAccess
-from fieldspec.model.registers import Table
 from fieldspec.model.value import Kind, Value
 from fieldspec.simulator.refusal import Refusal
 
@@ -128,23 +127,12 @@ def _judge(engine: Engine, space: str, address: int, place: int, operation: str)
     present = engine.memory.at(space, place)
     if not present:
         raise Refusal("unknown_address", f"no register is at 0x{address:04X}")
-    if all(is_absent(engine, occupant) for occupant in present):
+    if all(engine.memory.is_absent(occupant) for occupant in present):
         raise Refusal("unknown_address", f"the device has not got {present[0].path}")
     for occupant in present:
         why = FORBIDS.get((operation, occupant.access))
         if why:
             raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {why}")
-
-
-def is_absent(engine: Engine, occupant: Occupant) -> bool:
-    """Whether something is a field in an element of a table that the device has not got now."""
-    count = count_of_occupant(engine.layout, occupant)
-    if count is None:
-        return False
-    table = occupant.outer
-    assert isinstance(table, Table)
-    number = engine.memory.read(engine.layout.device.space_name(table.space), count)
-    return isinstance(number, int) and element_number(occupant) >= number
 
 
 def _touched(engine: Engine, space: str, addresses: Sequence[int]) -> Iterator[Occupant]:

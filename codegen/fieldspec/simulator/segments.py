@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.parameters import data_of_value, orders_of, value_of_data
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from fieldspec.layout.record import FieldLayout
     from fieldspec.layout.values import Raw
     from fieldspec.model.device import Device
-    from fieldspec.simulator.parameters import Target
+    from fieldspec.simulator.target import Target
 
 
 @dataclass(slots=True)

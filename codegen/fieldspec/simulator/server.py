@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from fieldspec.behaviour.part import Part
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.reference.frames import FrameCodec, codec
@@ -19,6 +19,7 @@ from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.refusal import Refusal, reason_place
 from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 from fieldspec.simulator.segments import Transfer, Transfers, sent_bytes
+from fieldspec.simulator.target import Target
 
 if TYPE_CHECKING:
     from typing import Any
@@ -178,7 +179,7 @@ class Server:
         return body
 
     def _of_parameter(
-        self, link: str, announced: MessageLayout, values: dict[str, Any], target: parameters.Target
+        self, link: str, announced: MessageLayout, values: dict[str, Any], target: Target
     ) -> dict[str, Any]:
         engine, request, response = self.engine, announced.request, announced.response
         key = (target.set_name, target.number)
@@ -237,8 +238,7 @@ class Server:
         """Puts the fields of a request where rules look for them."""
         memory = self.engine.memory
         for field in record.fields:
-            value = values.get(field.name)
-            own = field.field.place.path
+            value, own = values.get(field.name), field.field.place.path
             if field.record is not None:
                 carried: list[Any] = value if isinstance(value, list) else [value]
                 memory.lists[own] = [{**item} for item in carried]

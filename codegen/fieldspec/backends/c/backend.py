@@ -24,6 +24,7 @@ from fieldspec.backends.c.registers import declare_register, declare_signal, dec
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.c.subcodes import has_subcode, subcodes_of
+from fieldspec.backends.c.usages import version_usages
 from fieldspec.backends.templates import fill
 from fieldspec.backends.usages import VersionUsages
 from fieldspec.layout.device import DeviceLayout
@@ -51,9 +52,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for each version of a device, by the version."""
-    from fieldspec.backends.c.usages import version_usages  # which claims names as this module does
-
-    return {layout.device.version: version_usages(layout) for layout in versions}
+    return {layout.device.version: version_usages(layout, _claimed_names(layout)) for layout in versions}
 
 
 def shared() -> dict[str, str]:
@@ -130,13 +129,14 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
     )
 
 
-def claim_names(naming: Naming, layout: DeviceLayout) -> None:
-    """Gives all names of a header to what they belong to, without printing it."""
-    device = layout.device
+def _claimed_names(layout: DeviceLayout) -> Naming:
+    """All names of a header, which belong to what they would be printed for."""
+    naming, device = Naming(layout.device.id), layout.device
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     for _, blocks in _sections(naming, layout):
         for _ in blocks:
             pass
+    return naming
 
 
 def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:

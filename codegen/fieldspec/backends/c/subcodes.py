@@ -31,7 +31,8 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import If, Return, Statement, Variable, assign
 from fieldspec.backends.c.values import access_name, refuse
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.subcodes import Subcode
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.c.backend import claim_names
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.frames import header_parameters
 from fieldspec.backends.c.naming import Naming, Noun, member
@@ -13,7 +12,8 @@ from fieldspec.backends.c.values import WireValue, accessed_type
 from fieldspec.backends.usages import Usage, VersionUsages, sample_text
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.access import readable, writable
 from fieldspec.model.value import Value
@@ -22,10 +22,8 @@ from fieldspec.names import stem
 _INCLUDE = '#include "@header@"\n'
 
 
-def version_usages(layout: DeviceLayout) -> VersionUsages:
-    """The code for a version of a device."""
-    naming = Naming(layout.device.id)
-    claim_names(naming, layout)
+def version_usages(layout: DeviceLayout, naming: Naming) -> VersionUsages:
+    """The code for a version of a device, with the names of its header."""
     variables = {"header": f"{stem(layout.device.id, layout.device.version)}.h"}
     return VersionUsages("C", variables, tuple(_Usages(layout, naming).rows()))
 

@@ -25,7 +25,8 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.links import FrameTable, length_text
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, value_cells
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.record import Message, Segments
 from fieldspec.model.value import Conversion, Signal

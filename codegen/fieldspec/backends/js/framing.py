@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from fieldspec.backends.js.declaration import Names
 from fieldspec.backends.js.text import flag, literal, object_of
 from fieldspec.layout.first_bytes import first_bytes
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.layout.frame_extents import BY_COUNT, DELIMITED, OPEN, FrameExtent, FrameExtents, frame_extents
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.link import LARGEST_SET

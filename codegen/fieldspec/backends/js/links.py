@@ -10,7 +10,8 @@ from fieldspec.backends.js.framing import framer
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.classes import replace
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import algorithm_name, checksum_named
 from fieldspec.model.link import ExceptionResponse

@@ -16,7 +16,7 @@ from fieldspec.backends.js.registers import declare_accesses, declare_register, 
 from fieldspec.backends.js.text import comment, literal
 from fieldspec.backends.js.units import declare_conversion
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.names import Name
 
 IMPORTS = {

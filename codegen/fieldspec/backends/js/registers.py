@@ -14,7 +14,7 @@ from fieldspec.backends.js.units import POWER_UNIT, absent_of, power_unit_of, un
 from fieldspec.backends.js.values import Slot
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device

@@ -16,7 +16,8 @@ from fieldspec.backends.js.units import unit_of
 from fieldspec.backends.usages import Usage, VersionUsages, sample_text
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.model.access import readable, writable
 from fieldspec.model.value import Value
 from fieldspec.names import Name, version_word

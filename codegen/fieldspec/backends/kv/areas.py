@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed

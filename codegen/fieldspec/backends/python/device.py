@@ -22,7 +22,7 @@ from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.names import Name
 
 

@@ -7,7 +7,8 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import SIMPLE, Checksum, checksum_named
 from fieldspec.model.ranges import Ranges

@@ -26,7 +26,8 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.escape import CAN_BITS

@@ -8,7 +8,7 @@ from fieldspec.backends.wireshark.values import errata_data, value_data
 from fieldspec.explain.body import references_text
 from fieldspec.explain.row import errata_of_message
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.record import Message
 from fieldspec.model.value import Value

@@ -10,8 +10,8 @@ from fieldspec.layout.absences import Absences, Cause, absences
 from fieldspec.layout.bases import base_refusals
 from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.inner_list_refusals import inner_list_refusals
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.omissions import Omission, warning
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.layout.refusal import Refusal

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fieldspec.explain.row import errata_of_message
 from fieldspec.explain.script.literals import Data
 from fieldspec.explain.script.values import fact_data, stated, value_data
-from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.inner_lists import inner_lists_data
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import Span, span_data, value_form
 from fieldspec.model.device import Device

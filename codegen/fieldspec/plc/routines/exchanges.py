@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.classes import dataclass, replace
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.plc.routines.answers import Received, judged, received
 from fieldspec.plc.routines.expressions import (
     BOOL,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.plc.routines.expressions import Expression, compared, either, every, number
 from fieldspec.plc.routines.holders import Holder
 from fieldspec.plc.routines.routine import Draft

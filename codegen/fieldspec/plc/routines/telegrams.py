@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.plc.routines.expressions import BYTE, WORD, number, sequence
 from fieldspec.plc.routines.holders import Bytes, Holder, Words

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fieldspec.classes import dataclass, replace
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.model.operand import Operands
 from fieldspec.model.task import Task
 from fieldspec.model.watches import MOVING

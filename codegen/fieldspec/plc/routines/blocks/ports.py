@@ -10,7 +10,8 @@ from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.model.record import Message
 from fieldspec.plc.routines.expressions import (
     BOOL,

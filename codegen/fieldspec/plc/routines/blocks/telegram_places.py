@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.watches import STARTING
