@@ -7,6 +7,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import fieldspec
+
 if TYPE_CHECKING:
     import jinja2
     from jinja2.bccache import Bucket
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 Load = Callable[[str], bytes | None]
 Store = Callable[[str, bytes], None]
 
-_PACKAGE = Path(__file__).resolve().parent.parent
+_PACKAGE = Path(fieldspec.__file__).resolve().parent
 _FOLDERS = ("backends", "render")
 _stores: list[tuple[Load, Store]] = []
 

@@ -9,6 +9,7 @@ import sys
 from contextlib import suppress
 from importlib.machinery import PathFinder
 
+import fieldspec
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.streams import print_error
 
@@ -216,7 +217,7 @@ LAYING_OUT = (
 WHOLE = ("",)
 """All of the compiler."""
 
-_PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+_PACKAGE = os.path.dirname(os.path.realpath(fieldspec.__file__))
 _OTHERS = ("__pycache__", "_specs")
 """Folders of the package that do not belong to the compiler."""
 

@@ -218,5 +218,5 @@ def _fits(text: str, form: str, what: str) -> None:
 
 
 def _fill_skeleton(skeleton: str, **words: str) -> str:
-    text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
+    text = resources.files("fieldspec.skeletons").joinpath(f"{skeleton}.yaml").read_text("utf-8")
     return Template(text).substitute(words)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 
+import fieldspec
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.regular_file import NO_LINK, IrregularError, SizeError, content
 from fieldspec.commands.usage import UsageError, unknown
@@ -19,7 +20,7 @@ VARIABLE = "FIELDSPEC_SPECS"
 INDEX = "manual.index"
 """The file of a device with the index of its manual, for audits."""
 
-_PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+_PACKAGE = os.path.dirname(os.path.realpath(fieldspec.__file__))
 INSTALLED = os.path.join(_PACKAGE, "_specs")
 """The specs in an installation of fieldspec. They are never written."""
 _CHECKOUT = os.path.join(os.path.dirname(os.path.dirname(_PACKAGE)), FOLDER)
