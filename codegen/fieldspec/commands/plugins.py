@@ -26,6 +26,8 @@ KINDS = {OUTPUTS: "output", CHECKS: "check", PROTOCOLS: "protocol"}
 KIND = "plugins"
 LARGEST_FILE = 64 << 20
 """Bytes of one file of a plug-in."""
+FAILURES = (Exception, SystemExit)
+"""What code of a package may raise. An end of the program would otherwise pass for the end of the verb."""
 _NAME = re.compile("[a-z][a-z0-9_]*")
 _SKIPPED = ("__pycache__",)
 
@@ -157,7 +159,7 @@ def _module_spec(plugin: Plugin, name: str) -> ModuleSpec:
     """Where a module is. Raises UsageError where there is none."""
     try:
         spec = find_spec(name)
-    except Exception as error:  # the package around it may raise anything
+    except FAILURES as error:  # the package around it may raise anything
         raise plugin.failed(error) from None
     if spec is None:
         raise plugin.error(f"there is no module {name}")
