@@ -137,7 +137,7 @@ def test_a_broken_entry_point_is_one_line_that_names_the_package(tmp_path: Path,
     text = DEVICE if group == "protocols" else DEVICE.replace("{protocol: acme_bus}", "{protocol: own}")
     site.write("specs/pump/device.yaml", text)
     site.write("specs/protocols/own.yaml", (EXAMPLE / PROTOCOL).read_text("utf-8").replace("acme_bus", "own"))
-    ran = site.run("build")
+    ran = site.run("build", "--to", name if group == "outputs" else "c")
     assert ran.code == 2, ran
     assert ran.err.startswith(f"fieldspec: the {group[:-1]} {name} of the installed package acme-broken 1.0 cannot")
     assert reason in ran.err
@@ -185,3 +185,19 @@ def test_every_verb_that_uses_a_check_stops_at_a_broken_one(tmp_path: Path, verb
     assert (ran.code, ran.out) == (2, "")
     expected = "fieldspec: the check extra of the installed package acme-broken 1.0 cannot be used: SystemExit: 0\n"
     assert ran.err == expected
+
+
+UNREADABLE = "fieldspec: the entry points of the installed package acme-broken 1.0 cannot"
+
+
+@pytest.mark.parametrize(("group", "code", "error"), [("fieldspec.outputs", 2, UNREADABLE), ("console_scripts", 0, "")])
+def test_entry_points_that_cannot_be_read_are_refused_where_they_are_for_fieldspec(
+    tmp_path: Path, group: str, code: int, error: str
+) -> None:
+    site = Site(tmp_path, tmp_path / "site")
+    declare(site.packages, "acme-broken", "outputs", "extra", "bad")
+    entry_points = site.packages / "acme-broken-1.0.dist-info" / "entry_points.txt"
+    entry_points.write_text(f"[{group}]\nextra\n", encoding="utf-8")
+    assert site.run("new", "device", "pump", "--protocol", "packet").code == 0
+    ran = site.run("build", "--to", "vectors")
+    assert (ran.code, ran.err[: len(UNREADABLE)]) == (code, error)

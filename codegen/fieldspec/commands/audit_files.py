@@ -116,8 +116,8 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     with exclusive_folder(path.parent):  # from reading to writing, so that no entry of another process is lost
         text = (_before(path) or f"{specs.editor_line()}reviews:\n") + entry
         _must_be_sound(folder, spec.id, text)
+        specs.bring_schema(folder)
         replace(path, text.encode("utf-8"))
-    specs.bring_schema(folder)
     count = sum(len(state.digests) for state in signed.values())
     print_line(
         f"{specs.relative_path(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}"

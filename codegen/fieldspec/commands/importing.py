@@ -49,9 +49,9 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.to == "-":
         print_document(text)
         return 0
-    storage.write(path, text.encode("utf-8"), new=True)
     if path.name == MAIN:
         specs.bring_schema(path.resolve().parent.parent)
+    storage.write(path, text.encode("utf-8"), new=True)
     skipped = f", {len(register_list.skipped)} rows without an address" if register_list.skipped else ""
     print_line(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
     for remark in _remarks(text):
