@@ -195,9 +195,9 @@ def test_entry_points_that_cannot_be_read_are_refused_where_they_are_for_fieldsp
     tmp_path: Path, group: str, code: int, error: str
 ) -> None:
     site = Site(tmp_path, tmp_path / "site")
+    assert site.run("new", "device", "pump", "--protocol", "packet").code == 0
     declare(site.packages, "acme-broken", "outputs", "extra", "bad")
     entry_points = site.packages / "acme-broken-1.0.dist-info" / "entry_points.txt"
     entry_points.write_text(f"[{group}]\nextra\n", encoding="utf-8")
-    assert site.run("new", "device", "pump", "--protocol", "packet").code == 0
     ran = site.run("build", "--to", "vectors")
     assert (ran.code, ran.err[: len(UNREADABLE)]) == (code, error)
