@@ -17,6 +17,7 @@ from fieldspec.reading.project import read
 from matiec import VARIABLE
 from random_devices.access_judge import Access
 from random_devices.c_judge import C
+from random_devices.capture_judge import Captures
 from random_devices.command_judge import Command
 from random_devices.devices import text_of
 from random_devices.draft import Spec
@@ -65,6 +66,7 @@ JUDGES = (
     Judge("framers", 4, Framers),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
     Judge("script", 3, ScriptExplainer),
+    Judge("captures", 2, Captures),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
     Judge("command", 5, Command),
     Judge("tables", 1, lambda layout, folder, number: Tables(layout)),

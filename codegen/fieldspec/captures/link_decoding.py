@@ -244,7 +244,7 @@ class LinkDecoder:
                     field = record.named(field_name) if field_name else None
                     if field is not None:
                         at = rows.body[own] + field.offset
-                        column[own] = number_at(rows.buffer(way), at, field.size, field.order)
+                        column[own] = number_at(rows.buffer(way), at, field.size, field.order, swapped=field.swapped)
                 if not access.count:
                     values = record.named(access.values)
                     holder = message.request if access.operation == "write" else message.response
