@@ -245,7 +245,7 @@ def _columns(device: Device, leaf: Leaf, is_lenient: bool) -> Iterator[tuple[str
     meaning = meaning_of(device, value, raw)
     yield "value", meaning.exact
     words = [*meaning.names, *(f"bit_{place}" for place in meaning.others)]
-    digits = None if is_narrow or kind is Kind.FLOAT or value.flags else str(raw)
+    digits = None if is_narrow or kind is Kind.FLOAT else str(raw)
     yield "text", "+".join(words) if words or value.flags else digits
     verdict = "ok" if meaning.is_within else "out_of_range"
     if verdict == "ok" and not meaning.is_listed:

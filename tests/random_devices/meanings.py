@@ -18,7 +18,10 @@ from fieldspec.reference.quantities import quantity, special_name
 
 @dataclass(frozen=True)
 class Leaf:
-    """A value of a record by its path, such as `items[0].size`, with its raw value."""
+    """A value of a record by its path, such as `items[0].size`, with its raw value.
+
+    `power` is the exponent of its scale, None where that is not beside it, or stands for none.
+    """
 
     path: str
     value: Value
@@ -26,6 +29,7 @@ class Leaf:
     order: str
     swapped: bool
     is_reserved: bool
+    power: int | None = None
 
 
 def leaves(record: RecordLayout, values: Mapping[str, Any], before: str = "") -> Iterator[Leaf]:
@@ -40,12 +44,20 @@ def leaves(record: RecordLayout, values: Mapping[str, Any], before: str = "") ->
             if field.record is not None:
                 yield from leaves(field.record, item, f"{path}.")
             else:
-                yield _leaf(field, path, item)
+                yield _leaf(field, path, item, _power(chosen, field, values))
 
 
-def _leaf(field: FieldLayout, path: str, raw: Any) -> Leaf:
+def _power(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
+    beside = record.named(field.value.scale_by) if field.value is not None and field.value.scale_by else None
+    if beside is None or beside.value is None or beside.value.ranges is None or record.spans:
+        return None
+    power = values[beside.name]
+    return power if power in beside.value.ranges and not special_name(beside.value, power) else None
+
+
+def _leaf(field: FieldLayout, path: str, raw: Any, power: int | None) -> Leaf:
     assert field.value is not None
-    return Leaf(path, field.value, raw, field.order, field.swapped, field.field.reserved)
+    return Leaf(path, field.value, raw, field.order, field.swapped, field.field.reserved, power)
 
 
 @dataclass(frozen=True)

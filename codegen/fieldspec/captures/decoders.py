@@ -126,15 +126,15 @@ class Decoder:
             result.quantity[:] = self._scaled(wide)
         if beyond is not None and beyond.any():
             result.has_raw[beyond] = False
-            result.text[beyond] = self._digits(raw[beyond])
-        if self.reserved:
-            return result
         if self.has_table:
             self._by_table(raw, result)
         elif self.is_named:
             self._by_memory(raw, result)
-        else:
+        elif not self.reserved:
             self._by_bounds(raw, result)
+        if beyond is not None and beyond.any():
+            nameless = beyond & (result.text < 0)
+            result.text[nameless] = self._digits(raw[nameless])
         if self.is_lenient:
             result.verdict[:] = OK
         return result
