@@ -22,7 +22,7 @@ def _record_with_tail(draft: Draft) -> Spec:
         draft.tails.append(record["name"])
         return record
     repeated = _repeated(draft, fields, low_limits=True)
-    measure = draft.fact(type=draft.pick(("u8", "u16", "u32")), measures=_measure(draft, repeated))
+    measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
     record["fields"] = [*_inserted(draft, fields, measure), repeated]
     draft.tails.append(record["name"])
     return record
@@ -217,7 +217,7 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
         repeated = _repeated(draft, fields)
         if number and draft.chance(15):
             return [*fields, repeated]
-        measure = draft.fact(type=draft.pick(("u8", "u16", "u32")), measures=_measure(draft, repeated))
+        measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
         fields = [*_inserted(draft, fields, measure), repeated]
         if draft.chance(20):
             fields.append(draft.fact(type="u16", measures=_measure(draft, repeated)))

@@ -117,9 +117,10 @@ def _repeat_block(draft: Draft, group: Spec, at: int) -> None:
     if draft.chance(50) and not any({"write_range", "const", "trigger"} & set(row) for row in group["rows"]):
         stated["access"] = "ro"
     if draft.chance(50):
-        row = draft.pick(group["rows"])
-        place = at + row["at"] - group["rows"][0]["at"]
-        stated["rows"] = [{"of": row["name"], "at": place, "source": draft.source()}]
+        offset = at - group["rows"][0]["at"]
+        stated["rows"] = [
+            {"of": row["name"], "at": row["at"] + offset, "source": draft.source()} for row in group["rows"]
+        ]
     group["copies"] = [stated]
 
 
