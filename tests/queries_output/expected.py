@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from decimal import Decimal
+from decimal import Context, Decimal, Inexact
+from fractions import Fraction
 from typing import Any
 
 from fieldspec.backends.fact_texts import unit_word
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.value import Kind, Value
+from fieldspec.reference.bits import number_of_bits
+from fieldspec.reference.quantities import quantity, scale_of, special_name
 
 Columns = dict[str, Any]
 Exponent = tuple[Value, Any]
@@ -127,7 +130,7 @@ def value_columns(
     """The columns of a value by its raw value."""
     assert value is not None
     kind = value.type.kind
-    sentinel = value.sentinel(raw) if kind in (Kind.INTEGER, Kind.FLOAT) else None
+    sentinel = special_name(value, raw) if kind in (Kind.INTEGER, Kind.FLOAT) else ""
     if value.enum:
         member = device.enums[value.enum].member(int(raw))
         yield name, None if member is None else member.name
@@ -138,12 +141,13 @@ def value_columns(
         yield from _bit_columns(device, name, value, word)
     elif power is not None:
         exponent, number = power
-        is_known = sentinel is None and exponent.ranges is not None and number in exponent.ranges
+        is_known = not sentinel and exponent.ranges is not None and number in exponent.ranges
         yield f"{name}_{unit_word(value.quantity_unit)}", _share(value.scaled_by(number), raw) if is_known else None
         yield f"{name}_raw", raw
     elif kind is Kind.INTEGER and value.scaled:
-        quantity = value.in_unit(raw) if isinstance(value.scale, Decimal) else _share(value, raw)
-        yield f"{name}_{unit_word(value.unit)}", None if sentinel else quantity
+        exact = quantity(value, raw) if isinstance(value.scale, Decimal) else None
+        shown = exact_decimal(exact) if exact is not None else _share(value, raw)
+        yield f"{name}_{unit_word(value.unit)}", None if sentinel else shown
         yield f"{name}_raw", raw
     elif value.sentinels:
         yield name, None if sentinel else raw
@@ -151,20 +155,26 @@ def value_columns(
     else:
         yield name, raw
     if value.sentinels:
-        yield f"{name}_state", sentinel.name if sentinel else None
+        yield f"{name}_state", sentinel or None
 
 
 def _share(value: Value, raw: int) -> float:
-    from fractions import Fraction
+    return float(Fraction(raw) * scale_of(value) + Fraction(value.offset))
 
-    return float(raw * Fraction(value.scale) + Fraction(value.offset))
+
+def exact_decimal(number: Fraction | None) -> Decimal | None:
+    """A fraction that is a decimal number as one."""
+    if number is None:
+        return None
+    exact = Context(prec=200, traps=[Inexact])
+    return exact.divide(Decimal(number.numerator), Decimal(number.denominator))
 
 
 def _bit_columns(device: Device, name: str, value: Value, word: int) -> Iterator[tuple[str, Any]]:
     for bit in device.flags[value.flags].bits:
         if bit.reserved:
             continue
-        own, number = f"{name}_{bit.name}", bit.number_in(word)
+        own, number = f"{name}_{bit.name}", number_of_bits(device.flags[value.flags], bit, word)
         if bit.enum:
             member = device.enums[bit.enum].member(number)
             yield own, None if member is None else member.name
@@ -173,7 +183,7 @@ def _bit_columns(device: Device, name: str, value: Value, word: int) -> Iterator
             exact = isinstance(bit.scale, Decimal)
             yield (
                 f"{own}_{unit_word(bit.unit)}",
-                bit.as_value.in_unit(number) if exact else _share(bit.as_value, number),
+                exact_decimal(quantity(bit.as_value, number)) if exact else _share(bit.as_value, number),
             )
             yield f"{own}_raw", number
         else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from fractions import Fraction
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -12,10 +13,11 @@ import pytest
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.exponents import exponent_of
 from fieldspec.layout.record import RecordLayout, RegisterLayout
-from fieldspec.layout.values import number_of_sentinel
 from fieldspec.model.record import Message
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
+from fieldspec.reference.quantities import quantity as reference_quantity
+from fieldspec.reference.quantities import scale_of, special_number
 from python_package import built, link_of, record_class, runtime
 from random_devices.inputs import is_computed, record_values
 from random_devices.python_judge import Python
@@ -171,8 +173,8 @@ class Access(Python):
             return  # its quantities are those of its elements
         for count, power in product(counts, powers):
             quantity = holder.in_unit(count, *power)
-            own = value.scaled_by(*power) if power else value
-            exact = None if value.sentinel(count) is not None else float(own.in_unit(count))
+            wanted = reference_quantity(value, count, *power)
+            exact = None if wanted is None else float(wanted)
             same = quantity == exact or (
                 quantity is not None and exact is not None and abs(quantity - exact) <= abs(exact) * 1e-12 + 1e-9
             )
@@ -187,7 +189,7 @@ class Access(Python):
         absent = dict(holder.absent)
         assert list(absent) == [sentinel.name for sentinel in value.sentinels], f"{query.path} has {absent}"
         for sentinel in value.sentinels:
-            number = number_of_sentinel(value, sentinel)
+            number = special_number(value, sentinel.name)
             assert holder.state_of(number) == sentinel.name, f"{query.path}: {number} is {holder.state_of(number)}"
             assert holder.state_of(absent[sentinel.name]) == sentinel.name
         if value.scale_by or value.enum or value.flags or value.type.kind not in (Kind.INTEGER, Kind.FLOAT):
@@ -201,7 +203,7 @@ class Access(Python):
             if sentinel.is_nan:
                 continue
             with pytest.raises(self.error):
-                holder.from_unit(value.in_unit(sentinel.value))
+                holder.from_unit(Fraction(sentinel.value) * scale_of(value) + Fraction(value.offset))
 
     def _assert_states(self, record: RecordLayout) -> None:
         """A record has a constant for each state of its fields."""
@@ -226,8 +228,8 @@ class Access(Python):
             unit = getattr(record_class(self.module, record), f"{Name.of(field.name).upper()}_UNIT")
             for power in (exponent.value.ranges.low, exponent.value.ranges.high):
                 for count in (field.value.low, field.value.high, 1):
-                    exact = float(field.value.scaled_by(power).in_unit(count))
-                    wanted = None if field.value.sentinel(count) is not None else pytest.approx(exact, rel=1e-12)
+                    exact = reference_quantity(field.value, count, power)
+                    wanted = None if exact is None else pytest.approx(float(exact), rel=1e-12)
                     assert unit.in_unit(count, power) == wanted, f"{record.name}.{field.name}: {count} by {power}"
 
     def _assert_columns(self, query: Query) -> None:

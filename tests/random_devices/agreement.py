@@ -17,12 +17,15 @@ from fieldspec.reading.project import read
 from matiec import VARIABLE
 from random_devices.access_judge import Access
 from random_devices.c_judge import C
+from random_devices.capture_judge import Captures
 from random_devices.command_judge import Command
 from random_devices.devices import text_of
 from random_devices.draft import Spec
 from random_devices.explainer_judge import Explainer
+from random_devices.forms_judge import forms_agree
 from random_devices.framer_judge import Framers
 from random_devices.javascript_judge import JavaScript
+from random_devices.meaning_judge import Meanings
 from random_devices.python_judge import Python
 from random_devices.queries import Answer, Query, queries
 from random_devices.queries_judge import Queries
@@ -65,6 +68,8 @@ JUDGES = (
     Judge("framers", 4, Framers),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
     Judge("script", 3, ScriptExplainer),
+    Judge("captures", 2, Captures),
+    Judge("meanings", 2, Meanings),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
     Judge("command", 5, Command),
     Judge("tables", 1, lambda layout, folder, number: Tables(layout)),
@@ -107,6 +112,9 @@ def compare(spec: Spec, seed: int, frames: int, judges: tuple[Judge, ...] = JUDG
     for layout in layouts:
         compare_layout(layout, seed, frames, judges, result)
     asked = queries(layouts[-1], seed, 12)
+    if seed % 4 == 0:
+        result.asked["forms"] = 1
+        result.disagreements += forms_agree(spec, layouts, random.Random(seed))
     if seed % 4 == 1:
         result.disagreements += examples_are_proven(spec, layouts, asked)
     if seed % 4 == 2:

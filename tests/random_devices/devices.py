@@ -44,6 +44,7 @@ def devices(draw: Any) -> Spec:
     draft.code_bits = draft.pick((8, 8, 16, 8, 8, 24))
     spec["enums"] = drawn_words.enums(draft)
     spec["flags"] = drawn_words.flags(draft)
+    spec["enums"] += drawn_words.derived_enums(draft)
     spec["records"] = drawn_records.records(draft)
     if draft.chance(18):
         drawn_buses.add_bus(draft)

@@ -164,7 +164,8 @@ class Draft:
     def bounded(self, fact: Spec, percent: int = 8) -> Spec:
         """A fact that some versions do not have, now and then."""
         if self.versions and self.chance(percent):
-            fact |= {"since": self.versions[1]} if self.chance(60) else {"until": self.versions[0]}
+            first, second = self.versions
+            fact |= self.pick(({"since": second}, {"since": second}, {"until": first}, {"only": [second]}, {"only": [first]}))
         return fact
 
     def intervals(self, low: int, high: int, most: int = 3) -> list[tuple[int, int]]:

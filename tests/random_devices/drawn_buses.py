@@ -127,7 +127,7 @@ def _body(draft: Draft, room: int) -> list[Spec]:
     fields = []
     for _ in range(draft.number(0, 4)):
         field, size = fixed_field(draft)
-        if size <= room and not {"since", "until"} & set(field):
+        if size <= room and not {"since", "until", "only"} & set(field):
             fields.append(field)
             room -= size
     return fields

@@ -97,7 +97,7 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
         for _ in range(draft.pick((1, 1, 1, 2))):
             before.append(_part(draft, "length", **_number(draft, _count(draft, "u16", "u8", "u32"), 999)))
     if draft.chance(70):
-        for _ in range(draft.pick((1, 1, 1, 1, 1, 1, 1, 2))):
+        for _ in range(draft.pick((1, 1, 1, 1, 1, 1, 2, 3, 4))):
             (before if draft.chance(15) else behind).append(_checksum(draft))
     line_of_parts = [*_shuffled(draft, before), _part(draft, "body"), *_shuffled(draft, behind)]
     names = [part["name"] for part in line_of_parts]

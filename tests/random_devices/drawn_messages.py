@@ -93,7 +93,10 @@ def leave_unrequested(draft: Draft) -> None:
     if not draft.chance(25):
         return
     of_requests = {"accesses", "access_steps", "segments", "broadcast", "response_code", "supplements"}
+    pieces = {message["segments"]["message"] for message in draft.spec["messages"] if "segments" in message}
     for message in draft.spec["messages"]:
+        if message["name"] in pieces:
+            continue
         if draft.chance(40) and "response" in message and not of_requests & set(message):
             if any({"same_as", "parameter"} & set(field) for field in message["response"]):
                 continue
@@ -341,7 +344,31 @@ def _messages_of_bytes(draft: Draft, name: str, number: Spec) -> list[Spec]:
     length = sizes[-1] + draft.number(0, 2)
     padded = draft.fact(type="bytes", length=length, parameter={**value, "sizes": {"by": by["name"], "cases": cases}})
     drawn = [draft.fact(request=asked, response=[by, number, padded])]
+    if draft.chance(60):
+        return [*drawn, *_pieces_of_values(draft, drawn[0], enum, asked, values)]
     if draft.chance(50):
         return [*drawn, draft.fact(request=[*asked, by, padded], response=[])]
     single = [draft.fact(type="bytes", length=size, parameter=value) for size in sizes]
     return [*drawn, *(draft.fact(request=[*asked, data], response=[]) for data in single)]
+
+
+def _pieces_of_values(draft: Draft, first: Spec, enum: Spec, asked: list[Spec], taken: list[int]) -> list[Spec]:
+    """The messages with the pieces of values that no message carries alone, and that which begins to write one."""
+    enum["members"].append({"value": next(n for n in range(256) if n not in taken), "name": "in_pieces"})
+    enum["members"].sort(key=lambda member: int(member["value"]))
+    last, unused, turn = draft.name(), draft.name(), draft.name()
+    bits: list[Spec] = [{"bit": 0, "name": last}, {"bits": "1..3", "name": unused}, {"bit": 4, "name": turn}]
+    if draft.chance(50):
+        bits.append({"bit": draft.number(5, 7), "name": draft.name(), "default": 1})
+    word = draft.fact(type="u8", bits=bits)
+    draft.spec["flags"].append(word)
+    command = draft.fact(type="u8", flags=word["name"])
+    data = draft.fact(type="bytes", length=draft.number(1, 7))
+    reads = draft.fact(request=[command], response=[command, data])
+    how: Spec = {"data": data["name"], "counter": turn, "unused": unused, "last": last}
+    first["segments"] = {"message": reads["name"], "when": ["in_pieces"], **how}
+    writes = draft.fact(request=[command, data], response=[command])
+    size = draft.fact(type=draft.pick(("u16", "u32")))
+    begins = draft.fact(request=[*asked, size], response=[])
+    begins["segments"] = {"message": writes["name"], "size": size["name"], **how}
+    return [reads, begins, writes]

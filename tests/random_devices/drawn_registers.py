@@ -104,8 +104,24 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
         at += 1
     if gaps:
         group["gaps"] = [{"at": gap, "reason": "The manual leaves them out."} for gap in gaps]
+    elif draft.chance(15) and "scale_by" not in {key for row in group["rows"] for key in row}:
+        _repeat_block(draft, group, at)
+        at += at - group["rows"][0]["at"]
     free[space] = at
     return group
+
+
+def _repeat_block(draft: Draft, group: Spec, at: int) -> None:
+    """Adds a block to a group that repeats all of its registers behind it."""
+    stated: Spec = {"group": draft.name(), "prefix": f"stored_{draft.names}", "base": at, "source": draft.source()}
+    if draft.chance(50) and not any({"write_range", "const", "trigger"} & set(row) for row in group["rows"]):
+        stated["access"] = "ro"
+    if draft.chance(50):
+        offset = at - group["rows"][0]["at"]
+        stated["rows"] = [
+            {"of": row["name"], "at": row["at"] + offset, "source": draft.source()} for row in group["rows"]
+        ]
+    group["copies"] = [stated]
 
 
 def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
@@ -161,6 +177,8 @@ def tables(draft: Draft) -> list[Spec]:
                     field["scale_by"] = exponent
         if draft.chance(40):
             table["count_by"] = _add_count(draft, at - 4, count, table.get("space", ""))
+        if draft.chance(20):
+            table["base_by"] = _add_base(draft, at - 6, table)
         drawn.append(table)
         at += table["stride"] * count + 8
     return drawn
@@ -171,6 +189,15 @@ def _add_count(draft: Draft, at: int, count: int, space: str) -> str:
     row = {"at": at, **draft.fact(type="u16", words=1, range=f"0..{count}", default=count), "access": "rw"}
     group: Spec = {"group": draft.name(), "source": draft.source(), "rows": [row]}
     draft.spec.setdefault("registers", []).append(group | ({"space": space} if space else {}))
+    return str(row["name"])
+
+
+def _add_base(draft: Draft, at: int, table: Spec) -> str:
+    """Adds a register with the address of the first element of a table, in a group of its own."""
+    words = table["stride"] * table["count"]
+    row = {"at": at, **draft.fact(type="u16", words=1, range=f"{table['base']}..{0xEFFF - words}"), "access": "ro"}
+    group: Spec = {"group": draft.name(), "source": draft.source(), "rows": [row]}
+    draft.spec.setdefault("registers", []).append(group | ({"space": table["space"]} if "space" in table else {}))
     return str(row["name"])
 
 

@@ -18,9 +18,9 @@ def tell_versions(draft: Draft) -> None:
         (f"messages/{message['name']}/response/{field['name']}", field)
         for message in spec["messages"]
         for field in message.get("response", ())
-        if "name" in field and not {"since", "until"} & set(message)
+        if "name" in field and not {"since", "until", "only"} & set(message)
     ]
-    barred = {"since", "until", "count", "repeat", "reserved", "const", "trigger", "elements", "varies"}
+    barred = {"since", "until", "only", "count", "repeat", "reserved", "const", "trigger", "elements", "varies"}
     telling = [
         (path, row)
         for path, row in rows

@@ -39,7 +39,7 @@ def _enum(draft: Draft) -> Spec:
         enum["sparse"] = True
     elif gaps:
         enum["gaps"] = f"{', '.join(gaps)}: the manual leaves them out"
-    members = {m["name"]: m["value"] for m in enum["members"] if not ({"since", "until", "unavailable"} & set(m))}
+    members = {m["name"]: m["value"] for m in enum["members"] if not ({"since", "until", "only", "unavailable"} & set(m))}
     everything = {m["name"]: m["value"] for m in enum["members"]}
     draft.enums.append(EnumDraft(enum["name"], members if len(members) > 1 else everything, bool(enum.get("open"))))
     return enum
@@ -60,13 +60,61 @@ def _flags(draft: Draft) -> Spec:
         at += width + (draft.number(0, 9) if draft.chance(40) else 0)
     if draft.chance(20):
         word["bits"].reverse()
-    single = [bit["name"] for bit in word["bits"] if "bit" in bit and not {"reserved", "since", "until"} & set(bit)]
+    single = [bit["name"] for bit in word["bits"] if "bit" in bit and not {"reserved", "since", "until", "only"} & set(bit)]
     if len(single) > 1 and draft.chance(25):
         word["states"] = [draft.fact(set=single[:1], clear=single[1:2]), draft.fact(set=single[1:2], clear=single[:1])]
     draft.flags[word["name"]] = kind
+    if draft.chance(25):
+        _count_from_most(word)
     if any({"range", "unit_range"} & set(bit) for bit in word["bits"]):
         draft.ranged.add(word["name"])
     return word
+
+
+def _count_from_most(word: Spec) -> None:
+    """Numbers the bits of a word from the most significant one, as some manuals do."""
+    highest = 8 * SIZES[word["type"]] - 1
+    word["bit_0"] = "most"
+    for bit in word["bits"]:
+        if "bit" in bit:
+            bit["bit"] = highest - bit["bit"]
+        else:
+            first, last = map(int, bit["bits"].split(".."))
+            bit["bits"] = f"{highest - last}..{highest - first}"
+
+
+def derived_enums(draft: Draft) -> list[Spec]:
+    """Enums whose members are the masks of the bits of a word, or the second numbers of the members of another enum."""
+    drawn = []
+    for word in draft.spec["flags"]:
+        own = [bit for bit in word["bits"] if "bit" in bit and "name" in bit]
+        barred = {"since", "until", "only", "reserved"}
+        if len(own) > 1 and draft.chance(25) and not any(barred & set(bit) for bit in own):
+            highest = 8 * SIZES[word["type"]] - 1
+            places = [highest - bit["bit"] if word.get("bit_0") == "most" else bit["bit"] for bit in own]
+            members = {bit["name"]: 1 << place for bit, place in zip(own, places, strict=True)}
+            drawn.append(_derived(draft, {"flags": word["name"]}, members))
+    for enum in draft.spec["enums"]:
+        own = enum["members"]
+        if len(own) > 1 and draft.chance(15) and not any({"since", "until", "only"} & set(member) for member in own):
+            numbers = sorted({draft.number(0, 200) for _ in own})
+            if len(numbers) == len(own):
+                for member, number in zip(own, numbers, strict=True):
+                    member["number"] = number
+                members = {member["name"]: member["number"] for member in own if not member.get("unavailable")}
+                drawn.append(_derived(draft, {"enum": enum["name"]}, members))
+    return drawn
+
+
+def _derived(draft: Draft, source: Spec, members: dict[str, int]) -> Spec:
+    enum = draft.fact(derived=source, sparse=True)
+    if draft.chance(30) and 0 not in members.values():
+        enum["members"] = [{"value": 0, "name": draft.name()}]
+        members = {enum["members"][0]["name"]: 0, **members}
+    if draft.chance(50):
+        enum["open"] = True
+    draft.enums.append(EnumDraft(enum["name"], members, bool(enum.get("open"))))
+    return enum
 
 
 def _bit(draft: Draft, at: int, most: int) -> tuple[Spec, int]:

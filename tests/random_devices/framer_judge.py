@@ -15,6 +15,7 @@ from fieldspec.backends.js.backend import shared
 from fieldspec.backends.js.module import module_texts
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name
+from fieldspec.reference.framing import Framing
 from python_package import link_of
 from random_devices.framer_streams import Stream, streams
 from random_devices.python_judge import module_of_device
@@ -39,10 +40,10 @@ class Cut:
 class Framers:
     """Says nothing about queries; raises AssertionError where a framer loses, joins or splits frames.
 
-    `compared` counts the streams of all devices.
+    `compared` counts the streams of all devices, `cut` those that the reference cuts, too.
     """
 
-    compared = 0
+    compared = cut = 0
 
     def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
         self.layout, self.folder = layout, folder / f"framers_{number}"
@@ -62,6 +63,7 @@ class Framers:
             assert other is not None, f"JavaScript has no framer for {text}"
             _assert_promised(stream, own, text)
             same = f"{_list(own.all_frames)}, {own.dropped} dropped, and {_list(other.all_frames)}, {other.dropped}"
+            _assert_cut(self.layout, stream, own, text)
             assert own == other, f"Python and JavaScript differ in {text}: {same}"
             Framers.compared += 1
         return [Answer(reason=None)] * len(queries)
@@ -110,6 +112,18 @@ def _assert_promised(stream: Stream, cut: Cut, text: str) -> None:
     frames = cut.all_frames[: len(stream.expected)] if stream.goes_on else cut.all_frames
     assert frames == stream.expected, f"{_list(frames)} in place of {_list(stream.expected)} from {text}"
     assert stream.noise in (None, cut.dropped), f"{cut.dropped} bytes dropped in place of {stream.noise} from {text}"
+
+
+def _assert_cut(layout: DeviceLayout, stream: Stream, cut: Cut, text: str) -> None:
+    """The frames of a stream before its first silence are those that the reference cuts out of it."""
+    framing = Framing(layout, stream.link, stream.direction)
+    if not framing.ending:
+        return
+    count = stream.pieces.index(None)
+    wanted = framing.frames(b"".join(piece or b"" for piece in stream.pieces[:count]))
+    frames = [frame for own in cut.frames[:count] for frame in own]
+    Framers.cut += 1
+    assert frames == wanted, f"{_list(frames)}, and the reference cuts {_list(wanted)} out of {text}"
 
 
 def _list(frames: tuple[bytes, ...] | list[bytes]) -> str:

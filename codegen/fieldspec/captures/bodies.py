@@ -130,7 +130,7 @@ class BodyReader:
             return
         selector = self.record.selector
         short = selector.offset + selector.size > size
-        number = number_at(buffer, at + selector.offset, selector.size, selector.order)
+        number = _number(selector, buffer, at)
         blame(verdict, short | (size < self.record.least), INCOMPLETE)
         decided = short.copy()
         for key in np.unique(number[~short]).tolist():
@@ -306,7 +306,7 @@ class BodyReader:
     ) -> None:
         """Judges a field that measures another one, or is the number of bits that are packed into it."""
         if slot.layout is slot.field and slot.layout.bits_of:
-            number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
+            number = _number(slot.layout, buffer, at)
             wrong = (number + 7) // 8 != np.maximum(counts[slot.layout.bits_of], 0)
             blame(verdict, wrong & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
             return
@@ -321,7 +321,7 @@ class BodyReader:
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
         items = np.maximum(items, 0) if other.is_list else np.ones(len(at), np.int64)
         should = (items * other.size if measure.of == "bytes" else items) + measure.plus
-        number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
+        number = _number(slot.layout, buffer, at)
         if room is not None:
             should = counts[other.name] * (other.size if measure.of == "bytes" else 1) + measure.plus
             blame(verdict, (number != should) & (counts[other.name] >= 0), WRONG_MEASURE)
@@ -330,6 +330,11 @@ class BodyReader:
             blame(verdict, (number != should) & (other.offset <= size), WRONG_MEASURE)
             return
         blame(verdict, (number != should) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+
+
+def _number(field: FieldLayout, buffer: Bytes, at: Numbers) -> Numbers:
+    """The numbers of a field of records that begin at some places."""
+    return number_at(buffer, at + field.offset, field.size, field.order, swapped=field.swapped)
 
 
 def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:

@@ -22,11 +22,21 @@ def numbers(values: object) -> Numbers:
     return np.asarray(values, dtype=np.int64)
 
 
-def number_at(buffer: Bytes, at: Numbers, size: int, order: str = "big", signed: bool = False) -> Numbers:
+def number_at(
+    buffer: Bytes, at: Numbers, size: int, order: str = "big", signed: bool = False, swapped: bool = False
+) -> Numbers:
     """The whole numbers of `size` bytes, up to 8, at some places, modulo 2^64.
 
-    Places outside of the buffer read other bytes of it; the caller has excluded them.
+    With `swapped`, the order of their 16-bit words is opposite to that of the bytes in each. Places outside of the
+    buffer read other bytes of it; the caller has excluded them.
     """
+    if swapped:
+        words = range(size - 2, -2, -2) if order == "big" else range(0, size, 2)
+        number = np.zeros(len(at), np.int64)
+        for word in words:
+            number = number << 16 | number_at(buffer, at + word, 2, order)
+        unused = 64 - 8 * size
+        return (number << unused) >> unused if signed and unused else number
     if size == 1:
         single = buffer.take(at, mode="clip")
         return (single.view(np.int8) if signed else single).astype(np.int64)

@@ -113,15 +113,7 @@ class Decoder:
         return self._integers(bits)
 
     def _raw(self, buffer: Bytes, at: Numbers, signed: bool) -> Numbers:
-        size = self.value.size
-        if not self.swapped:
-            return number_at(buffer, at, size, self.order, signed)
-        words = range(size - 2, -2, -2) if self.order == "big" else range(0, size, 2)
-        number = np.zeros(len(at), np.int64)
-        for word in words:
-            number = number << 16 | number_at(buffer, at + word, 2, self.order)
-        unused = 64 - 8 * size
-        return (number << unused) >> unused if signed and unused else number
+        return number_at(buffer, at, self.value.size, self.order, signed, self.swapped)
 
     def _integers(self, raw: Numbers) -> ValueColumns:
         result = ValueColumns.empty(len(raw))
@@ -134,15 +126,15 @@ class Decoder:
             result.quantity[:] = self._scaled(wide)
         if beyond is not None and beyond.any():
             result.has_raw[beyond] = False
-            result.text[beyond] = self._digits(raw[beyond])
-        if self.reserved:
-            return result
         if self.has_table:
             self._by_table(raw, result)
         elif self.is_named:
             self._by_memory(raw, result)
-        else:
+        elif not self.reserved:
             self._by_bounds(raw, result)
+        if beyond is not None and beyond.any():
+            nameless = beyond & (result.text < 0)
+            result.text[nameless] = self._digits(raw[nameless])
         if self.is_lenient:
             result.verdict[:] = OK
         return result

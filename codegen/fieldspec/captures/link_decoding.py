@@ -167,14 +167,9 @@ class LinkDecoder:
         for row in some:
             stream = int(payloads.stream[row])
             if row in undecided:
-                before = last.get(stream)
-                answered = code[RESPONSE, row]
-                is_answer = (
-                    before is not None
-                    and before[0] == REQUEST
-                    and int(unit[RESPONSE, row]) in (NONE, before[1])
-                    and answered in (NONE, before[2])
-                )
+                before = last.get(stream, (RESPONSE, NONE, NONE))
+                answered = int(unit[RESPONSE, row]), int(code[RESPONSE, row])
+                is_answer = before[0] == REQUEST and all(map(_fits, before[1:], answered))
                 direction[row] = RESPONSE if is_answer else REQUEST
             way = int(direction[row])
             last[stream] = way, int(unit[way, row]), int(code[way, row])
@@ -244,7 +239,7 @@ class LinkDecoder:
                     field = record.named(field_name) if field_name else None
                     if field is not None:
                         at = rows.body[own] + field.offset
-                        column[own] = number_at(rows.buffer(way), at, field.size, field.order)
+                        column[own] = number_at(rows.buffer(way), at, field.size, field.order, swapped=field.swapped)
                 if not access.count:
                     values = record.named(access.values)
                     holder = message.request if access.operation == "write" else message.response
@@ -394,3 +389,8 @@ def _with_pieces(payloads: Payloads, keep: Mask, pieces: list[tuple[int, Piece]]
     lost = np.concatenate([own.follows_loss, cut.follows_loss])[order]
     joined_buffer = np.concatenate([own.buffer, cut.buffer])
     return Frames(Payloads.of_columns(joined_buffer, columns, carrier, lost), noise[order])
+
+
+def _fits(asked: int, answered: int) -> bool:
+    """Whether a unit address, or a code, of a response is that of a request, or one of them carries none."""
+    return asked == answered or NONE in (asked, answered)

@@ -101,7 +101,7 @@ class RegisterMap:
         """The place of the decoder of a register, computed once for all elements that share a value."""
         key = id(each.value), is_write, each.order, each.swapped, each.reserved, each.trigger
         if key not in self._known:
-            value = each.value.for_writing() if is_write else each.value
+            value = each.value.for_writing() if is_write else each.value.as_answer(False)
             is_lenient = each.trigger and not is_write
             self._known[key] = self.decoders.place(value, each.order, each.swapped, each.reserved, is_lenient)
         return self._known[key]

@@ -155,7 +155,8 @@ def _read_as(
             return row  # without the zeros that fill it up
         text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
         return replace(row, verdict=text, reason="out_of_range")
-    read = decode_value(device, fact.value.for_writing() if is_request else fact.value, *again, reserved=fact.reserved)
+    value = fact.value.for_writing() if is_request else fact.value.as_answer(False)
+    read = decode_value(device, value, *again, reserved=fact.reserved)
     if element.parameter.trigger and not is_request:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))

@@ -229,7 +229,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     piece = span.piece(occupant.address, occupant.value.size, occupant.skip)
     at, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
-        value = occupant.value.for_writing() if operation == "write" else occupant.value
+        value = occupant.value.for_writing() if operation == "write" else occupant.value.as_answer(False)
         value = _by_exponent(layout, span, occupant, value)
         read = decode_value(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
         if occupant.trigger and operation == "read":

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from fieldspec.layout.device import DeviceLayout
     from fieldspec.layout.message import MessageLayout
     from fieldspec.layout.record import FieldLayout, RecordLayout
+    from fieldspec.model.enums import Flags
     from fieldspec.model.record import Segments, SegmentsAbort
 
 
@@ -26,6 +27,7 @@ class AbortLayout:
     reason: str
     counter: int
     size: int
+    flags: Mapping[str, Flags]
 
     def request(self, first: Mapping[str, Any], cause: str) -> dict[str, Any]:
         """The fields of the request, for what the request with the fields `first` has begun.
@@ -40,7 +42,7 @@ class AbortLayout:
             if field.value is not None and field.value.const is not None
         }
         number = self.counter if cause == "counter" else self.size
-        return {**_initial(record), **repeated, **constants, self.reason: number}
+        return {**_initial(record, self.flags), **repeated, **constants, self.reason: number}
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +66,7 @@ class SegmentsLayout:
     answered: NumberPlace | None
     unused: NumberPlace | None
     last: NumberPlace | None
+    flags: Mapping[str, Flags]
     abort: AbortLayout | None = None
 
     def follows(self, values: Mapping[str, Any]) -> bool:
@@ -86,13 +89,13 @@ class SegmentsLayout:
 
     def request(self, count: int, piece: bytes = b"", is_last: bool = False) -> dict[str, Any]:
         """The fields of the request with, or for, the piece behind `count` others."""
-        values = _initial(self.piece.request)
+        values = _initial(self.piece.request, self.flags)
         _place(values, self.asked, self.asked.number_behind(count) if self.asked is not None else 0)
         return values if self.reads else self._with_piece(values, piece, is_last)
 
     def response(self, count: int, piece: bytes = b"", is_last: bool = False) -> dict[str, Any]:
         """The fields of the response with, or for, the piece behind `count` others."""
-        values = _initial(self.piece.response)
+        values = _initial(self.piece.response, self.flags)
         _place(values, self.answered, self.answered.number_behind(count) if self.answered is not None else 0)
         return self._with_piece(values, piece, is_last) if self.reads else values
 
@@ -134,10 +137,10 @@ def _place(values: dict[str, Any], place: NumberPlace | None, number: int) -> No
         values[place.field.name] = place.placed(int(values[place.field.name]), number)
 
 
-def _initial(record: RecordLayout) -> dict[str, Any]:
+def _initial(record: RecordLayout, flags: Mapping[str, Flags]) -> dict[str, Any]:
     """The numbers of all fields that are numbers, before anything is put in."""
     return {
-        field.name: initial_number(field.field)
+        field.name: initial_number(field.field, flags)
         for field in record.fields
         if field.value is not None and field.value.type.kind is Kind.INTEGER and not field.is_list
     }
@@ -171,6 +174,7 @@ def segments_of(layout: DeviceLayout, first: MessageLayout) -> SegmentsLayout | 
         place(piece.response, stated.counter),
         place(carrier, stated.unused),
         place(carrier, stated.last),
+        flags,
         _abort(layout, stated.abort) if stated.abort is not None else None,
     )
 
@@ -180,7 +184,7 @@ def _abort(layout: DeviceLayout, stated: SegmentsAbort) -> AbortLayout:
     field = message.request.named(stated.reason)
     assert field is not None
     counter, size = _numbers(layout, field, (stated.counter, stated.size))
-    return AbortLayout(message, stated.reason, counter, size)
+    return AbortLayout(message, stated.reason, counter, size, layout.device.flags)
 
 
 def piece_refusals(layout: DeviceLayout, reader: str) -> list[Refusal]:

@@ -322,7 +322,9 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
     carried, pieces = part_of(request, "value"), segments_of(client.layout, message)
     if carried is None:
         assert pieces is not None
-        values |= {field.name: initial_number(field.field) for field in request.fields if field.name not in values}
+        flags = client.layout.device.flags
+        others = (field for field in request.fields if field.name not in values)
+        values |= {field.name: initial_number(field.field, flags) for field in others}
         values |= pieces.size_content(len(chosen.words))
     elif carried.carries_bytes:
         values |= bytes_of_value(client.layout.device, carried, signal.value, chosen.raw)

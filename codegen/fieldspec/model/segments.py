@@ -66,8 +66,11 @@ def _bounds(ranges: Ranges | None, high: int) -> tuple[int, int]:
     return (0, high) if ranges is None else (ranges.low, ranges.high)
 
 
-def initial_number(field: Field) -> int | None:
-    """The value of a field of a request that nothing else decides; None where nothing says it."""
+def initial_number(field: Field, flags: Mapping[str, Flags]) -> int | None:
+    """The value of a field of a request that nothing else decides; None where nothing says it.
+
+    A word has the defaults of its bits.
+    """
     value = field.value
     if value is None:
         return None
@@ -75,4 +78,7 @@ def initial_number(field: Field) -> int | None:
         return value.const
     if isinstance(value.default, int):
         return value.default
+    word = flags.get(value.flags)
+    if word is not None:
+        return word.initial
     return 0 if value.ranges is None else value.ranges.low

@@ -74,6 +74,20 @@ class FrameCodec:
 
         `message` names the message where the frame does not tell which one it is. Raises CodecError.
         """
+        shape = self.link.frame(direction)
+        head, data = self._around(frame, direction)
+        inner = data[shape.header_size : len(data) - shape.trailer_size]
+        announced, body, error = self._body(shape, head, inner, message)
+        values = decoded(body, inner, self.layout.device, shape.header_size)
+        visible = {part.name: head[part.name] for part in shape.header if _is_visible(part)}
+        return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
+
+    def frame_head(self, frame: bytes, direction: str) -> Values:
+        """The parts before the data of a frame, whatever the data are. Raises CodecError where a part is wrong."""
+        return self._around(frame, direction)[0]
+
+    def _around(self, frame: bytes, direction: str) -> tuple[Values, bytes]:
+        """The parts before the data, and the bytes of all parts. Raises CodecError where one around the data is wrong."""
         data = self.parts(frame, direction)
         shape = self.link.frame(direction)
         _refuse_short(shape, data)
@@ -90,11 +104,7 @@ class FrameCodec:
             if number != part.constant:
                 text = f"{part.name} is {number}, not {part.constant}"
                 raise CodecError("wrong_const", text, part.at(len(data)))
-        inner = data[shape.header_size : len(data) - shape.trailer_size]
-        announced, body, error = self._body(shape, head, inner, message)
-        values = decoded(body, inner, self.layout.device, shape.header_size)
-        visible = {part.name: head[part.name] for part in shape.header if _is_visible(part)}
-        return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
+        return head, data
 
     def has_right_checksum(self, frame: bytes, direction: str) -> bool:
         """Whether a frame has a checksum and it is right, whatever the length in the frame says."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.explain.values import number_of
 from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.model.device import Device
+from fieldspec.model.raw_numbers import SinglePrecision
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import CodecError
 from fieldspec.reference.structs import value_construct
@@ -34,7 +34,12 @@ def value_of_data(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
         data = data.ljust(value.size, b"\0")
     if len(data) != value.size:
         raise CodecError("wrong_length", f"the value has {value.size} bytes, not {len(data)}")
-    return number_of(value, data, order, swapped)
+    if not value.type.is_number:
+        return data
+    raw = value_construct(value, order, swapped).parse(data)
+    if value.type.kind is Kind.FLOAT and value.size == 4:
+        return SinglePrecision(raw)
+    return data if raw is None else raw
 
 
 def stated_bytes(field: FieldLayout, values: Mapping[str, Any]) -> bytes:

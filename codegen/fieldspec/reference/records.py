@@ -14,9 +14,12 @@ from fieldspec.layout.widths import WidthError, data_of, image_of, narrowed, pla
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Flags
-from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
+from fieldspec.model.text_form import encoding_title, text_form_title
 from fieldspec.model.value import Kind, Value
+from fieldspec.reference.bits import number_of_bits
+from fieldspec.reference.quantities import special_name
 from fieldspec.reference.structs import UNFIT, record_struct, value_construct
+from fieldspec.reference.texts import bytes_of_text, text_of_bytes, text_refusal
 
 
 class CodecError(ValueError):
@@ -161,7 +164,7 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
 
 def _decoded_text(name: str, value: Value, raw: str | bytes | None, at: int | None) -> str:
     """The characters of a text, which the construct has read where it has a form of its own."""
-    text = decoded_text(value, "big", raw) if isinstance(raw, bytes) else raw
+    text = text_of_bytes(value, "big", raw) if isinstance(raw, bytes) else raw
     if text is None:
         raise CodecError("unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", at)
     return text
@@ -169,7 +172,7 @@ def _decoded_text(name: str, value: Value, raw: str | bytes | None, at: int | No
 
 def _is_known(device: Device, value: Value, raw: int) -> bool:
     enum = device.enums[value.enum]
-    if enum.open or any(sentinel.value == raw for sentinel in value.sentinels):
+    if enum.open or special_name(value, raw):
         return True
     member = enum.member(raw)
     return member is not None and not member.unavailable
@@ -298,10 +301,10 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     assert value is not None
     kind = value.type.kind
     if kind is Kind.TEXT and isinstance(raw_value, str):
-        fault = text_fault(value, "big", raw_value)
+        fault = text_refusal(value, "big", raw_value)
         if fault is not None:
             raise CodecError(fault[0], f"{name} {fault[1]}")
-        return raw_value if value.text_form is not None else text_bytes(value, "big", raw_value)
+        return raw_value if value.text_form is not None else bytes_of_text(value, "big", raw_value)
     if kind in (Kind.TEXT, Kind.BYTES):
         data = _bytes(name, raw_value)
         if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
@@ -325,10 +328,10 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
 
 def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
     """Refuses a word with a field of bits that is out of its range, unless the word stands for a state."""
-    bit = word.refused_bit(number)
-    if bit is not None and bit.ranges is not None and value.sentinel(number) is None:
-        text = f"{bit.name} of {name} is {bit.number_in(number)}, not in {bit.ranges.text()}"
-        raise CodecError("out_of_range", text)
+    for bit in word.bits:
+        own = number_of_bits(word, bit, number)
+        if bit.ranges is not None and own not in bit.ranges and not special_name(value, number):
+            raise CodecError("out_of_range", f"{bit.name} of {name} is {own}, not in {bit.ranges.text()}")
 
 
 def _bytes(name: str, data: Any) -> bytes:
@@ -343,17 +346,16 @@ def _float(name: str, value: Value, number: float) -> float:
         struct.pack(f">{value.type.letter}", number)
     except OverflowError:
         raise CodecError("out_of_range", f"{name} is {number}, which {8 * value.size} bits do not hold") from None
-    if value.ranges is not None and number not in value.ranges and value.sentinel(number) is None:
+    if value.ranges is not None and number not in value.ranges and not special_name(value, number):
         raise CodecError("out_of_range", f"{name} is {number}, not in {value.ranges.text()}")
     return number
 
 
 def _in_range(name: str, value: Value | None, number: int) -> int:
     assert value is not None
-    known = any(sentinel.value == number for sentinel in value.sentinels)
     fits = value.low <= number <= value.high
     ranges = value.writable_ranges
-    if not fits or (ranges is not None and number not in ranges and not known):
+    if not fits or (ranges is not None and number not in ranges and not special_name(value, number)):
         allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"
         raise CodecError("out_of_range", f"{name} is {number}, not in {allowed}")
     return number

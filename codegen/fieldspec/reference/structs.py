@@ -8,9 +8,9 @@ import construct
 
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.widths import narrowed, widened
-from fieldspec.model.digits import digits_bytes, digits_number
-from fieldspec.model.text_form import decoded_text, text_bytes
 from fieldspec.model.value import Kind, Value
+from fieldspec.reference.digits import digits_of_number, number_of_digits
+from fieldspec.reference.texts import bytes_of_text, text_of_bytes
 
 
 def record_struct(record: RecordLayout) -> construct.Struct:
@@ -96,10 +96,10 @@ class _Digits(construct.Adapter):  # type: ignore[misc]
         self.value, self.swapped, self.is_reversed = value, swapped, (order == "big") == swapped
 
     def _decode(self, data: bytes, context: Any, path: str) -> int | None:
-        return digits_number(self.value, self._turned(data))
+        return number_of_digits(self.value, self._turned(data))
 
     def _encode(self, number: int, context: Any, path: str) -> bytes:
-        return self._turned(digits_bytes(self.value, number))
+        return self._turned(digits_of_number(self.value, number))
 
     def _turned(self, data: bytes) -> bytes:
         data = data[::-1] if self.is_reversed else data
@@ -114,10 +114,10 @@ class _Text(construct.Adapter):  # type: ignore[misc]
         self.value, self.order = value, order
 
     def _decode(self, data: bytes, context: Any, path: str) -> str | None:
-        return decoded_text(self.value, self.order, data)
+        return text_of_bytes(self.value, self.order, data)
 
     def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
-        return text_bytes(self.value, self.order, text) if isinstance(text, str) else text
+        return bytes_of_text(self.value, self.order, text) if isinstance(text, str) else text
 
 
 UNFIT = object()

@@ -42,7 +42,7 @@ def _arguments(
         yield f"first={_first(pieces, names, first)}"
         yield f"whole={_numbers(_whole(layout, names))}"
     fixed = [
-        f"{literal(field.name)}: {initial_number(field.field.field)}"
+        f"{literal(field.name)}: {initial_number(field.field.field, pieces.flags)}"
         for field in piece.request.stored
         if field.field.value is not None and not (not pieces.reads and field.title == pieces.data.name)
     ]
@@ -66,7 +66,7 @@ def _arguments(
         ("last", pieces.last, carrier),
     ):
         if place is not None:
-            yield f"{key}={_place(place, shape)}"
+            yield f"{key}={_place(place, shape, pieces.flags)}"
 
 
 def _first(pieces: SegmentsLayout, names: tuple[str, str], first: Exchange) -> str:
@@ -76,7 +76,7 @@ def _first(pieces: SegmentsLayout, names: tuple[str, str], first: Exchange) -> s
     arguments = []
     for field in first.request.stored:
         own = {number: "parameter.wire_number", index: "subindex", size: "size"}.get(field.title)
-        arguments.append(f"{field.name}={own or initial_number(field.field.field)}")
+        arguments.append(f"{field.name}={own or initial_number(field.field.field, pieces.flags)}")
     return f"lambda parameter, subindex, size: {CODEC}.{first.request_name}({', '.join(arguments)})"
 
 
@@ -87,7 +87,7 @@ def _abort(pieces: SegmentsLayout, first: Exchange, end: Exchange) -> str:
     arguments = []
     for field in end.request.stored:
         own = "reason" if field.title == pieces.abort.reason else repeated.get(field.title)
-        arguments.append(f"{field.name}={own or initial_number(field.field.field)}")
+        arguments.append(f"{field.name}={own or initial_number(field.field.field, pieces.flags)}")
     return f"lambda first, reason: {CODEC}.{end.request_name}({', '.join(arguments)})"
 
 
@@ -111,10 +111,10 @@ def _part(record: RecordLayout, part: str, names: tuple[str, str]) -> str:
     return ""
 
 
-def _place(place: NumberPlace, shape: RecordShape) -> str:
+def _place(place: NumberPlace, shape: RecordShape, flags: Mapping[str, Flags]) -> str:
     value = place.field.value
     ranges = value.ranges.intervals if value is not None and value.ranges is not None else ()
-    more = f", initial={initial_number(place.field)}"
+    more = f", initial={initial_number(place.field, flags)}"
     if ranges:
         more += f", ranges={tuple_of([f'({low}, {high})' for low, high in ranges])}"
     name = literal(_attribute(shape, place.field.name))

@@ -97,6 +97,11 @@ export function meaningOf(name, label, text, bits = "") {
   return { name: name ?? "", label: label ?? "", text: text ?? "", bits };
 }
 
+/** The value in a response: a constant binds only what is written. */
+export function forReading(value) {
+  return value.const === undefined ? value : { ...value, const: undefined };
+}
+
 /** The value with the range of writing as its only range. */
 export function forWriting(value) {
   return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };

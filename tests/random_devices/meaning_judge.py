@@ -1,0 +1,234 @@
+"""What values mean as a judge: the texts, names and bits of the explainer, and the values that people enter for them."""
+
+from __future__ import annotations
+
+import random
+import struct
+from collections.abc import Iterator
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.row import ExplanationRow
+from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.values import MeaningError, raw_of
+from fieldspec.model.enums import Flags
+from fieldspec.model.value import Kind, Value
+from fieldspec.reference import CodecError, codec
+from fieldspec.reference.bits import bits_of_word, number_of_bits, printed_number
+from fieldspec.reference.quantities import (
+    NoQuantityError,
+    count_of_quantity,
+    quantity,
+    scale_of,
+    special_name,
+    special_number,
+)
+from fieldspec.reference.structs import value_construct
+from python_package import class_of
+from random_devices.inputs import number_or_text
+from random_devices.meanings import Leaf, Meaning, leaves, meaning_of
+from random_devices.python_judge import module_of_device
+from random_devices.queries import Answer, Query, shapes
+
+_FULL_PLACES = 6
+"""Quantities with at most so many places are printed in full."""
+
+
+class Meanings:
+    """Says nothing about queries; raises AssertionError where a value means something else to the explainer."""
+
+    def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
+        self.layout, self.device = layout, layout.device
+        self.codecs = codec(layout).links
+        self.module = module_of_device(layout, number)
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        """Nothing about single queries."""
+        for query in queries:
+            if query.kind == "frame" and query.values is None:
+                self._assert_frame(query)
+        dice = random.Random(len(queries))
+        for _, path, (value, order, swapped, _, _) in shapes(self.layout):
+            self._assert_states(path[-1], value, order, swapped)
+            for _ in range(4):
+                raw = number_or_text(self.layout, value, dice)
+                if value.type.kind is Kind.INTEGER and value.low <= raw <= value.high:
+                    data = value_construct(value, order, swapped).build(raw)
+                    read = decode_value(self.device, value, data, order, swapped)
+                    self._assert_meaning(" ".join(path), Leaf("", value, raw, order, swapped, False), read)
+        for word in self.device.flags.values():
+            self._assert_word(word, dice.getrandbits(8 * word.type.size))
+        return [Answer(reason=None)] * len(queries)
+
+    # Decoding
+
+    def _assert_frame(self, query: Query) -> None:
+        link, direction, message = query.path
+        try:
+            wanted = self.codecs[link].decode(query.data, direction, message)
+        except CodecError:
+            return
+        assert wanted.body is not None
+        rows = {row.path: row for row in explained(self.layout, link, direction, query.data, message).rows if row.kind == "field"}
+        for leaf in leaves(wanted.body, wanted.values):
+            row = rows.get(leaf.path)
+            if row is not None and leaf.value.parameter is None and not leaf.is_reserved:
+                self._assert_meaning(f"{query.data.hex(' ')}: {leaf.path}", leaf, row)
+        self._assert_entered(wanted.body, wanted.values)
+
+    def _assert_meaning(self, text: str, leaf: Leaf, read: ExplanationRow | DecodedValue) -> None:
+        """The quantity as it is printed, the names, and the bits of a value."""
+        meaning = meaning_of(self.device, leaf.value, leaf.raw)
+        printed = read.value if isinstance(read, ExplanationRow) else read.text
+        shares = [each for each in read.meanings if each.text.endswith(" of its reference")]
+        for each in shares:
+            full = self.device.conversions[each.name].full_scale
+            share, wanted = Fraction(each.text.split(" ")[0]), Fraction(100 * leaf.raw, full)
+            assert abs(share - wanted) <= abs(wanted) / 10**5, f"{text}: {leaf.raw} is {share} %, not {float(wanted)} %"
+        shown = [each for each in read.meanings if each.kind != "state" and each not in shares]
+        names = [each.name for each in shown if each.name]
+        assert names == list(meaning.names), f"{text}: {leaf.raw} is {names}, not {meaning.names}"
+        assert [each.bits for each in shown if not each.name] == [str(place) for place in meaning.others], text
+        has_quantity = not meaning.state and not leaf.value.flags and leaf.value.type.kind in (Kind.INTEGER, Kind.FLOAT)
+        exact = quantity(leaf.value, leaf.raw, leaf.power) if has_quantity else None
+        assert_printed(f"{text}: {leaf.raw}", leaf, exact, printed if exact is not None else "")
+        if leaf.value.flags:
+            self._assert_bits(text, leaf, meaning, read)
+
+    def _assert_bits(self, text: str, leaf: Leaf, meaning: Meaning, read: ExplanationRow | DecodedValue) -> None:
+        word = self.device.flags[leaf.value.flags]
+        number = leaf.raw % (1 << 8 * word.type.size)
+        bits = bits_of_word(word, number)
+        states = [
+            state.name
+            for state in word.states
+            if all(self._is(word, name, bits, 1) for name in state.set)
+            and all(self._is(word, name, bits, 0) for name in state.clear)
+        ]
+        have = [each.name for each in read.meanings if each.kind == "state"]
+        assert have == states, f"{text}: {number:#x} has the states {have}, not {states}"
+        own = {each.name.partition("=")[0]: each for each in read.meanings if each.kind != "state" and each.name}
+        for bit in word.bits:
+            shown = own.get(bit.name)
+            if shown is None:
+                continue
+            places = str(bit.first) if bit.first == bit.last else f"{bit.first}..{bit.last}"
+            assert shown.bits == places, f"{text}: {bit.name} is at {shown.bits}, not {places}"
+            if bit.unit and bit.last > bit.first and not bit.enum:
+                exact = quantity(bit.as_value, number_of_bits(word, bit, number))
+                own_leaf = Leaf("", bit.as_value, number, "big", False, False)
+                assert_printed(f"{text}: {bit.name}", own_leaf, exact, shown.text.partition(": ")[0])
+        most = printed_number(word, 8 * word.type.size - 1)
+        is_told = any(f"bit {8 * word.type.size - 1} is its bit {most}." in note for note in read.notes)
+        assert is_told == (most == 0 and any(each.bits for each in read.meanings)), f"{text}: {read.notes}"
+
+    @staticmethod
+    def _is(word: Flags, name: str, bits: list[int], level: int) -> bool:
+        bit = next(bit for bit in word.bits if bit.name == name)
+        return all(own == level for own in bits[bit.first : bit.last + 1])
+
+    def _assert_word(self, word: Flags, number: int) -> None:
+        """Generated Python has the numbers of all bits, and sets each alone."""
+        bits = [bit for bit in word.bits if not bit.reserved]
+        of = class_of(self.module, word.name, "Flags")
+        wanted = [number_of_bits(word, bit, number) for bit in bits]
+        assert list(of(number).flags().values()) == wanted, f"{word.name} {number:#x}: {of(number).flags()}"
+        for (name, own), bit in zip(of(number).flags().items(), bits, strict=True):
+            image = int(of(0, **{name: own}))
+            assert image == number & ((1 << bit.last + 1) - (1 << bit.first)), f"{word.name} {name}: {image:#x}"
+
+    # Encoding
+
+    def _assert_entered(self, record: RecordLayout, values: dict[str, Any]) -> None:
+        """What people write for a value is that value."""
+        if record.selector is not None:
+            return
+        for field in record.fields:
+            value = field.value
+            if value is None or field.is_list or field.field.reserved or value.parameter is not None:
+                continue
+            raw = values[field.name]
+            for entered, wanted in entries(self.layout, value, raw):
+                have: Any
+                try:
+                    have = raw_of(self.device, (), record, {field.name: entered})[field.name]
+                except MeaningError as error:
+                    have = f"refused: {error.detail}"
+                if isinstance(wanted, str) and isinstance(have, str) and wanted in have:
+                    continue
+                assert have == wanted, f"{field.name} entered as {entered!r} is {have}, not {wanted}"
+
+    def _assert_states(self, name: str, value: Value, order: str, swapped: bool) -> None:
+        """Each state has its bytes, and these bytes mean it."""
+        if value.const is not None:
+            return
+        for sentinel in value.sentinels:
+            number = special_number(value, sentinel.name)
+            data = value_construct(value, order, swapped).build(number)
+            read = decode_value(self.device, value, data, order, swapped)
+            names = [meaning.name for meaning in read.meanings]
+            assert names == [sentinel.name], f"{name}: {data.hex(' ')} is {names}, not {sentinel.name}"
+            assert not read.text, f"{name}: {data.hex(' ')} is {read.text}, and stands for {sentinel.name}"
+
+
+def assert_printed(text: str, leaf: Leaf, exact: Fraction | None, printed: str) -> None:
+    """A quantity is printed in full, or rounded to places that tell counts apart, with its unit."""
+    value, is_float = leaf.value, leaf.value.type.kind is Kind.FLOAT
+    own_unit = value.unit if leaf.power is None else value.quantity_unit
+    scale = scale_of(value, leaf.power)
+    has_none = exact is None or not (own_unit or ((scale != 1 or value.offset != 0) and not is_float))
+    number, _, unit = printed.partition(" ")
+    if has_none:
+        assert not printed, f"{text} is {printed}, and has no quantity"
+        return
+    assert exact is not None
+    assert unit == own_unit, f"{text} is {printed}, and its unit is {own_unit}"
+    if is_float:
+        form = "<f" if value.size == 4 else "<d"
+        assert struct.pack(form, float(number)) == struct.pack(form, leaf.raw), f"{text} is printed as {number}"
+        return
+    own = Fraction(Decimal(number))
+    if (exact * 10**_FULL_PLACES).denominator == 1:
+        assert own == exact, f"{text} is {number}, not {exact}"
+        return
+    places = len(number.partition(".")[2])
+    last = Fraction(1, 10**places)
+    assert own == exact or last < abs(scale), f"{text}: {number} does not tell counts apart"
+    assert abs(own - exact) <= last / 2, f"{text} is {number}, not {float(exact)}"
+
+
+def entries(layout: DeviceLayout, value: Value, raw: Any) -> Iterator[tuple[Any, Any]]:
+    """What people may write for a raw value, and the raw value that it is, or a part of the reason for none."""
+    if value.type.kind is not Kind.INTEGER or value.const is not None:
+        return
+    state = special_name(value, raw)
+    for sentinel in value.sentinels:
+        yield sentinel.name, special_number(value, sentinel.name)
+    if value.enum and not state:
+        member = layout.device.enums[value.enum].member(raw)
+        for name in (member.name, *member.aliases) if member is not None else ():
+            yield name, raw
+    elif value.flags:
+        word = layout.device.flags[value.flags]
+        bits = [bit for bit in word.bits if not bit.reserved]
+        image = sum(number_of_bits(word, bit, raw) << bit.first & bit.mask for bit in bits)
+        kept = sum((bit.default or 0) << bit.first & bit.mask for bit in word.bits if bit.reserved)
+        yield [f"{bit.name}={number_of_bits(word, bit, raw)}" for bit in bits], image | kept
+    elif value.unit and not value.scale_by and not value.enum:
+        exact = quantity(value, raw) or Fraction(raw) * scale_of(value) + Fraction(value.offset)
+        scaled = exact * 10**30
+        if scaled.denominator == 1 and abs(exact) < 10**29:
+            text = f"{Decimal(scaled.numerator).scaleb(-30):f}"
+            try:
+                wanted: Any = count_of_quantity(value, exact)
+            except NoQuantityError as error:
+                wanted = error.state
+            yield f"{text.rstrip('0').rstrip('.')} {value.unit}", wanted
+
+
+__all__ = ["Meanings"]
