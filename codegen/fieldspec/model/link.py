@@ -91,8 +91,8 @@ class ExceptionResponse:
         normal = merged(self.normal.intervals if self.normal is not None else ())
         if is_exception:
             return Ranges(tuple(hole for low, high in own for hole in uncovered(low, high, normal)))
-        both = [(max(low, first), min(high, last)) for low, high in own for first, last in normal]
-        return Ranges(tuple((low, high) for low, high in both if low <= high))
+        overlaps = [(max(low, first), min(high, last)) for low, high in own for first, last in normal]
+        return Ranges(tuple((low, high) for low, high in overlaps if low <= high))
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,8 +142,8 @@ class Network:
     @property
     def ports(self) -> tuple[tuple[str, int], ...]:
         """The stated ports: `("tcp", 502)`."""
-        each = (("tcp", self.tcp), ("udp", self.udp))
-        return tuple((protocol, port) for protocol, port in each if port is not None)
+        protocol_ports = (("tcp", self.tcp), ("udp", self.udp))
+        return tuple((protocol, port) for protocol, port in protocol_ports if port is not None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -52,7 +52,7 @@ def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | flo
     """
     in_order = data
     if swapped:
-        in_order = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+        in_order = b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
     big = (order == "big") != swapped
     if value.type.kind is Kind.FLOAT:
         number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
