@@ -104,7 +104,7 @@ class _Search:
         }
         stated = (self.registers, self.records, bodies, tables, parameters, conversions)
         expressed = {id(cause.finding) for absent in stated for causes in absent.values() for cause in causes}
-        needed = {id(finding) for finding in self._in_exceptions()} if reads_exceptions else set[int]()
+        required = {id(finding) for finding in self._in_exceptions()} if reads_exceptions else set[int]()
         findings = [finding for findings in self.refused.values() for finding in findings]
         return Absences(
             self.registers,
@@ -114,7 +114,7 @@ class _Search:
             tables,
             parameters,
             conversions,
-            tuple(finding for finding in findings if id(finding) in needed or id(finding) not in expressed),
+            tuple(finding for finding in findings if id(finding) in required or id(finding) not in expressed),
         )
 
     def _of(self, path: str) -> Iterator[Cause]:
