@@ -43,8 +43,8 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
                 else None,
             }
         ),
-        "delimiters": {way: [mark.hex() for mark in own.delimiters(way)] for way in DIRECTIONS},
-        "subcodes": {way: _subcodes(link, way) for way in DIRECTIONS},
+        "delimiters": {direction: [mark.hex() for mark in own.delimiters(direction)] for direction in DIRECTIONS},
+        "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},

@@ -80,10 +80,10 @@ def set_data(words: ParameterSet) -> dict[str, Data]:
 
 def _digits(form: str) -> list[Data]:
     """How a number is printed: the digits at least, their base, and the text behind them."""
-    inner, _, behind = form.partition("{")[2].partition("}")
+    inner, _, suffix = form.partition("{")[2].partition("}")
     code = inner.partition(":")[2]
     upper, base = code[-1:] == "X", 16 if code[-1:] in ("x", "X") else 10
-    return [int(code.rstrip("xXd") or "0"), base, upper, behind]
+    return [int(code.rstrip("xXd") or "0"), base, upper, suffix]
 
 
 def _parameter(parameter: Parameter) -> dict[str, Data]:

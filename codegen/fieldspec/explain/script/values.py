@@ -151,7 +151,9 @@ def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
             "size": word.type.size,
             "countedFromMost": word.bit_0 == "most",
             "bits": [_bit(bit) for bit in word.bits],
-            "needed": [[needed.bit.name, needed.reason, list(needed.names)] for needed in needed_bits(word, enums)],
+            "needed": [
+                [required.bit.name, required.reason, list(required.names)] for required in needed_bits(word, enums)
+            ],
             "states": [
                 stated(
                     {
