@@ -82,7 +82,7 @@ def _by_name(
     first: dict[str, Mapping] = {}
     before = len(root.findings)
     for item in mappings(sequence):
-        key = _text(item, name)
+        key = _scalar_text(item, name)
         if key in items:
             label = Label(_span(first[key], name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
@@ -100,7 +100,7 @@ def _by_name(
     return items
 
 
-def _text(item: Mapping, key: str) -> str:
+def _scalar_text(item: Mapping, key: str) -> str:
     scalar = item.values.get(key)
     return scalar.text if isinstance(scalar, Scalar) else ""
 

@@ -34,8 +34,8 @@ def _step(entry: Entry) -> Step:
         entry.refuse("wrong_form", actions[-1] if actions else "value", text, f"use one of {', '.join(ACTIONS)}")
     action = actions[0] if actions else "read"
     waits = action == "wait"
-    named = entry.get("arguments")
-    arguments = named.values if isinstance(named, Mapping) else {}
+    arguments_node = entry.get("arguments")
+    arguments = arguments_node.values if isinstance(arguments_node, Mapping) else {}
     return Step(
         place=entry.place(),
         action=action,
@@ -56,4 +56,4 @@ def _step(entry: Entry) -> Step:
 def _wanted(node: Node | None) -> tuple[ScalarValue, ...]:
     """The values that end a wait: one, or the alternatives of a list."""
     nodes = node.items if isinstance(node, Sequence) else (node,)
-    return tuple(each.value for each in nodes if isinstance(each, Scalar))
+    return tuple(item.value for item in nodes if isinstance(item, Scalar))

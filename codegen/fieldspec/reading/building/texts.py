@@ -30,11 +30,11 @@ def lookup(entry: Entry) -> Lookup:
         title=entry.text("title"),
         kind=entry.text("kind") or "table",
         columns=columns,
-        rows=tuple(_row(inner, len(columns)) for inner in entry.entries("rows")),
+        rows=tuple(_lookup_row(inner, len(columns)) for inner in entry.entries("rows")),
     )
 
 
-def _row(entry: Entry, width: int) -> LookupRow:
+def _lookup_row(entry: Entry, width: int) -> LookupRow:
     sequence = entry.node.values.get("cells")
     items = sequence.items if isinstance(sequence, Sequence) else ()
     cells = tuple(item.value for item in items if isinstance(item, Scalar))
