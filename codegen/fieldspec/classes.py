@@ -97,16 +97,16 @@ else:
             if cell.cell_contents is old:
                 cell.cell_contents = new
 
-    def _constructor(cls, /, *values, **named):
+    def _constructor(cls, /, *values, **keywords):
         """Writes the constructor of a class, when its first object is made."""
         owner = next(base for base in cls.__mro__ if "_fields" in base.__dict__)
         owner.__new__ = staticmethod(_compiled_constructor(owner))
-        return owner.__new__(cls, *values, **named)
+        return owner.__new__(cls, *values, **keywords)
 
     def _compiled_constructor(owner):
         positional = [attribute for attribute in owner._fields.values() if not attribute.kw_only]
-        named = [attribute for attribute in owner._fields.values() if attribute.kw_only]
-        parameters = [*map(_parameter, positional), *(["*"] if named else []), *map(_parameter, named)]
+        keyword_only = [attribute for attribute in owner._fields.values() if attribute.kw_only]
+        parameters = [*map(_parameter, positional), *(["*"] if keyword_only else []), *map(_parameter, keyword_only)]
         return _compiled(owner, f"make(cls, {', '.join(parameters)})", "cls", _value)
 
     def _parameter(attribute):
@@ -193,6 +193,6 @@ else:
                     repr=attribute.repr, compare=attribute.compare, kw_only=attribute.kw_only, **factory, **default
                 )
 
-            named = [(name, "object", standard(attribute)) for name, attribute in owner._fields.items()]
-            owner.__dataclass_fields__ = make_dataclass(owner.__name__, named).__dataclass_fields__
+            fields = [(name, "object", standard(attribute)) for name, attribute in owner._fields.items()]
+            owner.__dataclass_fields__ = make_dataclass(owner.__name__, fields).__dataclass_fields__
             return owner.__dataclass_fields__

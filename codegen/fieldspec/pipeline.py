@@ -63,8 +63,8 @@ def merged_refusals(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) 
         for key in dict.fromkeys(_key(finding) for finding in findings if finding.help == LEAVE_OUT):
             refusing.setdefault(key, []).append(name)
     all_refusing = {name for outputs in refusing.values() for name in outputs}
-    others = ",".join(name for name in by_output if name not in all_refusing)
-    cure = f"build the others: `fieldspec build {device} --to {others}`" if others else LEAVE_OUT
+    remaining = ",".join(name for name in by_output if name not in all_refusing)
+    cure = f"build the others: `fieldspec build {device} --to {remaining}`" if remaining else LEAVE_OUT
     result: list[Diagnostic] = []
     for name, findings in by_output.items():
         for finding in findings:
