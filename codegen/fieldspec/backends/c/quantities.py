@@ -197,13 +197,13 @@ def _times(number: Expression, ratio: Fraction) -> Expression:
     return product if ratio.denominator == 1 else Operation("/", (product, whole_double(ratio.denominator)))
 
 
-def _plus(number: Expression, more: Fraction) -> Expression:
+def _plus(number: Expression, addend: Fraction) -> Expression:
     """`number + 1.0 / 2.0`"""
-    if not more:
+    if not addend:
         return number
-    whole = whole_double(abs(more.numerator))
-    term = whole if more.denominator == 1 else Operation("/", (whole, whole_double(more.denominator)))
-    return add(number, term) if more > 0 else subtract(number, term)
+    whole = whole_double(abs(addend.numerator))
+    term = whole if addend.denominator == 1 else Operation("/", (whole, whole_double(addend.denominator)))
+    return add(number, term) if addend > 0 else subtract(number, term)
 
 
 def _writable(value: Value) -> Ranges:

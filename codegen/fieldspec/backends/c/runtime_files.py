@@ -89,8 +89,8 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
     inner = any(record.inner_lists is not None for record in all_records(layout))
     odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
-    more = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
-    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + more
+    additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
+    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
 
 
 def _accesses(layout: DeviceLayout) -> list[str]:

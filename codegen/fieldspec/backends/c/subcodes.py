@@ -46,12 +46,12 @@ def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode
     `if (out->code == 8u) { if (length < 6u) { return ERR_INCOMPLETE; } out->subcode = load_u16(in + 2); ... }`
     """
     member = PointerMember(OUT, "subcode")
-    around = frame.header_size + frame.trailer_size
+    parts_size = frame.header_size + frame.trailer_size
     place = add(IN, decimal(frame.header_size + subcode.offset))
     return If(
         all_of([*guard, equal(PointerMember(OUT, "code"), unsigned(code))]),
         (
-            *refuse(naming, less(LENGTH, unsigned(around + subcode.end)), "err_incomplete"),
+            *refuse(naming, less(LENGTH, unsigned(parts_size + subcode.end)), "err_incomplete"),
             assign(member, Call(naming.own(f"load_{access_name(subcode.size, subcode.order, False)}"), (place,))),
             *refuse(naming, all_of(list(_differences(member, subcode))), "err_unknown_code"),
         ),
@@ -94,9 +94,9 @@ def has_subcode(naming: Naming, message: str, intervals: Sequence[tuple[int, int
     number = Identifier("subcode")
     tests: list[Expression] = []
     for low, high in intervals:
-        most = at_most(number, unsigned(high))
-        both = most if low == 0 else all_of([at_least(number, unsigned(low)), most])
-        both = Group(both) if len(intervals) > 1 and low else both
-        tests.append(equal(number, unsigned(low)) if low == high else both)
+        upper_test = at_most(number, unsigned(high))
+        interval_test = upper_test if low == 0 else all_of([at_least(number, unsigned(low)), upper_test])
+        interval_test = Group(interval_test) if len(intervals) > 1 and low else interval_test
+        tests.append(equal(number, unsigned(low)) if low == high else interval_test)
     name = naming.function("message", message, "has_subcode")
     return Function(Type("bool"), name, (Variable(Type("uint32_t"), "subcode"),), (Return(any_of(tests)),))

@@ -129,8 +129,8 @@ class _Usages:
 
     def _longest(self, link: LinkLayout) -> int:
         """The bytes of the longest request of a link that the code needs."""
-        most = max(message.request.most or 0 for message in link.messages.values())
-        parts = link.request.header_size + link.request.trailer_size + most
+        longest_body = max(message.request.most or 0 for message in link.messages.values())
+        parts = link.request.header_size + link.request.trailer_size + longest_body
         return (
             (2 if link.link.encoding == "hex_ascii" or link.request.escape else 1) * parts
             + len(link.request.start)

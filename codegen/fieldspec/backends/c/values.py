@@ -187,15 +187,15 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
         return _float_out_of_range_test(value, ranges, number)
     tests: list[Expression] = []
     for low, high in sorted(ranges.intervals):
-        least, most = integer(low, kind.size, kind.signed), integer(high, kind.size, kind.signed)
+        minimum, maximum = integer(low, kind.size, kind.signed), integer(high, kind.size, kind.signed)
         if low == high:
-            tests.append(equal(number, least))
+            tests.append(equal(number, minimum))
             continue
         bounds: list[Expression] = []
         if low > kind.low or (kind.is_odd and kind.signed):
-            bounds.append(at_least(number, least))
+            bounds.append(at_least(number, minimum))
         if high < kind.high or kind.is_odd:
-            bounds.append(at_most(number, most))
+            bounds.append(at_most(number, maximum))
         if not bounds:
             return None
         tests.append(all_of(bounds))
@@ -307,8 +307,8 @@ def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expres
 
 
 def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
-    outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
-    return refuse(naming, outside, "err_out_of_range") if outside is not None else ()
+    out_of_range = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
+    return refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()
 
 
 def _check_bits(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:

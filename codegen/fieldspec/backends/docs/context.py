@@ -41,11 +41,11 @@ class Holding:
                 for fact in facts:
                     self._by_path.setdefault(fact.place.path, []).append(device.version)
 
-    def section(self, anchor: str, of: object, make: Callable[[], Section]) -> Section:
+    def section(self, anchor: str, subject: object, make: Callable[[], Section]) -> Section:
         """A section that is made of something; the one of the version before, where it was made of the same."""
         before = self._made.get(anchor)
-        if before is None or before[0] != of:
-            before = self._made[anchor] = of, make()
+        if before is None or before[0] != subject:
+            before = self._made[anchor] = subject, make()
         return before[1]
 
     def same(self, section: Section) -> Section:
@@ -196,19 +196,19 @@ def _note(text: str) -> Line:
     return (styled("Note: ", "strong"), text_piece(text))
 
 
-def names(fact: Fact, name: str, *more: Line, mark: Iterable[Piece] = ()) -> Cell:
+def names(fact: Fact, name: str, *lines: Line, mark: Iterable[Piece] = ()) -> Cell:
     """A cell with the name of a fact and what the manual prints for it."""
     first: Line = (code(name), *mark)
     printed = [(label(text),) for text in dict.fromkeys((fact.printed_name, fact.label)) if text]
-    return cell(first, *printed, *more)
+    return cell(first, *printed, *lines)
 
 
 def sources(fact: Fact) -> Cell:
     """A cell with the places of the manual that print a fact, and those that print it again."""
     own = [(text_piece(citation.text()),) for citation in fact.sources]
-    again = [citation.text() for claim in fact.restated for citation in claim.sources]
-    more = [(styled(f"again {'; '.join(dict.fromkeys(again))}", "quiet"),)] if again else []
-    return cell(*own, *more)
+    repeated = [citation.text() for claim in fact.restated for citation in claim.sources]
+    repeated_lines = [(styled(f"again {'; '.join(dict.fromkeys(repeated))}", "quiet"),)] if repeated else []
+    return cell(*own, *repeated_lines)
 
 
 def cited(citations: Iterable[Citation]) -> Line:

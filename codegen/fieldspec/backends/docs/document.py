@@ -269,8 +269,8 @@ def cell(*lines: Line | Piece | str, items: Sequence[Item] = ()) -> Cell:
 @lru_cache(maxsize=REUSED)
 def _cell(contents: tuple[Line | Piece | str, ...], items: tuple[Item, ...]) -> Cell:
     lines = tuple([line for line in map(_line, contents) if any(piece.text for piece in line)])
-    every = [*lines, *(line for item in items for line in (item.line, *item.inner))]
-    return Cell(lines, items, tuple([path for line in every for path in paths(line)]))
+    all_lines = [*lines, *(line for item in items for line in (item.line, *item.inner))]
+    return Cell(lines, items, tuple([path for line in all_lines for path in paths(line)]))
 
 
 def _line(content: Line | Piece | str) -> Line:

@@ -115,8 +115,8 @@ class _Page:
             f'<li><a href="#{escaped(part.anchor)}">{"".join(escaped(piece.text) for piece in part.title)}</a></li>\n'
             for part in section.sections
         ]
-        within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
-        return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{within}</li>\n'
+        nested = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
+        return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{nested}</li>\n'
 
     def section(self, section: Section, level: int) -> Iterator[str]:
         """A section, and those within it, under a heading of a level."""

@@ -77,8 +77,8 @@ def _lookup_row(context: Context, columns: tuple[LookupColumn, ...], row: Lookup
     notes: list[Line] = [(styled(f"only {', '.join(row.only)}", "badge"),)] if row.only else []
     notes += [(text_piece(row.notes),)] if row.notes else []
     cells = [_lookup_cell(context, column, value) for column, value in zip(columns, row.cells, strict=True)]
-    where = cell(cited(row.sources))
-    return TableRow((*cells, cell(*notes, *context.beside(row.place)), where), row.place.path)
+    source_cell = cell(cited(row.sources))
+    return TableRow((*cells, cell(*notes, *context.beside(row.place)), source_cell), row.place.path)
 
 
 def _lookup_cell(context: Context, column: LookupColumn, value: ScalarValue) -> Cell:

@@ -194,11 +194,11 @@ def _named(holder: _Holder, field: FieldLayout) -> str:
 def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
     context, marks = holder.context, holder.marks
     inferred, value = field.field.inferred, field.value
-    many = elements_text(field, _letter(holder)) if field.is_list else ""
+    elements = elements_text(field, _letter(holder)) if field.is_list else ""
     path = f"{holder.path}{_named(holder, field)}"
     access = narrowed(holder.access, field.field.access)
     restart = _restart(holder, field)
-    name, kind, unit, bounds, meaning, source = field_cells(context, field, path, many, marks)
+    name, kind, unit, bounds, meaning, source = field_cells(context, field, path, elements, marks)
     return TableRow(
         (
             cell(_word(holder, field)),
@@ -302,8 +302,8 @@ def _size(record_layout: RecordLayout) -> str:
 
 
 def _record_row(context: Context, field: FieldLayout, marks: Inferences) -> TableRow:
-    many = elements_text(field, "k") if field.is_list else ""
+    elements = elements_text(field, "k") if field.is_list else ""
     path = f"{field.name}[k]" if field.is_list else field.name
     step = f" + {field.size}k" if field.is_list else ""
-    cells = field_cells(context, field, path, many, marks)
+    cells = field_cells(context, field, path, elements, marks)
     return TableRow((cell(code(f"{field.offset}{step}")), cell(str(field.size)), *cells), field.field.place.path)

@@ -147,14 +147,14 @@ def _special(register: Register) -> Iterator[Line]:
 def _element(register: Register, number: int, first_number: int) -> TableRow:
     """The row of one of several equal registers: where it lies, and what the manual calls it."""
     index = register.index_from + number
-    at = register.address + number * register.stride
+    element_address = register.address + number * register.stride
     printed = register.element_name.format(n=index) if register.element_name else ""
     source = register.element_sources[number : number + 1]
     blank = (Cell(),) * 7
     return TableRow(
         (
             Cell(),
-            cell(code(address(at)), styled(str(first_number + at), "quiet")),
+            cell(code(address(element_address)), styled(str(first_number + element_address), "quiet")),
             Cell(),
             cell((code(f"{register.name}[{index}]"),), (label(printed),)),
             *blank,

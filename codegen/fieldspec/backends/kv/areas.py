@@ -64,9 +64,9 @@ def of_register(register_layout: RegisterLayout, index: int, start: int) -> Plac
     """One element of a register."""
     register = register_layout.register
     value = register.value
-    many = register_layout.count > 1
+    is_list = register_layout.count > 1
     return PlacedValue(
-        f"{register_layout.name}[{register.index_from + index}]" if many else register_layout.name,
+        f"{register_layout.name}[{register.index_from + index}]" if is_list else register_layout.name,
         start,
         value.size,
         value.type.name,
@@ -131,10 +131,10 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
     )
 
 
-def _of_field(field: FieldLayout, before: str, at: int, selector: str, as_elements: bool) -> Iterator[PlacedValue]:
+def _of_field(field: FieldLayout, before: str, base: int, selector: str, as_elements: bool) -> Iterator[PlacedValue]:
     repeat = field.field.repeat
     count = field.count if field.count is not None else repeat.high if repeat is not None else 1
-    start = at + field.offset
+    start = base + field.offset
     if field.cases:
         for case in field.cases:
             yield from _elements(field, case, f"{before}{field.name}", start, count, selector, as_elements)
@@ -164,10 +164,10 @@ def _elements(
     fact = typed.case if isinstance(typed, CaseLayout) else typed.field
     spec = field.field
 
-    def value_at(named: str, at: int, elements: int) -> PlacedValue:
+    def value_at(label: str, offset: int, elements: int) -> PlacedValue:
         return PlacedValue(
-            named,
-            at,
+            label,
+            offset,
             value.size,
             value.type.name,
             typed.order,
@@ -278,7 +278,7 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
     """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
     if layout.device.word_access(message.message) is not None:
         return
-    several = sum(message.name in other.messages for other in layout.links.values()) > 1
+    on_several_links = sum(message.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
         if message.name not in link.carried(direction):
             continue
@@ -298,11 +298,11 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
         longest = data.size if data.size is not None else data.most or data.least
         size = first + shape.header_size + longest + shape.trailer_size + len(shape.end)
         if values:
-            name = f"{message.name} on {link.name}" if several else message.name
+            name = f"{message.name} on {link.name}" if on_several_links else message.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.
             unit = 1 if shape.checksum else 2
-            each = tuple(value for some in values for value in some.regular(unit))
-            yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, each)
+            regular_values = tuple(value for placed in values for value in placed.regular(unit))
+            yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, regular_values)
 
 
 def _delimiter(link: LinkLayout, name: str, mark: bytes, start: int) -> PlacedValue:

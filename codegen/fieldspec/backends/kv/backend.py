@@ -57,8 +57,8 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
 def remaining(layout: DeviceLayout) -> Expressed:
     """What of a version word maps express."""
     reader = "a word map"
-    each = (character_refusals, base_refusals, inner_list_refusals)
-    of_values = [refusal for refusals_of in each for refusal in refusals_of(layout, reader)]
+    refusal_functions = (character_refusals, base_refusals, inner_list_refusals)
+    of_values = [refusal for refusals_of in refusal_functions for refusal in refusals_of(layout, reader)]
     return with_refused_links(expressed(layout, [*of_values, *register_refusals(layout)], reads_exceptions=False))
 
 
@@ -81,10 +81,10 @@ def shared() -> dict[str, str]:
 
 def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
     """The areas with the numbers of their first words, one behind the other."""
-    at = dialect.base
+    address = dialect.base
     for area in areas(layout):
-        yield at, area
-        at = dialect.next_step(at + area.words)
+        yield address, area
+        address = dialect.next_step(address + area.words)
 
 
 _TABLE = "are in the table, for people; KV STUDIO imports comments alone"

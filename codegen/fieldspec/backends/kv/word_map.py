@@ -52,9 +52,9 @@ Cells: TypeAlias = dict[str, Cell]
 def head(layout: DeviceLayout, omissions: Iterable[Omission]) -> list[Sequence[Cell]]:
     """The heading, a row with the identity, and one for each fact that the map leaves out."""
     device = layout.device
-    about: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
+    identity: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
     absent: list[Cells] = [{"area": "left out", "name": own.title, "label": own.reason} for own in omissions]
-    return [COLUMNS, *(list(map(cells.get, COLUMNS)) for cells in (about, *absent))]
+    return [COLUMNS, *(list(map(cells.get, COLUMNS)) for cells in (identity, *absent))]
 
 
 def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:
@@ -85,10 +85,10 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
         place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
-    where = _place_cells(area, placed_value)
+    place_cells = _place_cells(area, placed_value)
     row = (
         place
-        | where
+        | place_cells
         | {"words": words(places) if placed_value.size else 0, "name": placed_value.title, "type": placed_value.type}
     )
     if number:
@@ -169,10 +169,10 @@ def _ranges(value: Value) -> Cells:
     ranges = value.writable_ranges
     if ranges is None:
         return {}
-    several = ranges.text() if len(ranges.intervals) > 1 else None
+    interval_text = ranges.text() if len(ranges.intervals) > 1 else None
     if value.write_ranges is not None:
-        several = f"{ranges.text()}; read: {value.ranges.text() if value.ranges is not None else 'any'}"
-    return {"min": ranges.low, "max": ranges.high, "ranges": several}
+        interval_text = f"{ranges.text()}; read: {value.ranges.text() if value.ranges is not None else 'any'}"
+    return {"min": ranges.low, "max": ranges.high, "ranges": interval_text}
 
 
 def _members(enum: Enum) -> str:
@@ -231,8 +231,8 @@ def _fitted(tag: str, names: dict[str, str], width: int) -> str:
     Words of letters are cut, all to the same length, until it fits.
     """
     text = tag + "/".join(names)
-    (unit, *others) = names.values()
-    if unit and not others and len(text) + len(unit) < width:
+    (unit, *other_units) = names.values()
+    if unit and not other_units and len(text) + len(unit) < width:
         return f"{text} {unit}"
     if len(text) <= width:
         return text

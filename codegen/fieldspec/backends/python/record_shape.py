@@ -35,8 +35,8 @@ class RecordShape:
     @property
     def selector(self) -> Slots | None:
         """The field that decides the type of the last one."""
-        by = self.record.selector
-        return next(field for field in self.fields if field.title == by.name) if by is not None else None
+        selector = self.record.selector
+        return next(field for field in self.fields if field.title == selector.name) if selector is not None else None
 
     @property
     def letters(self) -> str:

@@ -116,7 +116,7 @@ class Slots:
         data = number.to_bytes(self.field.size, order, signed=self.value.type.signed)
         if not self.field.swapped:
             return data
-        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+        return b"".join(data[index : index + 2][::-1] for index in range(0, len(data), 2))
 
     @property
     def skipped(self) -> bool:

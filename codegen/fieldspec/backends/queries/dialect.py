@@ -30,7 +30,7 @@ class Slot:
         if self.order != "big":
             places.reverse()
         if self.swapped:
-            words = [places[at : at + 2] for at in range(0, self.size, 2)]
+            words = [places[index : index + 2] for index in range(0, self.size, 2)]
             places = [place for word in reversed(words) for place in word]
         return tuple(places)
 
@@ -138,8 +138,8 @@ class Dialect(Protocol):
     def some(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
         """Whether the condition of `body` is true for some element."""
 
-    def sized(self, data: str, least: int, most: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `least` to `most`, and whole units of them from an offset on; else null."""
+    def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
+        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
 
     def chosen(self, data: str, condition: str) -> str:
         """The bytes where a condition is true, else null."""

@@ -32,13 +32,13 @@ class Polars:
 
     def whole(self, data: str, slot: Slot) -> str:
         """A whole number."""
-        return self._number(data, f"_whole({{}}, {slot.offset}, {slot.size}, {_order(slot)}, {slot.signed})")
+        return self._bound_number(data, f"_whole({{}}, {slot.offset}, {slot.size}, {_order(slot)}, {slot.signed})")
 
     def real(self, data: str, slot: Slot) -> str:
         """A floating-point number of 4 or 8 bytes."""
-        return self._number(data, f"_real({{}}, {slot.offset}, {slot.size}, {_order(slot)})")
+        return self._bound_number(data, f"_real({{}}, {slot.offset}, {slot.size}, {_order(slot)})")
 
-    def _number(self, data: str, call: str) -> str:
+    def _bound_number(self, data: str, call: str) -> str:
         expression = call.format(data)
         return expression if data.startswith("_") else self.bind(expression)
 
@@ -137,9 +137,9 @@ class Polars:
         """Whether the condition of `body` is true for some element."""
         return f"{self.each(data, offset, size, count, body)}.list.any()"
 
-    def sized(self, data: str, least: int, most: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `least` to `most`, and whole units of them from an offset on; else null."""
-        return f"_sized({data}, {least}, {most}, {offset}, {unit})"
+    def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
+        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
+        return f"_sized({data}, {minimum}, {maximum}, {offset}, {unit})"
 
     def chosen(self, data: str, condition: str) -> str:
         """The bytes where a condition is true, else null."""

@@ -92,12 +92,12 @@ def set_data(filters: Filters, device: Device, words: ParameterSet) -> dict[str,
 
 
 def _parameter(filters: Filters, device: Device, words: ParameterSet, parameter: Parameter) -> dict[str, Data]:
-    several = parameter.elements is not None or bool(parameter.subindices)
+    has_elements = parameter.elements is not None or bool(parameter.subindices)
     return {
         **_entry(filters, device, f"{words.name}.{parameter.name}", words, parameter, parameter),
         "number": parameter.number,
         "count": parameter.count,
-        "several": several,
+        "several": has_elements,
         "trigger": parameter.trigger,
         "subindices": [
             {

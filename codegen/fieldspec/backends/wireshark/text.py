@@ -42,8 +42,8 @@ def table(value: Data, indent: int = 0) -> str:
     flat = _flat(value, WIDTH - indent)
     if flat is not None:
         return flat
-    inside = " " * (indent + 2)
-    lines = [f"{inside}{key}{table(inner, indent + 2)}," for key, inner in _entries(value)]
+    inner_indent = " " * (indent + 2)
+    lines = [f"{inner_indent}{key}{table(inner, indent + 2)}," for key, inner in _entries(value)]
     return "\n".join(["{", *lines, f"{' ' * indent}}}"]) if lines else "{}"
 
 
