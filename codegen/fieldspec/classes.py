@@ -27,7 +27,7 @@ else:
     _MISSING = object()
 
     class _Field:
-        """What is known of one attribute."""
+        """An attribute of a class: its default, and how objects compare and print it."""
 
         __slots__ = ("compare", "default", "factory", "kw_only", "name", "repr")
 
@@ -146,7 +146,7 @@ else:
         return function
 
     def _opened(owner):
-        """A class of the same form that is not frozen; of a class that is, it is made when its first object is."""
+        """A class like another one that is not frozen; for a frozen class, it is made with its first object."""
         if owner._frozen and "_Open" not in owner.__dict__:
             owner._Open = type("_Open", (owner,), {"__slots__": (), **_OPEN})
         return owner._Open if owner._frozen else owner

@@ -211,7 +211,7 @@ def _parser() -> argparse.ArgumentParser:
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
-    def sent(inner: _Verb, direction: str, message: str) -> None:
+    def add_frame_options(inner: _Verb, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
         inner.set_defaults(words=[])
         inner.late_help = ("fieldspec.commands.frame_options", "device_help")
@@ -228,7 +228,7 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
     frames = "the bytes in hexadecimal (default, or -: lines of standard input); with --to: captures, logs, folders"
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-|FILE", help=frames)
-    sent(decode, direction_names, "the message, if the frame does not identify it")
+    add_frame_options(decode, direction_names, "the message, if the frame does not identify it")
     decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
     to = "decode captures and logs in bulk, into tables of frames and values"
@@ -251,7 +251,7 @@ def _parser() -> argparse.ArgumentParser:
         "members and bits; lists as 1,2,3, "
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
-    sent(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")
+    add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
     forms = ("csv", "xlsx", "json")

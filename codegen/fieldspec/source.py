@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     class Spanned(Protocol):
-        """An object with a place in a file."""
+        """An object that has a place in a file."""
 
         @property
         def span(self) -> Span:
-            """The place."""
+            """The place in the file."""
 
 
 class Refused(bytes):

@@ -140,7 +140,7 @@ class Body:
             offset = stop
 
     def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, offset: int) -> ExplanationRow:
-        """The row from a list on whose bytes nobody knows."""
+        """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
         if self._has_wrong_count(inner):
             text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
@@ -156,7 +156,7 @@ class Body:
         )
 
     def _has_wrong_count(self, inner: InnerList) -> bool:
-        """Whether the first list whose bytes nobody knows has a count that cannot be right."""
+        """Whether the first list whose bytes are not known has an impossible count."""
         place = self.record.inner_lists.place_in_data(self.extents, inner.count_at) if self.record.inner_lists else 0
         return (
             bool(inner.count)

@@ -44,7 +44,7 @@ _ACCEPTED = ("", "out_of_range")
 
 @dataclass(frozen=True, slots=True)
 class Explanation:
-    """The meaning of a frame.
+    """The meaning of every byte of a frame.
 
     `rows` cover every byte of the frame once, in order. `registers` are the registers that the frame reads or writes,
     by address; their bytes, if the frame carries them, are in `rows` too. `accessed` are the addresses of the first and
@@ -336,7 +336,7 @@ class _Frame:
         return read.judged(False, addresses.ranges.text(), "out_of_range")
 
     def _record(self) -> RecordLayout | None:
-        """The record of the body; None if nothing tells what it is."""
+        """The record of the body; None where no message is known."""
         if self.error and self.link.exception_response is not None:
             return self.layout.records[self.link.exception_response.record]
         return self.message.data(self.direction) if self.message else None

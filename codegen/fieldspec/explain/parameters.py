@@ -43,7 +43,7 @@ class _Element:
 
     @property
     def fact(self) -> Parameter | Subindex | None:
-        """The fact that describes it."""
+        """The subindex or the parameter that describes the element."""
         return self.subindex or self.parameter
 
     @property

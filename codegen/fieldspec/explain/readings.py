@@ -18,7 +18,7 @@ DIRECTIONS = ("request", "response")
 
 @dataclass(frozen=True, slots=True)
 class FrameOptions:
-    """What the user says about the frames. `places` are links and directions; what is empty is open."""
+    """The options of the user about frames. `places` are links and directions; an empty option leaves all open."""
 
     places: tuple[tuple[str, str], ...] = ()
     message: str = ""
@@ -339,7 +339,7 @@ def _named(
 
 
 def _message_text(link: Link, direction: str, message: str) -> str:
-    """`telegram_3 sent`"""
+    """A message with its direction, as remarks name it: `telegram_3 sent`"""
     return f"{message} {link.direction_name(direction)}"
 
 

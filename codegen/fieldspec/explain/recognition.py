@@ -29,7 +29,7 @@ def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
 
 
 def closest(layout: DeviceLayout, frame: bytes) -> list[Reading]:
-    """The readings of a frame that fit, else those with a wrong checksum, else those with a wrong length too."""
+    """The readings of a frame without faults, else those with a wrong checksum, else those with a wrong length too."""
     return _readings(layout, frame, _FITTING + _CLOSE)
 
 

@@ -51,7 +51,7 @@ class Occupant:
 
     @property
     def handlings(self) -> tuple[Handling, ...]:
-        """What its value states of its handling, then what each of those around it states, the innermost one first."""
+        """The handlings of its value and of the facts that hold it, the innermost one first."""
         holders = reversed(self.nested.holders) if self.nested is not None else ()
         facts = (self.fact, *(holder.field for holder in holders), *((self.outer,) if self.nested is not None else ()))
         return tuple(handling for fact in facts if (handling := getattr(fact, "handling", None)) is not None)

@@ -100,7 +100,7 @@ class Spot:
     gap: int | None = None
 
     def can_place(self, position: int) -> str:
-        """Where the byte at `position` of the parts is in a CAN frame; empty in other frames, and where it is unreadable."""
+        """Where the byte at `position` of the parts is in a CAN frame; empty in others, and where it is unreadable."""
         if self.escape is None or self.escape.method != "can" or not self.places:
             return ""
         return IDENTIFIER if position < self.escape.fields_size else str(position - self.escape.fields_size)
@@ -237,7 +237,7 @@ def wrong_row(
 
 
 def surplus_row(spot: Spot, position: int, raw: bytes) -> ExplanationRow:
-    """The row of bytes behind the end."""
+    """The row of bytes behind the end of a frame or of its body."""
     return wrong_row(
         spot, position, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
     )

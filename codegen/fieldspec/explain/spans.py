@@ -44,7 +44,7 @@ class Span:
 
     @property
     def unit(self) -> str:
-        """The unit at one address."""
+        """What one address of the space has: `word`, `byte` or `bit`."""
         return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
 
     def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:

@@ -56,7 +56,7 @@ class DecodedValue:
     facts: tuple[str, ...] = ()
 
     def judged(self, right: bool, expected: object, reason: str) -> DecodedValue:
-        """The same value with a verdict, and with the reason for which a codec refuses it if it is wrong."""
+        """The same value with a verdict; of a wrong one, also the reason for which a codec refuses it."""
         if right:
             return replace(self, verdict="right", reason="")
         return replace(self, verdict=f"wrong: should be {expected}", reason=reason)
@@ -176,7 +176,7 @@ def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
 
 
 def _whole(device: Device, value: Value, number: int) -> DecodedValue:
-    """The meaning of a whole number."""
+    """The meaning of a whole number that a value has."""
     if value.const is not None and number != value.const:
         return DecodedValue(number).judged(False, value.const, "wrong_const")
     decoded = DecodedValue(number, verdict="" if value.const is None else "right")

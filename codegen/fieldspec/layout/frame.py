@@ -233,7 +233,7 @@ class LinkLayout:
         return f"{text} with {' or '.join(shared.texts_of(message))} at {byte}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
-        """The messages in one direction: those that users send, and those that the device sends on the link."""
+        """The messages of one direction on the link: those that users send, and those that the device sends."""
         if direction == "request":
             return {name: message for name, message in self.messages.items() if message.message.is_requested}
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}

@@ -54,7 +54,7 @@ class FrameExtents:
 
     @property
     def all_extents(self) -> Iterator[FrameExtent]:
-        """The extents of all frames."""
+        """The extents of all frames that may occur."""
         yield from self.by_code.values()
         for _, extents in self.by_subcode.values():
             yield from extents.values()

@@ -131,7 +131,7 @@ class InnerLists:
         return (fields + data[len(fields) + before : stop]).ljust(self.fixed, b"\0") + lists
 
     def data_of(self, image: bytes) -> bytes:
-        """What is sent of an image."""
+        """The bytes that are sent for an image."""
         data, offset = b"", 0
         for inner in self.lists:
             data += image[offset : inner.first] + self._sent(inner, image)

@@ -100,7 +100,7 @@ class ReadPlan:
 
     @property
     def spaces(self) -> tuple[str, ...]:
-        """The spaces that messages read."""
+        """The address spaces that a message reads."""
         return tuple(dict.fromkeys(limit.space for limit in self.limits))
 
     def limit(self, space: str) -> ReadLimit | None:

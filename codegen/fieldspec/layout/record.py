@@ -104,7 +104,7 @@ class RecordLayout:
 
     @property
     def image(self) -> RecordLayout:
-        """The record as codecs have it.
+        """The layout of the image of the record, which codecs read and write.
 
         Each field that varies in width has all the bytes that it may have. Lists come last, and all but the last one of
         them have room for all elements.
@@ -309,7 +309,7 @@ def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) ->
 
 
 def tail_of(record: RecordLayout) -> InnerList:
-    """The list at the end of a record that counts it; a text whose bytes are counted is a list of these."""
+    """The list at the end of a record that counts it. A text is a list of its bytes."""
     field = record.fields[-1]
     repeat, offset, size = field.field.repeat, field.offset, field.size
     if repeat is None:

@@ -135,7 +135,7 @@ def raw_value(device: Device, path: str, value: Value, entered: object) -> Raw:
 
 
 def _raw_number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
-    """The raw value of an entered value."""
+    """The raw value for a value that a person enters."""
     assert value is not None
     if isinstance(entered, dict) or (isinstance(entered, list) and not value.flags):
         raise MeaningError(path, "one value is expected, and neither members nor a list")
@@ -211,7 +211,7 @@ def _near(value: Value, quantity: Fraction) -> str:
 
 
 def _example(value: Value) -> str:
-    """What a number of a value without a unit has to look like if it is no count, where the value has a scale."""
+    """The hint that a scaled number needs a decimal point; empty for a value without a scale."""
     return ", or the scaled number with a decimal point, such as 2.0" if value.scaled else ""
 
 

@@ -35,7 +35,7 @@ class Checksum:
 
     @property
     def size(self) -> int:
-        """The bytes of the result."""
+        """The number of bytes of the result."""
         return (self.width + 7) // 8
 
     @property

@@ -26,7 +26,7 @@ class Place:
 
     @property
     def whole(self) -> Span:
-        """The span of the fact."""
+        """The span of the whole fact, as opposed to one of its keys."""
         return self.stated.span
 
     @property

@@ -97,7 +97,7 @@ class ExceptionResponse:
 
 @dataclass(frozen=True, slots=True)
 class UnitAddresses:
-    """The addresses on the line."""
+    """The unit addresses that stations on a line may have."""
 
     place: Place
     ranges: Ranges | None

@@ -16,7 +16,7 @@ _INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
 
 
 class SinglePrecision(float):
-    """A number of a floating-point value of four bytes, whose text has the fewest digits that lead to these bytes.
+    """A number of four bytes in floating point, printed with the fewest digits that read back as the same bytes.
 
     Its text is `50.02`; that of the same number as a double is `50.02000045776367`.
     """

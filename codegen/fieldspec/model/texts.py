@@ -138,7 +138,7 @@ class LookupColumn:
 
 @dataclass(frozen=True, slots=True)
 class LookupRow:
-    """A cell for each column."""
+    """A row of a lookup table: one cell for each column."""
 
     place: Place
     cells: tuple[ScalarValue, ...]

@@ -33,7 +33,7 @@ class Scalar:
 
 @dataclass(slots=True)
 class Sequence:
-    """A list of nodes."""
+    """A list of nodes with its place in a file."""
 
     file: SourceFile
     start: int
@@ -118,7 +118,7 @@ def mappings(node: Node | None) -> Iterator[Mapping]:
 
 
 def copied(node: Node) -> Node:
-    """The same node once more, so that it can be typed in another way."""
+    """A copy of a node, so that it can be typed by another part of the schema."""
     if isinstance(node, Scalar):
         return Scalar(node.file, node.start, node.end, node.text, node.quoted, node.value)
     if isinstance(node, Sequence):

@@ -54,7 +54,7 @@ class Silent:
         self._known: ByIdentity[Node, bool] = ByIdentity()
 
     def __call__(self, node: Mapping | Sequence) -> bool:
-        """Whether a part refers to nothing."""
+        """Whether a part of a tree contains no key that refers to a fact."""
         if node in self._known:
             return True
         if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):

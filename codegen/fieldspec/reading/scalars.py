@@ -156,7 +156,7 @@ def _typed_value(node: Node, form: _Form) -> object:
 
 
 def _value(text: str, form: _Form) -> ScalarValue:
-    """The value of a text without quotes if it is what is wanted, else the text."""
+    """The value of a text without quotes: a number, a truth value or null where the form has these, else the text."""
     if form.integer and _INTEGER.fullmatch(text):
         return int(text, 0)
     if form.number and _NUMBER.fullmatch(text):
@@ -222,7 +222,7 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
 
 
 def _choices(part: Schema) -> str:
-    """The help for a mapping that has one of some keys: what it is, and the keys."""
+    """The help for a mapping that must have one of some keys."""
     options = part.get("oneOf") or part.get("anyOf") or []
     keys = [key for option in options for key in option.get("required", [])]
     stated = f" State one of {', '.join(f'`{key}`' for key in dict.fromkeys(keys))}." if keys else ""
@@ -305,7 +305,7 @@ def _all_keys() -> frozenset[str]:
 
 
 def _comma(node: Mapping, key: str, known: Schema) -> str:
-    """What to do where a key within braces is the rest of a text with a comma; empty where it is none."""
+    """The help for a key within braces that is the rest of a text with a comma; empty for other keys."""
     value = node.values[key]
     keys = list(node.values)
     before = keys[keys.index(key) - 1] if key != keys[0] else ""

@@ -134,7 +134,7 @@ class _Refused(Exception):
 
 
 class _Builder:
-    """Builds nodes from parser events."""
+    """Builds the tree of nodes from the events of the YAML parser."""
 
     def __init__(self, file: SourceFile, parser: object) -> None:
         self.file = file

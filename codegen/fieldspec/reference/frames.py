@@ -366,7 +366,7 @@ def _is_visible(part: PartLayout) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class DeviceCodec:
-    """A device's links as frame codecs."""
+    """The codecs of the frames of all links of a device."""
 
     layout: DeviceLayout
     links: dict[str, FrameCodec]
@@ -380,5 +380,5 @@ class DeviceCodec:
 
 
 def codec(layout: DeviceLayout) -> DeviceCodec:
-    """The codec of a layout."""
+    """The reference codec of a device, by its layout."""
     return DeviceCodec(layout, {name: FrameCodec(layout, link) for name, link in layout.links.items()})

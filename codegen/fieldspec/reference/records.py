@@ -266,7 +266,7 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
 
 
 def _implied(field: FieldLayout) -> Any:
-    """What a field holds that nobody gives a value: its constant, or zeros where it is reserved."""
+    """The value of a field that users do not set: its constant, or of a reserved field its default or zeros."""
     value = field.value
     implied: Any = None
     if value is not None and value.const is not None:

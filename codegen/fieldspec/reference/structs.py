@@ -66,7 +66,7 @@ def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
 
 
 def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
-    """One value as a construct."""
+    """The construct that parses and builds one value."""
     assert value is not None
     kind, size = value.type.kind, value.size
     if value.text_form is not None:

@@ -57,12 +57,12 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
 
 
 def shared() -> dict[str, str]:
-    """No file belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 
 def header(layout: DeviceLayout, naming: Naming) -> str:
-    """The header of a version. It settles the names, so whoever uses it must have the same naming."""
+    """The header of a version. It decides the names: other files of the version need the same naming."""
     device = layout.device
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     algorithms = {part.algorithm for part in checksum_parts(layout)}
@@ -140,7 +140,7 @@ def claim_names(naming: Naming, layout: DeviceLayout) -> None:
 
 
 def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
-    """The texts of all sections."""
+    """The C text of all sections, each under its heading."""
     printer = Printer()
     for name, blocks in _sections(naming, layout):
         texts = [_print_block(printer, block) for block in blocks if block]
@@ -166,7 +166,7 @@ def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
 
 
 def _absent_values(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
-    """What tells absent values from quantities; then the conversions of those with a scale, which refuse them."""
+    """The functions that tell sentinels from quantities, then the conversions that refuse sentinels."""
     yield from (declare_absent(naming, absent) for absent in absent_values(layout))
     fixed = fixed_values(layout)
     if fixed:

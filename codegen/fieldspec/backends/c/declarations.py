@@ -152,7 +152,7 @@ def comment(*paragraphs: str) -> Comment:
 
 
 def describe_fact(fact: Fact, *paragraphs: str) -> Comment:
-    """The comment of a fact: what it is, what the manual calls it, and where it stands."""
+    """The comment of a fact: its documentation, the text that the manual prints for it, notes, and its sources."""
     printed = " ".join(text for text in (fact.printed_name, fact.label) if text)
     sources = "; ".join([citation.text() for citation in fact.sources])
     return comment(

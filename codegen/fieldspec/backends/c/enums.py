@@ -63,7 +63,7 @@ def code_tables(device: Device) -> list[Enum]:
 
 
 def available_members(enum: Enum) -> list[Member]:
-    """The members that a value may be."""
+    """The members of an enum without those that the device does not have."""
     return [member for member in enum.members if not member.unavailable]
 
 

@@ -73,7 +73,7 @@ _YES, _NO = decimal(1), decimal(0)
 
 
 def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
-    """The text of the target."""
+    """The C source of the fuzz target of a device."""
     directions = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
     frames = [Call(f"frame_{number}", (_DATA, _SIZE)) for number in range(2 * len(directions))]
     macros = [

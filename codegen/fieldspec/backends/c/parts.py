@@ -48,7 +48,7 @@ CODE, TOTAL = Identifier("code"), Identifier("total")
 
 
 def part_value(part: PartLayout) -> WireValue:
-    """The value of a part that has one."""
+    """The value of a part, which must have one, with its order on the wire."""
     assert part.value is not None
     return WireValue(part.value, part.order, False)
 

@@ -44,7 +44,7 @@ _CONTINUATION = "        "
 
 
 class Printer(ExpressionPrinter):
-    """Writes trees as lines. It notes which local variables a function uses, so that only these are declared.
+    """Writes trees of C as lines. It notes which local variables a function uses, so that only those are declared.
 
     Heads of functions and conditions that are longer than `longest_line` go on in further lines.
     """
@@ -83,7 +83,7 @@ class Printer(ExpressionPrinter):
         }
 
     def print_declarations(self, declarations: Iterable[Declaration]) -> list[str]:
-        """The lines of declarations."""
+        """The lines of declarations as C writes them."""
         self.lines = []
         for declaration in declarations:
             self._declarations[declaration.__class__](declaration)

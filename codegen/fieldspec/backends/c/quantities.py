@@ -46,7 +46,7 @@ EXACT_BYTES = 6
 
 @dataclass(frozen=True, slots=True)
 class ScaledValue:
-    """A value whose scale is elsewhere: what it is to `Naming`, its names, and its exponent."""
+    """A value whose exponent is in another field or register, with the noun and the words of its names."""
 
     noun: Noun
     names: tuple[str, ...]
@@ -211,7 +211,7 @@ def _writable(value: Value) -> Ranges:
 
 
 def _is_in(value: Value, ranges: Ranges | None, number: Expression) -> Expression:
-    """Whether a number is in ranges, whose bounds are narrower than those of its type."""
+    """The test whether a number is in ranges that are narrower than its type."""
     size, signed = value.type.container, value.type.signed
     tests = []
     for low, high in ranges.intervals if ranges is not None else ():

@@ -104,7 +104,7 @@ def _accesses(layout: DeviceLayout) -> list[str]:
 
 
 def _odd_accesses(layout: DeviceLayout) -> list[str]:
-    """The same of numbers with another width than those of machines, and the functions for their signs."""
+    """The functions that load and store numbers of odd sizes or in BCD, and those that extend their signs."""
     odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
     used = {wire.access for wire in _wire_values(layout) if wire.value.type.is_odd or wire.value.digits == BCD}
     parts = [part for part in _parts_of_frames(layout) if part.value is not None and part.value.type.is_odd]

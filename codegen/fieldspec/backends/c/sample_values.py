@@ -165,7 +165,7 @@ def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
 
 
 def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
-    """The bytes of a record."""
+    """The bytes of a record on the wire for some values of its fields."""
     data = b""
     for field in record.fields:
         if field.field.measures is not None:
@@ -211,7 +211,7 @@ def _element_bytes(field: FieldLayout, item: Any) -> bytes:
 
 
 def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
-    """The bytes of a value in an order."""
+    """The bytes of a value on the wire, in an order of bytes and of words."""
     kind = value.type.kind
     if value.text_form is not None and isinstance(item, str):
         return text_bytes(value, order, item)

@@ -47,7 +47,7 @@ def test_quantities(layout: DeviceLayout, naming: Naming) -> Iterator[list[State
 
 
 def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
-    """Each sentinel is told apart, and what is next to it is not; no sentinel becomes a quantity."""
+    """Tests that each sentinel is absent, that its neighbours are not, and that no sentinel becomes a quantity."""
     for absent in absent_values(layout):
         value, function = absent.value, absent.function(naming)
         numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
@@ -140,7 +140,7 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
 
 
 def _whole(exponent: Value) -> set[int]:
-    """All exponents of a range."""
+    """All whole numbers that an exponent may be."""
     intervals = exponent.ranges.intervals if exponent.ranges is not None else ()
     return {number for low, high in intervals for number in range(low, high + 1)}
 

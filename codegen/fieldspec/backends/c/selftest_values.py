@@ -107,7 +107,7 @@ def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
 
 
 def _test_enum(naming: Naming, enum: Enum) -> Iterator[Statement]:
-    """Which values a closed enum knows."""
+    """Compares the numbers that the function of a closed enum knows with those of its members."""
     members = available_members(enum)
     largest = max((member.value for member in members), default=0)
     wide = largest >= 2**63

@@ -41,7 +41,7 @@ def shared_codes(link: LinkLayout, direction: str) -> dict[int, Subcode]:
 
 
 def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode, guard: list[Expression]) -> Statement:
-    """Reads what tells the messages with a code apart, and refuses what none of them has.
+    """Reads the subcode of messages that share a code, and refuses a number that none of them has.
 
     `if (out->code == 8u) { if (length < 6u) { return ERR_INCOMPLETE; } out->subcode = load_u16(in + 2); ... }`
     """

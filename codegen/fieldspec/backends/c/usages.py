@@ -38,7 +38,7 @@ class _Usages:
     naming: Naming
 
     def rows(self) -> Iterator[Usage]:
-        """The code for all facts."""
+        """The code that reads or writes each fact, for all facts of the version."""
         for register in self.layout.registers:
             if not register.register.reserved and not is_bit(register):
                 unit = "words" if register.register.unit_size > 1 else "bytes"

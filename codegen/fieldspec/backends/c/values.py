@@ -68,12 +68,12 @@ class WireValue:
 
     @property
     def kind(self) -> Kind:
-        """What it is: an integer, a float, a text..."""
+        """The kind of its type: an integer, a float, a text..."""
         return self.value.type.kind
 
     @property
     def size(self) -> int:
-        """Its bytes."""
+        """The number of its bytes on the wire."""
         return self.value.size
 
     @property
@@ -118,7 +118,7 @@ def accessed_type(naming: Naming, device: Device, value: Value) -> str:
 
 
 def access_name(size: int, order: str, swapped: bool) -> str:
-    """What the functions that load and store such a number are called after: `u32_be`, `u32_be_words_le`."""
+    """The end of the names of functions that load and store a number: `u32_be`, `u32_be_words_le`"""
     if size == 1:
         return "u8"
     first = "be" if order == "big" else "le"
@@ -157,7 +157,7 @@ def clear_bytes(naming: Naming, target: Expression, size: Expression) -> Evaluat
 
 
 def status_type(naming: Naming) -> Type:
-    """The type of the status."""
+    """The C type that functions return as their status."""
     return naming.status_variable().type
 
 

@@ -193,7 +193,7 @@ class _Pages:
     anchors: dict[str, frozenset[str]]
 
     def page(self, layout: DeviceLayout) -> str:
-        """The page of a version."""
+        """The file name of the page of a version."""
         return f"{page_name(layout.device.version)}{self.ending}"
 
     def fact(self, change: Change) -> str:

@@ -119,7 +119,7 @@ class Context:
         return (text_piece(title), *_printed(fact))
 
     def about(self, fact: Fact) -> Iterator[Line]:
-        """What is said of a fact beside its numbers: what it is, for which versions, notes, errata."""
+        """The lines about a fact: its documentation, the versions that have it, notes, errata."""
         if fact.doc:
             yield (text_piece(fact.doc),)
         if fact.unverified:

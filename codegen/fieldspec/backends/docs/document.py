@@ -51,7 +51,7 @@ class Cell(NamedTuple):
 
     @property
     def empty(self) -> bool:
-        """Whether nothing stands in it."""
+        """Whether the cell has neither lines nor items."""
         return not self.items and not self.lines
 
 
@@ -79,7 +79,7 @@ class TableRow(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Footnote:
-    """What a mark in a table refers to."""
+    """The text below a table that a mark in its cells refers to."""
 
     mark: str
     anchor: str
@@ -231,7 +231,7 @@ def _piece(text: str, style: str, link: str) -> Piece:
 
 
 def text_piece(text: str, link: str = "") -> Piece:
-    """Text of ours."""
+    """A piece of running text that is no identifier, with a link if it has one."""
     return _piece(text, "", link)
 
 
@@ -356,7 +356,7 @@ def paths_of(section: Section) -> frozenset[str]:
 
 
 class Anchors:
-    """The anchors of a page. Links lead to what encloses a fact, where the fact has no anchor of its own."""
+    """The anchors of a page. A link to a fact without an anchor leads to the fact that encloses it."""
 
     def __init__(self, sections: tuple[Section, ...]) -> None:
         self._known = frozenset(every(sections))

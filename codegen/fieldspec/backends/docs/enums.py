@@ -50,7 +50,7 @@ def codes(context: Context) -> Section:
 
 
 def enums(context: Context) -> Section:
-    """The values of fields by name."""
+    """The section of all enums: their members with numbers, names and meanings."""
     inner = tuple(_enum(context, enum, VALUES, _value) for enum in context.device.enums.values() if enum.kind == "enum")
     return Section("enums", (text_piece("Enums"),), (), inner)
 
@@ -131,7 +131,7 @@ def _code(context: Context, member: Member, marks: Inferences) -> TableRow:
 
 
 def _cause(cause: Cause, member: Member) -> Item:
-    """A cause, with its place where it is not that of the code, and what to do about it below it."""
+    """A cause of a code with its remedies below it, and with its source where that is not the source of the code."""
     elsewhere = cause.sources and cause.sources != member.sources
     place: Line = (styled(" (", "quiet"), *cited(cause.sources), styled(")", "quiet")) if elsewhere else ()
     return Item((styled(cause.cause, "strong"), *place), tuple((text_piece(remedy),) for remedy in cause.remedies))
@@ -160,7 +160,7 @@ UPRIGHT = 4
 
 
 def words(context: Context) -> Section:
-    """All words of flags."""
+    """The section of all words of flags, each with the layout and the table of its bits."""
     inner = tuple(_word(context, word) for word in context.device.flags.values())
     return Section("flags", (text_piece("Bit fields"),), (), inner)
 

@@ -59,7 +59,7 @@ INTRODUCTION = (
 
 
 def errata(context: Context) -> Section:
-    """All departures from the print."""
+    """The section of all errata: where the spec departs from what the manual prints."""
     device = context.device
     if not device.errata:
         return Section("errata", (text_piece("Errata"),))

@@ -66,7 +66,7 @@ def _step(step: Step, versions: Sequence[str]) -> list[object]:
 
 
 def parsed(text: str) -> dict[str, object]:
-    """The object of such a file."""
+    """The object in the text of an index file."""
     data: dict[str, object] = json.loads(text.removeprefix(_CALL).removesuffix(_END))
     return data
 

@@ -109,7 +109,7 @@ class FrameTable:
         )
 
     def _role(self, part: PartLayout, record: RecordLayout | None, message_code: int | None) -> Iterator[Line]:
-        """What a part holds by its role."""
+        """What a part of a frame contains, in words, by its role."""
         if part.role == "code" and message_code is not None:
             in_decimal = () if part.form == "decimal" else (text_piece(f" ({message_code})"),)
             yield (code(part.number_text(message_code)), *in_decimal)
@@ -144,7 +144,7 @@ class FrameTable:
         return f"the number of {unit} {self._span_text(part)}{added}{fixed}"
 
     def _covered(self, part: PartLayout) -> str:
-        """Over what a check is worked out."""
+        """The parts over which a checksum is computed, in words."""
         return "before it" if (part.start, part.stop) == (0, part.offset) else self._span_text(part)
 
     def _span_text(self, part: PartLayout) -> str:
@@ -203,7 +203,7 @@ def _from_end(distance: int, length: int) -> str:
 
 
 def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: str, letter: str) -> Iterator[TableRow]:
-    """The rows of a field: its own, or those of the record that it holds, once for all of its elements."""
+    """The row of a field; of a field that is a record, the rows of the record, once for all elements."""
     position = start.shifted(field.offset)
     elements = ""
     if field.is_list:
@@ -255,7 +255,7 @@ def _bytes_of(record: RecordLayout) -> str:
 
 
 def _case(field: FieldLayout, case: CaseLayout) -> Item:
-    """The type in one case, and for which values of the other field it is so."""
+    """The type of one case of a choice, with the members of the deciding field for which it holds."""
     selector = field.field.choice.by if field.field.choice else ""
     condition = f" where {selector} is {', '.join(case.case.when)}"
     return Item((code(case.value.type.name), text_piece(condition)))
@@ -302,7 +302,7 @@ ORDERS = {"big": "the most significant first", "little": "the least significant 
 
 
 def links(context: Context) -> Section:
-    """All links of the device."""
+    """The section of all links: their frames, settings and times."""
     inner = tuple(_link(context, link_layout) for link_layout in context.layout.links.values())
     return Section("links", (text_piece("Links"),), (), inner)
 

@@ -101,7 +101,7 @@ def _length(link: LinkLayout, direction: str, record: RecordLayout) -> str:
 
 
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    """What tells the message from others with its code, once for all links and directions where it is the same."""
+    """The subcodes of the message, once for all links and directions where they are equal."""
     texts = dict.fromkeys(
         text
         for link in context.layout.links.values()
@@ -300,7 +300,7 @@ SIGNAL_DIRECTIONS = {"request": "to the device", "response": "from the device", 
 
 
 def signals(context: Context) -> Section:
-    """All signals in a table."""
+    """The section of all signals in one table."""
     device = context.device
     marks = Inferences("signals")
     rows = [_signal(context, signal, marks) for signal in device.signals.values()]

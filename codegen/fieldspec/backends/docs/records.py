@@ -54,7 +54,7 @@ OF_RECORD = (TableColumn("Byte", "number", unbroken=True), TableColumn("Bytes", 
 
 
 def tables(context: Context) -> Section:
-    """All tables."""
+    """The section of all tables of records."""
     done: set[str] = set()
     inner = tuple(_table(context, table_layout, done) for table_layout in context.layout.tables.values())
     return Section("tables", (text_piece("Tables"),), (), inner)
@@ -270,7 +270,7 @@ def _printed(element: PrintedElement) -> TableRow:
 
 
 def records(context: Context) -> Section:
-    """The records that no table shows."""
+    """The section of the records that no table shows."""
     in_tables = {table_layout.record.name for table_layout in context.layout.tables.values()}
     inner = tuple(
         _record(context, record_layout)

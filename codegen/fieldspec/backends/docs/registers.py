@@ -55,7 +55,7 @@ def _columns(unit: str) -> tuple[TableColumn, ...]:
 
 
 def registers(context: Context) -> Section:
-    """All groups of registers."""
+    """The section of all groups of registers."""
     inner = tuple(_group(context, group) for group in context.device.groups)
     return Section("registers", (text_piece("Registers"),), (), inner)
 
@@ -82,7 +82,7 @@ def _group(context: Context, group: RegisterGroup) -> Section:
 
 
 def _gaps(gaps: tuple[Gap, ...]) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    """The addresses that are left out, those with the same reason in one."""
+    """The gaps between registers as facts: one for each reason, with all its addresses."""
     for reason in dict.fromkeys(gap.reason for gap in gaps):
         bounds = [bound for gap in gaps if gap.reason == reason for bound in gap.addresses.intervals]
         spans = (address(low) if low == high else f"{address(low)}..{address(high)}" for low, high in bounds)
@@ -178,7 +178,7 @@ _SPACE_COLUMNS = (
 
 
 def spaces(context: Context) -> Section:
-    """All address spaces in one table."""
+    """The section of all address spaces in one table."""
     address_spaces = context.device.spaces
     marks = Inferences("spaces")
     rows = [_space_row(context, space, marks) for space in address_spaces.values()]

@@ -84,7 +84,7 @@ def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -
 
 
 def parsed(text: str) -> dict[str, object]:
-    """The object of such a file."""
+    """The object in the text of an index file."""
     data: dict[str, object] = json.loads(text.removeprefix(_CALL).removesuffix(_END))
     return data
 

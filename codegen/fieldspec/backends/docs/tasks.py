@@ -46,7 +46,7 @@ INTRODUCTION = (
 
 
 def tasks(context: Context) -> Section:
-    """All tasks of the device."""
+    """The section of all tasks of the device."""
     all_tasks = context.device.tasks
     if not all_tasks:
         return Section("tasks", (text_piece("Tasks"),))

@@ -19,7 +19,7 @@ COLUMNS = (
 
 
 def units(context: Context) -> Section:
-    """All declared units in one table."""
+    """The section of all declared units in one table."""
     marks = Inferences("units")
     rows = [_unit_row(context, unit, marks) for unit in context.device.units.values()]
     blocks = (table("Units", COLUMNS, rows, marks.footnotes()),) if rows else ()

@@ -40,7 +40,7 @@ RESTART = {True: "yes", False: "no"}
 
 
 def value_cells(value: Value, inferred: Mapping[str, str], marks: Inferences) -> tuple[Cell, Cell, Cell]:
-    """The cells below VALUE_COLUMNS."""
+    """The cells of a value, in the order of VALUE_COLUMNS."""
     return (
         _with(type_lines(value), marks.marks(inferred, "type")),
         _with(unit_lines(value), marks.marks(inferred, "unit")),
@@ -138,7 +138,7 @@ def restart_cell(restart: bool | None, inferred: Mapping[str, str], marks: Infer
 
 
 def meaning_cell(context: Context, fact: Fact, value: Value | None, *lines: Line) -> Cell:
-    """What a fact is, what its numbers mean, and what else is said about it."""
+    """The cell with the documentation of a fact, the meanings of its numbers, and notes."""
     remarks = list(context.about(fact))
     if value is None:
         return cell(*lines, *remarks)

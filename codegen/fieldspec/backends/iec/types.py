@@ -9,7 +9,7 @@ from fieldspec.plc.structs import Struct
 
 
 def struct_lines(struct: Struct, spelling: Spelling) -> list[str]:
-    """A struct of values."""
+    """The declaration of a STRUCT of values in Structured Text."""
     lines = [*comment(struct.title, form=spelling.comment), "TYPE", f"    {struct.name} : STRUCT"]
     for member in struct.members:
         remark = f" {spelling.comment.format(comment_text(member.remark))}" if comment_text(member.remark) else ""

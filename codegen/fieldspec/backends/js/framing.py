@@ -77,7 +77,7 @@ def framer(
 
 
 def _table(extents: Mapping[int, FrameExtent]) -> str:
-    """An object of extents."""
+    """A JavaScript object with the extents of frames by their keys."""
     return (
         f"{{ __proto__: null, {', '.join(f'{number}: {_extent_row(extent)}' for number, extent in extents.items())} }}"
     )

@@ -118,7 +118,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
 
 
 def _subcodes(link: LinkLayout, names: Names) -> str:
-    """What tells messages with one code apart, by direction and code; empty where no two have the same."""
+    """The subcodes of messages that share a code, by direction and code; empty where no two messages share one."""
     directions = []
     for direction in ("request", "response"):
         rows = []
@@ -265,7 +265,7 @@ def checksum_function(algorithm: str, order: str) -> str:
 
 
 def _integer_literal(number: int, wide: bool) -> str:
-    """A number as JavaScript writes it: a bigint where it is `wide`, as other numbers of so many bytes are inexact."""
+    """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
     return f"{number}n" if wide else str(number)
 
 

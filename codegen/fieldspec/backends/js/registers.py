@@ -23,7 +23,7 @@ from fieldspec.names import Name
 
 
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
-    """A register, or an array of them."""
+    """The object of a register, or of an array of registers."""
     register, device = layout.register, names.layout.device
     name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
     size = layout.size if register.value.type.name == BIT else register.value.size
@@ -78,7 +78,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
 
 
 def declare_table(layout: TableLayout, names: Names) -> Declaration:
-    """A table of records."""
+    """The object of a table of records."""
     table, device = layout.table, names.layout.device
     name = names.scope.take(Name.of(layout.name).upper())
     record = names.records[table.record]

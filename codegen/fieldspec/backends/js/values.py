@@ -322,7 +322,7 @@ def byte(base: str, offset: int) -> str:
 
 
 def place(base: str, offset: int) -> str:
-    """`o + 4`, or `o`."""
+    """The expression of an offset from the start of the data: `o + 4`, or `o` for 0."""
     return f"{base} + {offset}" if offset else base
 
 

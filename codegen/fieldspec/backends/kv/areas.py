@@ -47,7 +47,7 @@ class PlacedValue:
             yield name, self.start + number * self.stride
 
     def regular(self, unit: int) -> Iterator[PlacedValue]:
-        """Itself, or one for each element where these do not all begin at the same byte of a word of `unit` bytes."""
+        """The value, or one value for each element where these begin at different bytes of a word of `unit` bytes."""
         if self.stride % unit == 0:
             yield self
             return
@@ -61,7 +61,7 @@ class PlacedValue:
 
 
 def of_register(register_layout: RegisterLayout, index: int, start: int) -> PlacedValue:
-    """One element of a register."""
+    """The placed value of one element of a register."""
     register = register_layout.register
     value = register.value
     is_list = register_layout.count > 1
@@ -112,7 +112,7 @@ def of_record(record: RecordLayout, start: int) -> Iterator[PlacedValue]:
 
 
 def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
-    """A part of a frame."""
+    """The placed value of a part of a frame."""
     value = part.value
     name = value.type.name if value is not None else f"u{8 * part.size}"
     if fixed is None and not part.reserved:
@@ -208,7 +208,7 @@ class Area:
 
     @property
     def words(self) -> int:
-        """How many words it has."""
+        """The number of words that the area takes."""
         return -(-self.size // self.unit)
 
 

@@ -75,7 +75,7 @@ def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[in
 
 
 def shared() -> dict[str, str]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 

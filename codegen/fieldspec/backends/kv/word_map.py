@@ -65,7 +65,7 @@ def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterato
 
 
 def meanings(device: Device, area: Area) -> list[Enum | Flags]:
-    """What the rows of an area tell beside what is in the area."""
+    """The enums and the words of flags that give the values of an area their meanings."""
     meanings_of_values: list[Enum | Flags] = []
     for placed_value in area.values:
         value = placed_value.value

@@ -28,12 +28,12 @@ class Element:
 
 
 def element(tag: str, /, *children: Element, text: str = "", **attributes: str) -> Element:
-    """An element."""
+    """An XML element with its attributes and its children."""
     return Element(tag, tuple(attributes.items()), children, text)
 
 
 def document_text(root: Element) -> str:
-    """A whole document."""
+    """The text of a whole PLCopen document."""
     lines = ['<?xml version="1.0" encoding="utf-8"?>']
     _write(root, "", lines)
     return "\n".join(lines) + "\n"
@@ -73,7 +73,7 @@ _XHTML = "http://www.w3.org/1999/xhtml"
 
 
 def type_element(kind: Type, spelling: Spelling) -> Element:
-    """A type."""
+    """The `type` element of a variable or a member."""
     if isinstance(kind, ArrayType) and kind in spelling.named:
         return element("derived", name=array_name(kind, spelling))
     if isinstance(kind, ArrayType):
@@ -104,14 +104,14 @@ def attributes(*pairs: tuple[str, str]) -> Element:
 
 
 def documentation(lines: Iterable[str]) -> Element:
-    """A comment."""
+    """The `documentation` element with a comment."""
     return element(
         "documentation", element("xhtml", text="\n".join(comment_text(line) for line in lines), xmlns=_XHTML)
     )
 
 
 def variable(name: str, kind: Element, initial: Element | None, remark: str) -> Element:
-    """A variable or a member."""
+    """The `variable` element of a variable or of a member of a struct."""
     parts = [element("type", kind)]
     if initial is not None:
         parts.append(element("initialValue", initial))
@@ -131,7 +131,7 @@ def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title:
 
 
 def enum_type(declared: EnumDeclaration) -> Element:
-    """A strict enum with its base type."""
+    """The `dataType` element of a strict enum with its base type."""
     values = (element("value", name=member.name, value=str(member.value)) for member in declared.members)
     base = element("baseType", _named(declared.base))
     values_and_base = element("enum", element("values", *values), base)
@@ -160,7 +160,7 @@ def struct_type(struct: Struct, size: int, spelling: Spelling) -> Element:
 
 
 def text_type(form: TextForm) -> Element:
-    """The struct of a code's text."""
+    """The `dataType` element of the struct with the text of a code."""
     code, text = form.members
     kind = element("wstring" if form.wide else "string", length=str(form.longest))
     members = (variable(code, _named(form.code), None, ""), variable(text, kind, None, ""))
@@ -222,7 +222,7 @@ def sizes_function(program: Program) -> Element:
 
 
 def constants_list(constant_list: ConstantList) -> Element:
-    """A list of numbers."""
+    """The list of constants that are numbers."""
     variables = [
         variable(constant.name, _named(constant.type), element("simpleValue", value=number(constant)), constant.remark)
         for constant in constant_list.constants

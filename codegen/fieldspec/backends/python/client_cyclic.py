@@ -112,7 +112,7 @@ def _initial_word(device: Device, field: FieldLayout, word: Flags) -> int:
 
 
 class _CyclicTask:
-    """A task with one cyclic message."""
+    """A task that is carried out by one cyclic message."""
 
     def __init__(self, names: ClientNames, operands: Operands, task: Task, exchange: Exchange) -> None:
         self.names, self.task, self.exchange = names, task, exchange
@@ -122,7 +122,7 @@ class _CyclicTask:
         self.pulsed: list[tuple[str, int]] = []
 
     def view(self) -> TaskView:
-        """The method."""
+        """The view of the method that carries out the task."""
         draft, task, message = self.draft, self.task, self.exchange.message.name
         watched = [
             self._condition(watch.operand, (watch.value,), watch.reason)

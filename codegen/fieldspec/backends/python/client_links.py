@@ -111,7 +111,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
 
 
 def named_parts(link: LinkLayout, view: LinkView) -> list[tuple[PartView, OpenPart]]:
-    """The open parts of the requests on a link, each with what it is in Python."""
+    """The open parts of the requests on a link, each with its view in Python."""
     assert view.request is not None, "only the device sends anything"
     return list(zip(view.request.head_parts, open_parts(link), strict=True))
 

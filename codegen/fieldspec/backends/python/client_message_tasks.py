@@ -24,7 +24,7 @@ class MessageTask:
         self.relative: list[tuple[str, str]] = []
 
     def view(self) -> TaskView:
-        """The method."""
+        """The view of the method that carries out the task."""
         draft, task = self.draft, self.task
         ending, accepted = ends(task), draft.accepted()
         starts: dict[int, int] = {}

@@ -24,7 +24,7 @@ class WordTask:
         self.relative: list[str] = []
 
     def view(self) -> TaskView:
-        """The method."""
+        """The view of the method that carries out the task."""
         draft, task = self.draft, self.task
         watched = [
             self._condition(watch.operand, (watch.value,), watch.reason)

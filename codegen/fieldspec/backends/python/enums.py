@@ -217,7 +217,7 @@ def flags_view(flags: Flags, device: Device, enums: Mapping[str, EnumView], scop
 
 
 def _argument(bit: Bit, view: BitView, is_needed: bool) -> str:
-    """`level: int = 3`: what is sent where it is left out; `...` where it has to be given, in one unit or the other."""
+    """The argument for a bit field: `level: int = 3`, or `level: int = ...` where users must pass it."""
     number = bit.default or 0
     default = str(bool(number)) if view.argument == "bool" else str(number)
     return f"{view.name}: {view.argument} = {'...' if is_needed else default}"

@@ -275,7 +275,8 @@ def head_refusals(
 ) -> list[str]:
     """The expressions of the refusals of the header parts that the caller passes.
 
-    `request` is the message of a request. The broadcast address comes first: it is refused for the message, whatever is wrong with other parts.
+    `request` is the message of a request. The broadcast address comes first: it is refused for the message, whatever is
+    wrong with other parts.
     """
     refusals = []
     part, barred = link.request.role("unit_address"), link.barred_address(request) if request is not None else None

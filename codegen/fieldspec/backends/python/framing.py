@@ -88,7 +88,7 @@ def framer(
 
 
 def _table(extents: Mapping[int, FrameExtent], frame: FrameLayout, indent: int) -> str:
-    """A dictionary of extents."""
+    """A Python dictionary with the extents of frames by their keys."""
     rows = "".join(
         f"\n{' ' * indent}{number:#04x}: {_extent_row(extent, frame)}," for number, extent in extents.items()
     )

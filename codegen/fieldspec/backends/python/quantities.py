@@ -48,7 +48,7 @@ class StateView:
 
 @dataclass(frozen=True, slots=True)
 class ConstantView:
-    """A constant of a class."""
+    """An attribute of a class that is the same for all its objects, with its docstring."""
 
     name: str
     value: str
@@ -56,7 +56,7 @@ class ConstantView:
 
 
 def sentinel_views(stored: list[Slots], scope: Scope) -> list[ConstantView]:
-    """The sentinels of all fields; of a field whose type another one decides, those of each type."""
+    """The views of the sentinels of all fields; of a field with cases, those of each case."""
     return [
         ConstantView(
             scope.take((Name.of(name) + Name.of(sentinel.name)).upper()),
@@ -197,7 +197,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
 def power_views(
     record: RecordLayout, stored: list[Slots], scope: Scope, constants: Scope, owner: str
 ) -> tuple[list[ConstantView], list[ScaledView]]:
-    """The units of all fields whose scale is elsewhere, and the properties where a field of the record has it.
+    """The units of all fields with an exponent, and the properties of those whose exponent is in the same record.
 
     `owner` is the class of the record.
     """

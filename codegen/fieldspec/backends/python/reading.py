@@ -34,7 +34,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
 
 @dataclass(frozen=True, slots=True)
 class ListPlace:
-    """A place in a tuple `raws`: behind so many slots, and behind so many of all lists, whose sizes are in `counts`."""
+    """A place in a tuple `raws`, behind a number of slots and of lists whose sizes are in `counts`."""
 
     slots: int
     lists: int

@@ -72,7 +72,7 @@ class Slots:
 
     @property
     def is_list(self) -> bool:
-        """Whether it is a list."""
+        """Whether the field has several elements."""
         return self.field.is_list
 
     @property
@@ -82,7 +82,7 @@ class Slots:
 
     @property
     def constant(self) -> int | None:
-        """Its only valid raw value."""
+        """The only raw value that the field may have; None where it may have several."""
         return self.value.const if self.whole else None
 
     @property
@@ -120,7 +120,7 @@ class Slots:
 
     @property
     def skipped(self) -> bool:
-        """Whether it is reserved and zero, so that its bytes are skipped."""
+        """Whether the field is reserved and zero, so that its bytes are skipped."""
         return self.letters.endswith("x")
 
     @property

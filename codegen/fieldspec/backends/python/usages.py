@@ -51,7 +51,7 @@ class _Usages:
     view: dict[str, Any]
 
     def rows(self) -> Iterator[Usage]:
-        """The code for all facts."""
+        """The code that reads or writes each fact, for all facts of the version."""
         for number, register in enumerate(self.layout.registers):
             if not register.register.reserved:
                 name = self.view["registers"][number].name

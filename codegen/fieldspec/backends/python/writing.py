@@ -198,7 +198,7 @@ def digits_form(value: Value, order: str, swapped: bool) -> str:
 
 
 def text_letters(value: Value, order: str) -> str:
-    """What the runtime knows of a text in a form of its own: its encoding, its bytes, what fills it up and ends it."""
+    """The arguments of the form of a text: its encoding, its bytes, its padding and its terminator."""
     form = value.text_form
     assert form is not None
     end = "-" if form.terminator is None else str(form.terminator)
@@ -207,7 +207,7 @@ def text_letters(value: Value, order: str) -> str:
 
 
 def text_form(value: Value, order: str) -> str:
-    """The expression of what reads and writes a text in a form of its own."""
+    """The expression of the object of the runtime that reads and writes a text in its form."""
     return f"_text_form({literal(text_letters(value, order))})"
 
 

@@ -26,7 +26,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
 
 
 def remaining(layout: DeviceLayout) -> Expressed:
-    """What of a version queries express."""
+    """The facts of a version that queries express, with those that they leave out."""
     reader = "a query"
     return expressed(
         layout,

@@ -42,7 +42,7 @@ class Fault:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What a query computes. Each of `levels` has intermediate results by name, made of those before it.
+    """The columns and findings of a query. Each of `levels` has columns by name, made of those of the level before.
 
     `refusals` are in the order of a codec's tests. Each is a condition with its reason, or the expression of a reason.
     `exponents` has the expressions of the registers with exponents of scales, by their names.

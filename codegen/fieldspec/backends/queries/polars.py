@@ -31,7 +31,7 @@ class Polars:
         return self._names[expression]
 
     def whole(self, data: str, slot: Slot) -> str:
-        """A whole number."""
+        """The literal of a whole number."""
         return self._bound_number(data, f"_whole({{}}, {slot.offset}, {slot.size}, {_order(slot)}, {slot.signed})")
 
     def real(self, data: str, slot: Slot) -> str:
@@ -55,7 +55,7 @@ class Polars:
         return f"_any_bit({word}, {mask:#x})"
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """Some of the bytes."""
+        """The expression of `size` bytes of the data from an offset on."""
         return f"_piece({data}, {offset}, {size})"
 
     def text(self, data: str) -> str:
@@ -83,7 +83,7 @@ class Polars:
         return f"_absent({value}, {number}, {list(numbers)!r}, {nan})"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """An exact quantity."""
+        """The expression of an exact quantity from a number in counts."""
         return f'_decimal({number}, "{scale.scale:f}", "{scale.offset:f}", {scale.places})'
 
     def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
@@ -106,7 +106,7 @@ class Polars:
         return f"{number}.is_nan()"
 
     def size(self, data: str) -> str:
-        """The number of bytes."""
+        """The expression of the number of bytes of the data."""
         return f"_size({data})"
 
     def compared(self, left: str, operator: str, right: str) -> str:

@@ -63,7 +63,11 @@ class Sql:
     windows: tuple[Window, ...] = ()
 
     def levels(self) -> Iterator[dict[str, str]]:
-        """Two levels of columns: numbers of up to sixteen bytes, and the windows, of which two are in each."""
+        """The columns with the fixed windows of the payload as numbers, in two levels.
+
+        The first level has numbers of up to sixteen bytes, each with two neighbouring windows. The second level takes
+        the two windows of each apart. A level without columns is left out.
+        """
         wide: dict[str, str] = {}
         narrow: dict[str, str] = {}
         for first, *following in (self.windows[index : index + 2] for index in range(0, len(self.windows), 2)):
@@ -78,7 +82,7 @@ class Sql:
         yield from filter(None, (wide, narrow))
 
     def whole(self, data: str, slot: Slot) -> str:
-        """A whole number."""
+        """The literal of a whole number."""
         kind = type_of(slot.size, slot.signed)
         if data != self.windowed and len(slot.runs) == 1 and slot.size in _TYPES:
             return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
@@ -136,7 +140,7 @@ class Sql:
         return f"({word} & {mask}) <> 0"
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """Some of the bytes."""
+        """The expression of `size` bytes of the data from an offset on."""
         return f"{data}[{offset + 1}:{offset + size}]"
 
     def text(self, data: str) -> str:
@@ -170,7 +174,7 @@ class Sql:
         return f"CASE WHEN NOT ({' OR '.join(tests)}) THEN {value} END"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """An exact quantity."""
+        """The expression of an exact quantity from a number in counts."""
         # DuckDB multiplies decimals of at most 18 digits in 64 bits, also where the product has more.
         factors = scale.digits + len(scale.scale.as_tuple().digits)
         digits = scale.digits if max(factors, scale.precision) <= 18 else max(scale.digits, 19)
@@ -209,7 +213,7 @@ class Sql:
         return f"isnan({number})"
 
     def size(self, data: str) -> str:
-        """The number of bytes."""
+        """The expression of the number of bytes of the data."""
         return f"octet_length({data})"
 
     def compared(self, left: str, operator: str, right: str) -> str:

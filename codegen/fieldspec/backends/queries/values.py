@@ -54,13 +54,13 @@ class ValueQuery:
     exponents: tuple[tuple[int, int], ...] = ()
 
     def number(self, data: str, offset: int) -> str:
-        """The raw number."""
+        """The expression of the raw number at an offset of the data."""
         kind = self.value.type.kind
         slot = Slot(offset, self.value.size, self.order, self.swapped, kind is Kind.INTEGER and self.value.type.signed)
         return self.dialect.real(data, slot) if kind is Kind.FLOAT else self.dialect.whole(data, slot)
 
     def word(self, data: str, offset: int) -> str:
-        """The raw number without its sign."""
+        """The expression of the raw number as a word without a sign."""
         return self.dialect.whole(data, Slot(offset, self.value.size, self.order, self.swapped))
 
     def raw(self, data: str, offset: int) -> str:
@@ -250,7 +250,7 @@ def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
 
 
 def runs_of(numbers: set[int]) -> Sequence[tuple[int, int]]:
-    """Whole numbers as intervals."""
+    """The intervals of some whole numbers: neighbours are in one interval."""
     runs: list[tuple[int, int]] = []
     for number in sorted(numbers):
         if runs and runs[-1][1] == number - 1:

@@ -27,7 +27,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
 
 
 def shared() -> dict[str, str | Workbook]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 

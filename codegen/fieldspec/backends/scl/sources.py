@@ -23,7 +23,7 @@ def source(project: Project, objects: Iterable[list[str]]) -> str:
 
 
 def head(project: Project) -> list[str]:
-    """What the file is, what it was made of, and how it is imported."""
+    """The comment at the head of a file: its content, its spec, and how it is imported."""
     device = project.layout.device
     manual = f"{device.manual.title} {device.manual.edition}".strip()
     sources = [
@@ -131,7 +131,7 @@ _STANDARD, _OPTIMIZED = "FALSE", "TRUE"
 
 
 def blocks(project: Project) -> Iterator[list[str]]:
-    """All data blocks."""
+    """The sources of all data blocks."""
     for telegram in project.telegrams:
         yield _images(telegram)
         yield _block_values(project, telegram)
@@ -157,7 +157,7 @@ def _images(telegram: TelegramBlock) -> list[str]:
 
 
 def _calls(block: str, telegram: TelegramBlock, before: str) -> list[str]:
-    """The calls that exchange process data, what is read before what is written."""
+    """The calls that exchange process data: those that read come before those that write."""
     calls = []
     for member, _, _ in reversed(telegram.directions):
         name = f"{before}{member[:1].upper()}{member[1:]}" if before else member

@@ -61,7 +61,7 @@ class Filters:
             candidates = [f"{candidates[-1]}_"]
 
     def of_value(self, names: tuple[str, ...], fact: Fact, value: Value) -> str:
-        """The filter name of a value."""
+        """The name of the display filter of a value."""
         kind, size = value.type.kind, value.size
         row: dict[str, Data] = {"title": title_of(fact), "text": description(fact)}
         if kind is Kind.TEXT:

@@ -87,7 +87,7 @@ def parameter_sets(filters: Filters, layout: DeviceLayout) -> dict[str, Data]:
 
 
 def set_data(filters: Filters, device: Device, words: ParameterSet) -> dict[str, Data]:
-    """The parameters of one set."""
+    """The data of one set of parameters for the dissector."""
     return {"base": words.base, "rows": [_parameter(filters, device, words, row) for row in words.parameters]}
 
 

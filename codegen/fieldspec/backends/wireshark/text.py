@@ -68,7 +68,7 @@ def _entries(value: Data) -> Iterator[tuple[str, Data]]:
 
 
 def _flat(value: Data, room: int) -> str | None:
-    """Data in one line of at most so many characters; None where it is longer, which is known from its beginning."""
+    """Data in one line of at most `room` characters; None where the line would be longer."""
     if not _is_composed(value):
         text = _scalar(value)
         return text if len(text) <= room else None

@@ -37,7 +37,7 @@ def register_data(device: Device, layout: RegisterLayout) -> dict[str, Data]:
 
 
 def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
-    """A table of records in registers."""
+    """A table of records in registers as data of the explainer."""
     table = layout.table
     fields = {nested.name: nested for nested in nested_fields(layout.record)}
     accesses = {path: nested.access(table.access) for path, nested in fields.items()}
@@ -66,7 +66,7 @@ def gaps_data(layout: DeviceLayout) -> list[Data]:
 
 
 def set_data(words: ParameterSet) -> dict[str, Data]:
-    """A set of parameters."""
+    """A set of parameters as data of the explainer."""
     return {
         **fact_data(words),
         "base": words.base,

@@ -73,7 +73,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
 def _by_name(
     root: Entry, section: str, build: Callable[[Entry], Item], reused: Reused, name: str = "name"
 ) -> dict[str, Item]:
-    """The objects of a section by name; a name that is taken is a finding. The same node gives the same object."""
+    """The objects of a section by name. A name that occurs twice is a finding; the same node gives the same object."""
     sequence = root.own.get(section)
     sections, same = reused.setdefault((section, "whole"), ByIdentity()), reused.setdefault(section, ByIdentity())
     if sequence in sections:

@@ -48,7 +48,7 @@ _HELP = {
 
 
 def link(entry: Entry) -> Link:
-    """A link."""
+    """The link that an entry states."""
     exception, silence, names = (
         entry.entry("exception_response"),
         entry.entry("silence"),

@@ -21,7 +21,7 @@ _OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
 
 
 def record(entry: Entry, reused: Reused) -> Record:
-    """A record."""
+    """The record that an entry states."""
     return Record(
         **entry.fact(),
         size=entry.integer("size"),
