@@ -168,9 +168,9 @@ else:
         return f"{self.__class__.__qualname__}({values})"
 
     def _reduce(self):
-        return _again, (self.__class__, {name: getattr(self, name) for name in self._fields})
+        return _rebuilt, (self.__class__, {name: getattr(self, name) for name in self._fields})
 
-    def _again(cls, values):
+    def _rebuilt(cls, values):
         return cls(**values)
 
     def _refused(self, name, *value):

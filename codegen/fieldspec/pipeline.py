@@ -49,7 +49,7 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
-    """What some outputs cannot express of a device, to be asked before any is built: one finding for each fact.
+    """The findings on facts of a device that some outputs cannot express, before any is built: one for each fact.
 
     Errors forbid an output. Warnings say what it leaves out.
     """

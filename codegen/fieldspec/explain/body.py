@@ -201,7 +201,7 @@ class Body:
             yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
     def _endless(self, number: int, offset: int) -> tuple[str, str]:
-        """Why nobody knows where a field ends that begins at a byte, as a reason and in words."""
+        """The reason why the end of a field is not known, as the reason of a codec and in words."""
         span = self.record.spans[number]
         if span.count is None or span.value is None:
             return "incomplete", f"{span.name} has no end"

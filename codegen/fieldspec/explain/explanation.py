@@ -183,15 +183,15 @@ class _Frame:
         text = f"the byte at {len(self.wrapped.start) + offset} is not escaped, or its escape means nothing"
         if self.shape.escape is not None and self.shape.escape.method == "can":
             text = self.shape.escape.header_fault(self.data[start:stop], offset - start)
-        rows = [*start_rows(self.wrapped), *self._outside(self.shape.header)]
+        rows = [*start_rows(self.wrapped), *self._unescaped_rows(self.shape.header)]
         rows.append(wrong_row(self.spot, start, self.data[start:stop], "wrong_mark", text))
-        rows += self._outside(self.shape.trailer)
+        rows += self._unescaped_rows(self.shape.trailer)
         if self.surplus:
             rows.append(surplus_row(self.spot, len(self.data), self.surplus))
         rows += end_rows(self.wrapped)
         return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), (), {}, ())
 
-    def _outside(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
+    def _unescaped_rows(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
         """The rows of parts that are not escaped."""
         for part in parts:
             if not part.escaped:

@@ -145,7 +145,7 @@ def _read_as(
     fact = element.fact
     if fact is None or element.parameter is None:
         return replace(row, meanings=(element.meaning, *row.meanings))
-    decode_arguments = None if row.reason else _again(device, fact.value, field, row, size)
+    decode_arguments = None if row.reason else _decode_arguments(device, fact.value, field, row, size)
     if decode_arguments is None:
         row = replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
         if row.reason or not field.carries_bytes or element.parameter.reserved or fact.reserved:
@@ -176,7 +176,7 @@ def _read_as(
     )
 
 
-def _again(
+def _decode_arguments(
     device: Device, value: Value, field: FieldLayout, row: ExplanationRow, size: int
 ) -> tuple[bytes, str, bool] | None:
     """The bytes of a row as bytes of another value, with their order; None if they cannot be read as it."""

@@ -156,8 +156,10 @@ def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanat
 def _doubts(
     layout: DeviceLayout, reading: Reading, mark: str, examples: Sequence[Reading]
 ) -> tuple[bool, bool, bool, bool]:
-    """What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
-    message is a guess, and that its length may be any.
+    """The doubts about a reading, the gravest first.
+
+    These are the mark in the log, that no example is such a frame, that the message is a guess, and that its length may
+    be any.
     """
     link, direction, message, error = reading
     guessed = not error and layout.links[link].is_guessed(direction, message)
@@ -290,8 +292,8 @@ def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
     names_of: dict[tuple[str, str, bool], list[str]] = {}
     for link, direction, message, error in chosen.alternatives:
         names_of.setdefault((link, direction, error), []).append(message or "an unknown message")
-    alternatives_text = " or ".join(_named(layout, own, *key, names) for key, names in names_of.items())
-    explained = _named(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
+    alternatives_text = " or ".join(_readings_text(layout, own, *key, names) for key, names in names_of.items())
+    explained = _readings_text(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
     options = _options(layout, own, chosen.alternatives)
     return f"ambiguous: explained as {explained}, it may also be {alternatives_text}; {options}"
 
@@ -318,7 +320,7 @@ def _asks(layout: DeviceLayout, link: str) -> bool:
     return layout.links[link].request.role("code") is not None
 
 
-def _named(
+def _readings_text(
     layout: DeviceLayout, own: Explanation, link: str, direction: str, error: bool, messages: Sequence[str]
 ) -> str:
     """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""

@@ -157,7 +157,7 @@ def _located(layout: DeviceLayout, table: TableLayout, span: Span) -> TableLayou
 
 def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]:
     register = register_layout.register
-    for number in _near(
+    for number in _element_numbers(
         register_layout.address, register_layout.stride, register_layout.words, register_layout.count, span
     ):
         address = register_layout.address + number * register_layout.stride
@@ -187,7 +187,7 @@ def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]
 
 def _fields(table_layout: TableLayout, span: Span) -> Iterator[Occupant]:
     table = table_layout.table
-    numbers = _near(table.base, table.stride, table_layout.words, table.count, span)
+    numbers = _element_numbers(table.base, table.stride, table_layout.words, table.count, span)
     nested = tuple(nested_fields(table_layout.record)) if numbers else ()
     for number in numbers:
         base = table.base + number * table.stride
@@ -218,7 +218,7 @@ def _field(table: Table, nested: NestedField, number: int) -> Occupant:
     )
 
 
-def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
+def _element_numbers(base: int, stride: int, words: int, count: int, span: Span) -> range:
     """The numbers of the elements that may share words with a span."""
     first = max(0, (span.address - base - words) // stride + 1)
     last = min(count, -(-(span.end - base) // stride))

@@ -171,7 +171,7 @@ def _float(value: Value, number: float) -> DecodedValue:
 def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
     if number not in (0, 1):
         return DecodedValue(number).judged(False, "0 or 1", "unknown_value")
-    decoded = _named(device, value, int(bool(number))) if value.enum else DecodedValue(number)
+    decoded = _member_meaning(device, value, int(bool(number))) if value.enum else DecodedValue(number)
     return replace(decoded, number=bool(number))
 
 
@@ -184,7 +184,7 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
     if sentinel is not None:
         return replace(decoded, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
-        member_value = _named(device, value, number)
+        member_value = _member_meaning(device, value, number)
         decoded = replace(member_value, text=in_unit(value, number), verdict=member_value.verdict or decoded.verdict)
     elif value.flags:
         word = device.flags[value.flags]
@@ -202,7 +202,7 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
     return decoded
 
 
-def _named(device: Device, value: Value, number: int) -> DecodedValue:
+def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
     """The meaning of a number that a member of the value's enum names."""
     enum = device.enums[value.enum]
     member = enum.member(number)

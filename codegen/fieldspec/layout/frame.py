@@ -143,7 +143,7 @@ class LinkLayout:
 
     def messages_with_code(self, code: int, direction: str = "request") -> list[MessageLayout]:
         """The messages with a code in one direction; several differ in a constant in their data."""
-        return [message for message in self._sent(direction) if message.message.code_of(direction) == code]
+        return [message for message in self._all_messages(direction) if message.message.code_of(direction) == code]
 
     def refused_message(self, code: int, request_name: str = "") -> MessageLayout | None:
         """The message that an exception response with a code refuses.
@@ -151,7 +151,7 @@ class LinkLayout:
         Several messages may have the code, and exception responses have no data that tell them apart: `asked` names
         the message of the request. None if there is no such message, and where this leaves open which one it is.
         """
-        messages = [message for message in self._sent("request") if message.message.code_of("response") == code]
+        messages = [message for message in self._all_messages("request") if message.message.code_of("response") == code]
         requested = (message for message in messages if message.name == request_name)
         return messages[0] if len(messages) == 1 else next(requested, None)
 
@@ -185,7 +185,7 @@ class LinkLayout:
         """The codes that several messages have in one direction."""
         codes: set[int] = set()
         shared: set[int] = set()
-        for message in self._sent(direction):
+        for message in self._all_messages(direction):
             if (code := message.message.code_of(direction)) is not None:
                 (shared if code in codes else codes).add(code)
         return sorted(shared)
@@ -212,7 +212,7 @@ class LinkLayout:
         return self.carried("request").get(message) if code is None else self.message_with_code(code, "request", data)
 
     def subcodes(self, direction: str) -> dict[int, Subcode]:
-        """What tells messages apart, by the code that they share."""
+        """The subcodes of messages that share a code, by this code."""
         shared = self.shared_codes(direction)
         pairs = ((code, subcode(self.messages_with_code(code, direction), direction)) for code in shared)
         return {code: shared_code for code, shared_code in pairs if shared_code is not None}
@@ -238,7 +238,7 @@ class LinkLayout:
             return {name: message for name, message in self.messages.items() if message.message.is_requested}
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
 
-    def _sent(self, direction: str) -> Iterable[MessageLayout]:
+    def _all_messages(self, direction: str) -> Iterable[MessageLayout]:
         """The messages in one direction, those too that an output leaves out."""
         link = replace(self, messages=self.known, known={}) if self.known else self
         return link.carried(direction).values()

@@ -134,12 +134,12 @@ class InnerLists:
         """The bytes that are sent for an image."""
         data, offset = b"", 0
         for inner in self.lists:
-            data += image[offset : inner.first] + self._sent(inner, image)
+            data += image[offset : inner.first] + self._sent_bytes(inner, image)
             offset = inner.first
         return data + image[offset : self.fixed]
 
-    def _sent(self, inner: InnerList, image: bytes) -> bytes:
-        """What is sent of a list in an image."""
+    def _sent_bytes(self, inner: InnerList, image: bytes) -> bytes:
+        """The bytes that are sent for a list in an image."""
         piece = image[inner.room :]
         if inner is not self.last:
             piece = piece[: inner.size_of(inner.count_in(image))]

@@ -140,7 +140,7 @@ def _blocks(units: Sequence[ReadUnit], message: str, limit: int) -> tuple[list[R
     ]
     usable = [unit for unit in units if not unit.refused and unit.words <= limit]
     stops = [unit for unit in units if unit.refused]
-    blocks = [block for run in _together(usable, stops) for block in _cut(run, message, limit)]
+    blocks = [block for run in _unit_runs(usable, stops) for block in _cut(run, message, limit)]
     return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
 
@@ -252,7 +252,7 @@ def _refused(access: str, handling: Handling) -> str:
     return "" if readable(access) else ACCESS_UNKNOWN
 
 
-def _together(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator[list[ReadUnit]]:
+def _unit_runs(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator[list[ReadUnit]]:
     """Units without a hole between them; an address that cannot be read is a hole, even where a unit shares it."""
     closed = {address for unit in stops for address in range(unit.first, unit.end)}
     run: list[ReadUnit] = []

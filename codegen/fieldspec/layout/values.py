@@ -189,15 +189,15 @@ def _present(path: str, value: Value, entered: str, number: float) -> float:
         return number
     absent = value.sentinel(sent_number)
     if absent is not None:
-        raise MeaningError(path, f"`{entered}` would be sent as {sent_number!r}, {_meant(absent)}")
+        raise MeaningError(path, f"`{entered}` would be sent as {sent_number!r}, {_sentinel_help(absent)}")
     return number
 
 
-def _meant(absent: Sentinel) -> str:
+def _sentinel_help(absent: Sentinel) -> str:
     return f"which stands for {absent.name}; write `{absent.name}` if you mean that"
 
 
-def _near(value: Value, quantity: Fraction) -> str:
+def _nearest_text(value: Value, quantity: Fraction) -> str:
     """The quantities of the counts beside one that has none; these counts, where they are no decimal numbers."""
     from fractions import Fraction
 
@@ -236,10 +236,10 @@ def _raw_of_text(device: Device, path: str, value: Value, entered: str) -> int:
         raw = value.from_unit(quantity)
         if raw is None:
             text = f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}".rstrip()
-            raise MeaningError(path, f"{text}{_near(value, quantity)}")
+            raise MeaningError(path, f"{text}{_nearest_text(value, quantity)}")
         absent = value.sentinel(raw)
         if absent is not None:
-            raise MeaningError(path, f"`{entered}` would be the count {raw}, {_meant(absent)}")
+            raise MeaningError(path, f"`{entered}` would be the count {raw}, {_sentinel_help(absent)}")
         return raw
     if value.enum:
         names = ", ".join(member.name for member in device.enums[value.enum].members)

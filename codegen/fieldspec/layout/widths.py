@@ -124,7 +124,7 @@ def image_with_counts(spans: tuple[Span, ...], data: bytes, fields: list[Extent]
 
 
 def data_of(spans: tuple[Span, ...], image: bytes) -> bytes:
-    """What is sent of an image. Raises WidthError for a text that has the byte which would end it."""
+    """The bytes that are sent for an image. Raises WidthError for a text that contains the byte which ends it."""
     pieces: list[bytes] = []
     offset = 0
     for span in spans:
@@ -170,7 +170,7 @@ def widened(value: Value, piece: bytes) -> bytes | None:
 
 
 def narrowed(value: Value, image: bytes) -> bytes:
-    """What is sent of the bytes of a value in the image: no leading zeros, and a sign only below zero."""
+    """The bytes that are sent for a value in an image: no leading zeros, and a sign only below zero."""
     if not value.digits:
         return image.rstrip(b"\0")
     digits = image[1:] if has_sign(value) else image

@@ -48,7 +48,7 @@ class Escape:
 
     @property
     def flags(self) -> int:
-        """What the four bytes of the identifier have besides its bits."""
+        """The bits of the four bytes of the identifier that are not its own."""
         return CAN_EXTENDED if self.bits > CAN_BITS[0] else 0
 
     def packed(self, data: bytes) -> int | None:

@@ -55,7 +55,7 @@ class Part(Fact):
 
 @dataclass(frozen=True, slots=True)
 class ExceptionResponse:
-    """What marks an exception response, and the record in its body.
+    """The mark of an exception response, and the record in its body.
 
     The mark is the bits `flag` in the code of the request; or, where `flag` is 0, a `code` of its own, or a `part`
     before the body with a number that is not `normal`; or, where responses have no code, the constant of a `field` of

@@ -159,7 +159,7 @@ class Lookup(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """What one place of the manual states of a subject: it applies `always`, `sometimes` or `never`."""
+    """The statement of one place of the manual on a subject: it applies `always`, `sometimes` or `never`."""
 
     place: Place
     subject: str

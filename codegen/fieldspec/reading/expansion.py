@@ -53,9 +53,9 @@ class _Expansion:
 
     def __init__(self, tree: Mapping) -> None:
         self.findings: list[Diagnostic] = []
-        self.signals = _named(tree.values.get("signals"))
-        self.flags = _named(tree.values.get("flags"))
-        self.enums = _named(tree.values.get("enums"))
+        self.signals = _mappings_by_name(tree.values.get("signals"))
+        self.flags = _mappings_by_name(tree.values.get("flags"))
+        self.enums = _mappings_by_name(tree.values.get("enums"))
 
     def message(self, message: Mapping) -> Mapping:
         """The message, with the keys of signals in the fields that place them."""
@@ -112,7 +112,7 @@ class _Expansion:
         originals = (
             [row for row in group_rows.items if isinstance(row, Mapping)] if isinstance(group_rows, Sequence) else []
         )
-        prints = self._prints(copy, _named(group_rows))
+        prints = self._prints(copy, _mappings_by_name(group_rows))
         prefix, base = _scalar(copy, "prefix").text, _scalar(copy, "base")
         first = _integer(originals[0].values.get("at")) if originals else 0
         rows = []
@@ -185,7 +185,7 @@ def _change_each(items: Sequence, change: object) -> Sequence:
     return replace(items, items=tuple(change(item) if isinstance(item, Mapping) else item for item in items.items))
 
 
-def _named(items: Node | None) -> dict[str, Mapping]:
+def _mappings_by_name(items: Node | None) -> dict[str, Mapping]:
     """The mappings of a list by name."""
     nodes = items.items if isinstance(items, Sequence) else ()
     return {name: item for item in nodes if isinstance(item, Mapping) and (name := identity(item)) is not None}

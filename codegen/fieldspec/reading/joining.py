@@ -90,7 +90,7 @@ def _merged(base: Node, override: Node) -> Node:
                 values[key] = rows_in_order(values[key], existing, value)
             keys[key] = override.holder(key)
         return Mapping(override.file, override.start, override.end, values, keys)
-    if isinstance(base, Sequence) and isinstance(override, Sequence) and _named(base) and _named(override):
+    if isinstance(base, Sequence) and isinstance(override, Sequence) and _has_names(base) and _has_names(override):
         extra = {identity(item): item for item in override.items}
         items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
         return Sequence(override.file, override.start, override.end, (*items, *extra.values()))
@@ -104,20 +104,20 @@ def _misspelt(base: Node, override: Node, is_inside: bool = False) -> Iterator[D
             existing = base.values.get(key)
             if existing is not None:
                 yield from _misspelt(existing, value, True)
-    elif isinstance(base, Sequence) and isinstance(override, Sequence) and _named(base) and _named(override):
+    elif isinstance(base, Sequence) and isinstance(override, Sequence) and _has_names(base) and _has_names(override):
         entries = {identity(item): item for item in base.items}
         free = [name for name in entries if name is not None and name not in map(identity, override.items)]
         for item in override.items:
             name = identity(item) or ""
             if name in entries:
                 yield from _misspelt(entries[name], item, True)
-            elif is_inside and (like := _near(name, free)) and isinstance(item, Mapping):
+            elif is_inside and (like := _similar_name(name, free)) and isinstance(item, Mapping):
                 text = f"`{name}` is none of the protocol's here, and would be added behind them"
                 help = f"did you mean `{like}`? Another one needs a name that is less like it"
                 yield Diagnostic("references_resolve", text, item.values.get("name", item).span, help=help)
 
 
-def _near(name: str, known: list[str]) -> str:
+def _similar_name(name: str, known: list[str]) -> str:
     """The known name that is almost a name, and does not differ by a number alone; empty where there is none."""
     from difflib import get_close_matches
 
@@ -137,5 +137,5 @@ def _without_standards(base: Mapping, override: Mapping) -> Mapping:
     return base.with_value("standard", standards) if standards.values else base.without("standard")
 
 
-def _named(sequence: Sequence) -> bool:
+def _has_names(sequence: Sequence) -> bool:
     return bool(sequence.items) and all(identity(item) is not None for item in sequence.items)

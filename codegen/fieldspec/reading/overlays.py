@@ -116,7 +116,7 @@ class _Application:
     def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
         self.findings.append(Diagnostic(code, text, node.span, labels, help))
 
-    def _at(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
+    def _keys_and_fact(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
         """The keys of the fact that an entry is about, and the fact. A missing fact is a finding."""
         path = entry.values[key]
         assert isinstance(path, Scalar)
@@ -143,7 +143,7 @@ class _Application:
 
     def change(self, entry: Mapping) -> None:
         """Sets keys of a fact, if they have the values that the entry expects."""
-        place = self._at(entry)
+        place = self._keys_and_fact(entry)
         if place is None:
             return
         node_keys, fact = place
@@ -201,7 +201,7 @@ class _Application:
 
     def remove(self, entry: Mapping) -> None:
         """Takes a fact out of its list."""
-        place = self._at(entry)
+        place = self._keys_and_fact(entry)
         if place is None:
             return
         if not isinstance(place[0][-1], int):
@@ -216,7 +216,7 @@ class _Application:
 
     def rename(self, entry: Mapping) -> None:
         """Gives a fact another name, wherever the spec refers to it."""
-        place = self._at(entry)
+        place = self._keys_and_fact(entry)
         if place is None:
             return
         node_keys, fact = place
@@ -254,7 +254,7 @@ class _Application:
             self.tree = self.tree.with_value(path.text, empty)
             node_keys = [path.text]
         if node_keys is None:
-            self._at(entry, "in")
+            self._keys_and_fact(entry, "in")
             return
         node = node_at(self.tree, node_keys)
         if isinstance(node, Mapping):
@@ -273,13 +273,13 @@ class _Application:
             return
         new, findings = typed_at(item, (*schema_path(node_keys), "items"))
         self.findings += findings
-        place = self._behind(entry, node, new)
+        place = self._index_of_new(entry, node, new)
         if not findings and place is not None:
             self._put(
                 node_keys, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:]))
             )
 
-    def _behind(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
+    def _index_of_new(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
         """The index of a new item in its list."""
         after = entry.values.get("after")
         if isinstance(after, Scalar):

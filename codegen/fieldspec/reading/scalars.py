@@ -69,7 +69,7 @@ def violations_at(tree: Node, node_keys: list[str | int]) -> list[Diagnostic]:
 
 
 def _objections(node: Node, data: object, path: tuple[str, ...], depth: int = 0) -> list[Diagnostic]:
-    """What the schema, or its part at some keys, has against a tree, given as plain data too, from a depth on."""
+    """The violations of the schema, or of its part at some keys, by a tree and its plain data, from a depth on."""
     findings: list[Diagnostic] = []
     for error in _validator(path).iter_errors(data):
         if len(error.instance_path) >= depth:
@@ -170,7 +170,7 @@ def _value(text: str, form: _Form) -> ScalarValue:
 
 def _findings(error: Any, root: Node, path: tuple[str, ...]) -> list[Diagnostic]:
     """A validation error of the library: one finding, or one for each unknown key."""
-    node = _at(root, error.instance_path)
+    node = _node_at(root, error.instance_path)
     part = _schema_part(error.schema_path, path)
     if error.schema_path[-1] == "additionalProperties" and isinstance(node, Mapping):
         unknown = error.kind.as_dict()["unexpected"]
@@ -199,7 +199,7 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         types = part.get("type")
         names = [types] if isinstance(types, str) else list(types or [])
         kinds = " or ".join(_KINDS.get(name, name) for name in names)
-        message = f"{subject} must be {kinds}, not {_have(node)}"
+        message = f"{subject} must be {kinds}, not {_kind_text(node)}"
         form = _FORMS.get(names[0], "") if isinstance(node, Scalar) else ""
         if isinstance(node, Scalar) and not {"integer", "number"}.isdisjoint(names):
             form = number_help(node.text, node.quoted, "integer" in names) or form
@@ -246,7 +246,7 @@ _FORMS = {
 }
 
 
-def _have(node: Node) -> str:
+def _kind_text(node: Node) -> str:
     """The kind of a node, for a finding that another kind is expected."""
     if isinstance(node, Scalar):
         return f'"{quoted(node.text)[1:-1]}"' if node.quoted else quoted(node.text) if node.text else "empty"
@@ -329,7 +329,7 @@ def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:
     return resolved(part) if isinstance(part, dict) else {}
 
 
-def _at(root: Node, path: list[str | int]) -> Node:
+def _node_at(root: Node, path: list[str | int]) -> Node:
     node = root
     for step in path:
         node = node.items[int(step)] if isinstance(node, Sequence) else node.values[str(step)]  # type: ignore[union-attr]

@@ -301,7 +301,7 @@ class FrameCodec:
 
     @staticmethod
     def _escaped(shape: FrameLayout, data: bytes) -> bytes:
-        """What is sent for the bytes of the parts."""
+        """The bytes that are sent for the bytes of the parts."""
         if shape.escape is None:
             return data
         start, stop = shape.escape_start, len(data) + (shape.escape_stop or 0)

@@ -198,7 +198,7 @@ def _check_bit_count(field: FieldLayout, values: Mapping[str, Any], offset: int 
 
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
-    """What a field that measures another one must hold."""
+    """The number that a field must have which measures another one."""
     measure = field.field.measures
     if measure is None:
         return None

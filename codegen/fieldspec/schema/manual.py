@@ -143,14 +143,14 @@ def _form(path: str, part: Schema) -> str:
     if "enum" in part:
         return ", ".join(f"`{word}`" for word in part["enum"])
     if "items" in part and part["type"] == "array":
-        return f"list of {_many(path, part['items'])}"
+        return f"list of {_plural_form(path, part['items'])}"
     if part.get("type") == "object":
-        return f"mapping of {_many(path, part['additionalProperties'])}"
+        return f"mapping of {_plural_form(path, part['additionalProperties'])}"
     kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
     return " or ".join(_KINDS[kind][0] for kind in kinds) + _bounds(part)
 
 
-def _many(path: str, part: Schema) -> str:
+def _plural_form(path: str, part: Schema) -> str:
     """The items of a list, or the values of a mapping."""
     if "$ref" in part or "properties" in part or "enum" in part:
         return _form(path, part).replace("[mapping]", "[mappings]")

@@ -153,7 +153,7 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
 
 
 def _term(kind: Checksum, order: str, register: str) -> str:
-    """What one byte adds to a sum: itself, or the part that it has of a number of several bytes."""
+    """The number that a byte adds to a sum: the byte, or the part of a number of several bytes that it is."""
     byte = _BYTE_OR_SUFFIX if kind.suffix else "in[at]"
     if kind.unit_size == 1:
         return byte

@@ -120,7 +120,7 @@ def _parameter_number(parameters: ParameterSet, number: int) -> Literal:
 
 
 def _number_text(parameters: ParameterSet, number: int) -> str:
-    """The same for people, without the mark of its type."""
+    """A number of the set in comments, without the suffix of its C type."""
     return _parameter_number(parameters, number).text.removesuffix("u")
 
 

@@ -68,7 +68,7 @@ def check_digits(naming: Naming, parts: Iterable[PartLayout]) -> Body:
 
 
 def length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
-    """What a length part has in a frame of `total` bytes, and the tests of which each finds that no number says it.
+    """The number of a length part in a frame of `total` bytes, and the tests for lengths that it cannot express.
 
     Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
     """

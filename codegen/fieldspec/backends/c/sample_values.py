@@ -185,7 +185,7 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
 
 
 def _fixed_value(field: FieldLayout) -> Any:
-    """What a field has that no user sets."""
+    """The value of a field that users do not set."""
     if field.record is not None:
         return [{}] * (field.count or 1) if field.is_list else {}
     assert field.value is not None

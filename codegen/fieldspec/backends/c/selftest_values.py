@@ -86,7 +86,7 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
 
 
 def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
-    """What the word shows with exactly the bits of each state, with none, and with all."""
+    """Tests the state of a word with exactly the bits of each state, with no bit, and with all bits."""
     bits = {bit.name: bit.mask for bit in word.bits}
     words = [sum(bits[name] for name in state.set) for state in word.states]
     function = naming.function("word", word.name, "state_of")
@@ -269,7 +269,7 @@ def _test_value(
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:
-    """How C writes numbers of a value: by the names of its enum where they have its type."""
+    """Numbers of a value as C constants: the names of its enum where they have its type."""
     enum = enum_type(device, value)
     if enum is None:
         return {number: integer(number, value.type.size, value.type.signed) for number in numbers}

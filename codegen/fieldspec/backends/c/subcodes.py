@@ -36,7 +36,7 @@ from fieldspec.layout.subcodes import Subcode
 
 
 def shared_codes(link: LinkLayout, direction: str) -> dict[int, Subcode]:
-    """What tells the messages apart that share a code, by this code."""
+    """The subcodes of messages that share a code, by this code."""
     return link.subcodes(direction) if link.frame(direction).role("code") is not None else {}
 
 
@@ -72,7 +72,7 @@ def _differences(member: Expression, subcode: Subcode) -> Iterator[Expression]:
 
 
 def subcodes_of(layout: DeviceLayout, message: MessageLayout) -> tuple[tuple[int, int], ...]:
-    """What tells a message from others with its code, as intervals with both ends.
+    """The subcodes of a message as intervals with both ends.
 
     There are none where nothing has to, and where it depends on the link.
     """

@@ -83,7 +83,7 @@ class WireValue:
 
     @property
     def access(self) -> str:
-        """What the functions that load and store it are called after."""
+        """The end of the names of functions that load and store it."""
         return access_name(self.size, self.order, self.swapped)
 
 

@@ -129,7 +129,7 @@ def _anchor(version: str) -> str:
 
 
 def link(version: str, ending: str) -> str:
-    """Where the page says what has changed with a version."""
+    """The link to the section of a page with the changes of a version."""
     return f"{NAME}{ending}#{_anchor(version)}"
 
 

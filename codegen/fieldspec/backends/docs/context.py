@@ -42,7 +42,7 @@ class Holding:
                     self._by_path.setdefault(fact.place.path, []).append(device.version)
 
     def section(self, anchor: str, subject: object, make: Callable[[], Section]) -> Section:
-        """A section that is made of something; the one of the version before, where it was made of the same."""
+        """A section built from `subject`; the section of the version before, where it was built from an equal one."""
         before = self._made.get(anchor)
         if before is None or before[0] != subject:
             before = self._made[anchor] = subject, make()
@@ -62,7 +62,7 @@ class Holding:
         return tuple(self._by_path.get(path, ()))
 
     def badges(self, path: str) -> tuple[Line, ...]:
-        """What is said of a fact that not all versions have; nothing of the others."""
+        """The badges of a fact that not all versions have; none for other facts."""
         versions = self.of(path)
         return () if versions == self.all else ((styled(f"only {', '.join(versions)}", "badge"),),)
 
@@ -82,7 +82,7 @@ _ENDURANCE = {
 
 
 def handled(handling: Handling) -> Iterator[Line]:
-    """A line for each thing that is said; none for most values."""
+    """The lines on the handling of a value; none for most values."""
     if handling == UNSPECIFIED:
         return
     if handling.clears_on_read:
@@ -152,7 +152,7 @@ class Context:
         return joined((code(name, f"#{user}"),) for name, user in self._users.get(path, ()))
 
     def opening(self, fact: Fact) -> list[Block]:
-        """What a section on a fact begins with."""
+        """The blocks at the beginning of a section on a fact."""
         blocks: list[Block] = [Paragraph(line) for line in self.about(fact)]
         return blocks + [Paragraph(line, "note") for line in reasons(fact.inferred)]
 

@@ -190,8 +190,9 @@ Block: TypeAlias = DocumentTable | Paragraph | Facts | Bits | Strips | StateDraw
 
 @dataclass(frozen=True, slots=True)
 class RenderedSection:
-    """What a form has written of a section: `paths` are where its links within the page lead, and of these the form has
-    left out some, which are `lost`, and no others.
+    """The text of a section in one form.
+
+    `paths` are where its links within the page lead; `lost` are those of them that the form has left out.
     """
 
     text: str

@@ -53,7 +53,7 @@ def state_drawing(block: StateDrawing) -> Iterator[str]:
 
 
 def _description(block: StateDrawing) -> str:
-    """What a screen reader says instead of the drawing."""
+    """The text that a screen reader reads instead of the drawing."""
     ways = [
         f"{block.states[arrow.origin]} to {block.states[arrow.target]}: {arrow.text}"
         + (", assumed" if arrow.assumed else "")

@@ -262,7 +262,7 @@ def _case(field: FieldLayout, case: CaseLayout) -> Item:
 
 
 def _relations(field: FieldLayout) -> Iterator[Line]:
-    """What a field has to do with other fields."""
+    """The relations of a field to other fields: what it measures, and what it repeats."""
     measures = field.field.measures
     if measures is not None:
         adjustment = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(

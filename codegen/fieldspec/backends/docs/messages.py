@@ -115,7 +115,7 @@ def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple
 
 
 def _steps(context: Context, message: Message) -> Iterator[Piece]:
-    """What a message does with registers, one after the other."""
+    """The accesses of a message to registers, one after the other."""
     for number, step in enumerate(message.access_steps):
         verb = "changes bits of" if step.and_mask else f"{step.operation}s"
         yield text_piece(f"{', then ' if number else ''}{verb} ")
@@ -260,7 +260,9 @@ def _table(link: LinkLayout) -> DocumentTable | None:
             columns.append(TableColumn(_title(link, message, direction), unbroken=True))
             records.append(message.data(direction))
     word_count = max((_words(record) or 0 for record in records), default=0)
-    rows = [TableRow((cell(str(word + 1)), *(_at(record, word) for record in records))) for word in range(word_count)]
+    rows = [
+        TableRow((cell(str(word + 1)), *(_word_cell(record, word) for record in records))) for word in range(word_count)
+    ]
     return table(f"Words of {link.link.title or link.name}", columns, rows)
 
 
@@ -268,7 +270,7 @@ def _title(link: LinkLayout, message: MessageLayout, direction: str) -> str:
     return f"{message.message.number} {link.link.direction_name(direction)}"
 
 
-def _at(record: RecordLayout, word: int) -> Cell:
+def _word_cell(record: RecordLayout, word: int) -> Cell:
     """What lies in a word: the field that starts there, or that goes on there."""
     field = next(
         (candidate for candidate in record.fields if candidate.offset <= 2 * word < (candidate.end or 0)), None
@@ -279,10 +281,10 @@ def _at(record: RecordLayout, word: int) -> Cell:
         return cell(styled("goes on", "quiet"))
     if field.field.reserved:
         return cell(styled("reserved", "badge"))
-    return _named(field)
+    return _field_cell(field)
 
 
-def _named(field: FieldLayout) -> Cell:
+def _field_cell(field: FieldLayout) -> Cell:
     link = f"#{field.field.place.path}"
     printed = [(label(field.field.printed_name),)] if field.field.printed_name else []
     return cell((code(field.name, link),), *printed)

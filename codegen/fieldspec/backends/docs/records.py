@@ -170,7 +170,7 @@ def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
         access=narrowed(holder.access, field.field.access),
         restart=_restart(holder, field),
         offset=holder.offset + field.offset,
-        path=f"{holder.path}{_named(holder, field)}.",
+        path=f"{holder.path}{_indexed_name(holder, field)}.",
         steps=(*holder.steps, field.size) if field.is_list else holder.steps,
     )
     for own in field.record.fields:
@@ -187,7 +187,7 @@ def _letter(holder: _Holder) -> str:
     return chr(ord("k") + len(holder.steps))
 
 
-def _named(holder: _Holder, field: FieldLayout) -> str:
+def _indexed_name(holder: _Holder, field: FieldLayout) -> str:
     return f"{field.name}[{_letter(holder)}]" if field.is_list else field.name
 
 
@@ -195,7 +195,7 @@ def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
     context, marks = holder.context, holder.marks
     inferred, value = field.field.inferred, field.value
     elements = elements_text(field, _letter(holder)) if field.is_list else ""
-    path = f"{holder.path}{_named(holder, field)}"
+    path = f"{holder.path}{_indexed_name(holder, field)}"
     access = narrowed(holder.access, field.field.access)
     restart = _restart(holder, field)
     name, kind, unit, bounds, meaning, source = field_cells(context, field, path, elements, marks)

@@ -125,7 +125,7 @@ def _address(register: Register, first_number: int) -> Cell:
 
 
 def _special(register: Register) -> Iterator[Line]:
-    """What is special about reading and writing a register."""
+    """The hazards of reading and writing a register."""
     if register.count > 1:
         units = "bits" if register.value.type.name == BIT else "words" if register.unit_size > 1 else "bytes"
         apart = "" if register.stride == register.width else f", {register.stride} {units} apart"

@@ -133,7 +133,7 @@ def _subcodes(link: LinkLayout, names: Names) -> str:
 
 
 def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
-    """What marks an exception response, and its record."""
+    """The mark of exception responses and their record."""
     row = {"flag": str(exception.flag), "record": names.records[exception.record]}
     if link.mark is not None:
         row["mark"] = f"{{ offset: {link.mark.offset}, bytes: {list(link.mark.pattern)} }}"

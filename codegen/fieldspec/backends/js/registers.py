@@ -147,7 +147,7 @@ def accesses(names: Names) -> list[Access]:
         repeat = values.field.field.repeat
         if bits and repeat is not None:
             repeat = Ranges(tuple((8 * low, 8 * high) for low, high in repeat.intervals))
-        limit = _most(message.request, access.count, repeat) if values.field.is_list else 1
+        limit = _greatest_count(message.request, access.count, repeat) if values.field.is_list else 1
         numbers = [] if access.set is None else [access.clear, access.set]
         candidates.append(
             Access(
@@ -168,7 +168,7 @@ def accesses(names: Names) -> list[Access]:
     return list(kinds.values())
 
 
-def _most(request: RecordLayout, count: str, repeat: Ranges | None) -> int:
+def _greatest_count(request: RecordLayout, count: str, repeat: Ranges | None) -> int:
     bounds = [repeat.high] if repeat is not None else []
     field = request.named(count)
     if field is not None and field.value is not None and field.value.ranges is not None:

@@ -50,12 +50,12 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """What is left out: values that words do not hold, tables that move, registers and frames that are no words."""
+    """The refusals of what words do not carry: values, tables that move, registers and frames."""
     return [finding for layout in versions for finding in remaining(layout).findings]
 
 
 def remaining(layout: DeviceLayout) -> Expressed:
-    """What of a version word maps express."""
+    """The facts of a version that word maps express, with those that they leave out."""
     reader = "a word map"
     refusal_functions = (character_refusals, base_refusals, inner_list_refusals)
     of_values = [refusal for refusals_of in refusal_functions for refusal in refusals_of(layout, reader)]

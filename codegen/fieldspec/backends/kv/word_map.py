@@ -106,7 +106,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
             "unit": value.unit or None,
             **_ranges(value),
             "default": value.default,
-            "values": "; ".join(_named(value, enum)) or None,
+            "values": "; ".join(_value_names(value, enum)) or None,
         }
     yield row | {
         "fixed": placed_value.fixed,
@@ -144,7 +144,7 @@ def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
 
 
 def _in_memory(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:
-    """What must be done with the words before an instruction reads them as a number of that size."""
+    """The rearrangement of words before an instruction reads them as a number of that size."""
     if text in ("15..0", "7..0") or text == _native(dialect):
         return "direct"
     if text == "15..8":
@@ -179,7 +179,7 @@ def _members(enum: Enum) -> str:
     return "; ".join(f"{member.value} {member.name}" for member in enum.members)
 
 
-def _named(value: Value, enum: Enum | None) -> Iterator[str]:
+def _value_names(value: Value, enum: Enum | None) -> Iterator[str]:
     """The values that have names: members of the enum, and sentinels."""
     if enum is not None:
         yield _members(enum)

@@ -54,7 +54,7 @@ def _write(node: Element, indent: str, lines: list[str]) -> None:
 
 
 def _quoted(value: str) -> str:
-    """The value of an attribute, with marks around it that are not in it, if there are such."""
+    """The value of an attribute in quotation marks that it does not contain."""
     text = escape(_legal(value), quote=False).replace("\n", "&#10;").replace("\t", "&#9;")
     if '"' not in text:
         return f'"{text}"'
@@ -78,10 +78,10 @@ def type_element(kind: Type, spelling: Spelling) -> Element:
         return element("derived", name=array_name(kind, spelling))
     if isinstance(kind, ArrayType):
         return _array(kind, spelling)
-    return _named(kind)
+    return _type_name_element(kind)
 
 
-def _named(kind: Elementary | EnumType | StructType) -> Element:
+def _type_name_element(kind: Elementary | EnumType | StructType) -> Element:
     return element(kind.name) if isinstance(kind, Elementary) else element("derived", name=kind.name)
 
 
@@ -133,7 +133,7 @@ def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title:
 def enum_type(declared: EnumDeclaration) -> Element:
     """The `dataType` element of a strict enum with its base type."""
     values = (element("value", name=member.name, value=str(member.value)) for member in declared.members)
-    base = element("baseType", _named(declared.base))
+    base = element("baseType", _type_name_element(declared.base))
     values_and_base = element("enum", element("values", *values), base)
     remarks = [f"{member.name}: {member.remark}" for member in declared.members if comment_text(member.remark)]
     declared_enum = _declared(declared.name, values_and_base, ((name, "") for name in ENUM_ATTRIBUTES), declared.title)
@@ -163,7 +163,7 @@ def text_type(form: TextForm) -> Element:
     """The `dataType` element of the struct with the text of a code."""
     code, text = form.members
     kind = element("wstring" if form.wide else "string", length=str(form.longest))
-    members = (variable(code, _named(form.code), None, ""), variable(text, kind, None, ""))
+    members = (variable(code, _type_name_element(form.code), None, ""), variable(text, kind, None, ""))
     return _declared(form.name, element("struct", *members), (), "What a code means.")
 
 
@@ -209,12 +209,13 @@ def sizes_function(program: Program) -> Element:
     """The function that compares the sizes of structs."""
     measured = [placed.struct.name for placed in program.placed if placed.struct.members]
     variables = [
-        variable(f"st{number_of}", _named(StructType(name)), None, "") for number_of, name in enumerate(measured, 1)
+        variable(f"st{number_of}", _type_name_element(StructType(name)), None, "")
+        for number_of, name in enumerate(measured, 1)
     ]
     remarks = [line.removeprefix("// ") for line in program.sizes.declaration if line.startswith("//")]
     interface = element(
         "interface",
-        element("returnType", _named(BOOL)),
+        element("returnType", _type_name_element(BOOL)),
         *([element("localVars", *variables)] if variables else []),
         documentation(remarks),
     )
@@ -224,7 +225,12 @@ def sizes_function(program: Program) -> Element:
 def constants_list(constant_list: ConstantList) -> Element:
     """The list of constants that are numbers."""
     variables = [
-        variable(constant.name, _named(constant.type), element("simpleValue", value=number(constant)), constant.remark)
+        variable(
+            constant.name,
+            _type_name_element(constant.type),
+            element("simpleValue", value=number(constant)),
+            constant.remark,
+        )
         for constant in constant_list.constants
     ]
     return _list(constant_list.name, variables, constant_list.title)

@@ -167,7 +167,7 @@ class _CyclicTask:
         return draft.wait_call(index, ", ".join(self._awaited(wait) for wait in steps)), index + len(steps)
 
     def _awaited(self, step: Step) -> str:
-        """What one wait is for: the expression of a condition, or the variable of a target."""
+        """The argument of a wait: the expression of a condition, or the variable of a target."""
         draft, operand = self.draft, self.draft.target(step)
         if not step.argument:
             return self._condition(operand, step.wanted, reason_of(operand))

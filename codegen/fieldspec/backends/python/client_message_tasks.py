@@ -88,7 +88,7 @@ class MessageTask:
         return last
 
     def _awaited(self, look: Step, exchange: Exchange, request: str) -> str:
-        """What one wait is for: the expression of a condition, or the variable of a target."""
+        """The argument of a wait: the expression of a condition, or the variable of a target."""
         draft, operand = self.draft, self.draft.target(look)
         if not look.argument:
             return self._condition(operand, look.wanted, exchange, reason_of(operand))

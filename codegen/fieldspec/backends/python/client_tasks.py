@@ -199,7 +199,7 @@ def condition(
 
 
 def reason_of(operand: Operand) -> str:
-    """What is wrong where an operand does not have the value that is waited for."""
+    """The error of a wait that an operand never ends."""
     return "refused" if REFUSAL in operand.roles else "unready"
 
 

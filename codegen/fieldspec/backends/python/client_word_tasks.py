@@ -81,7 +81,7 @@ class WordTask:
         return index + len(steps)
 
     def _awaited(self, step: Step) -> str:
-        """What one wait is for: the expression of a condition, or the variable of a target."""
+        """The argument of a wait: the expression of a condition, or the variable of a target."""
         draft, operand = self.draft, self.draft.target(step)
         if not step.argument:
             return self._condition(operand, step.wanted, "unready")

@@ -88,7 +88,7 @@ class _Candidate:
         return [field for field in self.exchange.request.stored if field not in parts and field.title != own]
 
     def is_like(self, other: _Candidate) -> bool:
-        """Whether it takes the same arguments, for a value of other bytes."""
+        """Whether another message takes the same arguments, for a value of another size."""
         has_bytes = self.value.field.carries_bytes and other.value.field.carries_bytes
         parts = "subindex" in self.request, [field.title for field in self.extra]
         return has_bytes and parts == ("subindex" in other.request, [field.title for field in other.extra])
@@ -148,7 +148,7 @@ def _view(
     elif value.field.carries_bytes and not writes:
         reading = f"parameter.from_bytes(response.{value.name}, subindex)"
         if value.field.sizes:
-            table, deciding = f"_{name.upper()}_SIZES", _named(exchange.response, candidate.by)
+            table, deciding = f"_{name.upper()}_SIZES", _titled_field(exchange.response, candidate.by)
             rows = [f"0x{number:X}: {size}" for number, size in value.field.sizes.items()]
             table_lines = item_lines(f"{table}: dict[int, int] = {{", rows, "}", 0)
             reading = (
@@ -190,14 +190,14 @@ def bytes_requests(
             own = {**expressions, candidate.value.title: data}
             own |= {candidate.request[role].title: text for role, text in parts.items()}
             if number is not None:
-                own[candidate.by] = _member(_named(candidate.exchange.request, candidate.by), number, words)
+                own[candidate.by] = _member(_titled_field(candidate.exchange.request, candidate.by), number, words)
             arguments = [f"{slot.name}={own[slot.title]}" for slot in stored]
             call = filled(f"return {candidate.exchange.request_name}(", arguments, ")", 12)
             lines += [f"if len(data) == {size}:", *(f"    {line}" for line in call)]
     return [*lines, "raise _no_message(parameter, data)"]
 
 
-def _named(shaped: RecordShape, title: str) -> Slots:
+def _titled_field(shaped: RecordShape, title: str) -> Slots:
     return next(field for field in shaped.fields if field.title == title)
 
 

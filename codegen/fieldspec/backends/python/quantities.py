@@ -114,7 +114,7 @@ def _decided_states(field: Slots, selector: Slots | None) -> str:
 
 
 def _of_none(field: Slots) -> str:
-    """What becomes of None, as a sentence."""
+    """The sentence on setting a quantity to None."""
     names = [sentinel.name for sentinel in field.value.sentinels]
     if len(names) == 1:
         return f"None sets {names[0]}."

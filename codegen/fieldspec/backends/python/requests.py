@@ -57,7 +57,7 @@ def _field(shaped: RecordShape, title: str) -> Slots | None:
     return next((field for field in shaped.fields if field.title == title), None)
 
 
-def _most(bits: bool, *fields: Slots | None) -> int:
+def _greatest_count(bits: bool, *fields: Slots | None) -> int:
     """The most words, or packed bits, that some fields allow."""
     bounds = []
     for field in fields:
@@ -79,7 +79,7 @@ def read_access(exchanges: list[Exchange], bits: bool = False) -> AccessView | N
         if start is None or values is None or not _settable(exchange.request, {access.start, access.count}):
             continue
         count_argument = f", {count.name}=count" if count is not None and count.stored else ""
-        limit = _most(bits, values, count) if values.is_list else 1
+        limit = _greatest_count(bits, values, count) if values.is_list else 1
         return AccessView(
             request=exchange.request_name,
             response=exchange.response_name,
@@ -127,7 +127,7 @@ def write_accesses(exchanges: list[Exchange], bits: bool = False) -> tuple[Acces
         if values.is_list:
             words = "_packed_bits(words[at : at + count])" if bits else "words[at : at + count]"
             make = f"{exchange.request_name}({start.name}=start{count_argument}, {values.name}={words})"
-            limit = _most(bits, values, count)
+            limit = _greatest_count(bits, values, count)
             block = block or AccessView(exchange.request_name, exchange.response_name, limit, make, "", "")
         else:
             word = f"0x{access.set or 0:02X} if words[at] else 0x{access.clear:02X}" if bits else "words[at]"

@@ -131,17 +131,17 @@ class ValueQuery:
         if enum is not None and enum.open:
             yield ValueRule("unlisted_value", lambda data, offset: dialect.negated(self._is_known(data, offset, True)))
         if value.ranges is not None or (flags is not None and flags.bounded):
-            yield ValueRule("out_of_range", self._outside)
+            yield ValueRule("out_of_range", self._out_of_range)
         if flags is not None:
             used = sum(bit.mask for bit in flags.bits if not bit.reserved)
             spare = ((1 << 8 * value.size) - 1) & ~used
             if spare:
                 yield ValueRule("reserved_bits", lambda data, offset: dialect.mask(self.word(data, offset), spare))
 
-    def _outside(self, data: str, offset: int) -> str:
+    def _out_of_range(self, data: str, offset: int) -> str:
         """Whether a number that is no sentinel is in no range, or a field of its bits; empty where none can be."""
         word = self.device.flags.get(self.value.flags)
-        conditions = [self._beyond(data, offset)] if self.value.ranges is not None else []
+        conditions = [self._out_of_intervals(data, offset)] if self.value.ranges is not None else []
         for bit in word.bounded if word is not None and self.value.const is None else ():
             number = self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
             intervals = bit.ranges.intervals if bit.ranges is not None else ()
@@ -149,7 +149,7 @@ class ValueQuery:
         tests = [condition for condition in conditions if condition]
         return self.dialect.either(*tests) if len(tests) > 1 else "".join(tests)
 
-    def _beyond(self, data: str, offset: int) -> str:
+    def _out_of_intervals(self, data: str, offset: int) -> str:
         """Whether a number that is no sentinel is in no range of the value."""
         value, dialect, number = self.value, self.dialect, self.number(data, offset)
         floating = value.type.kind is Kind.FLOAT

@@ -32,7 +32,7 @@ def shared() -> dict[str, str | Workbook]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """What TIA Portal cannot have of a device: names, sizes and places."""
+    """The refusals of names, sizes and places that TIA Portal cannot express."""
     tia_project = project(versions[-1])
     return [*tia_project.findings, *clashes(tia_project)]
 

@@ -85,7 +85,7 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
 
 
 def _subcode(code: int, subcode: Subcode) -> dict[str, Data]:
-    """What tells messages with a code apart."""
+    """The subcode of messages that share a code, as data of the dissector."""
     messages: list[Data] = [{"number": number, "name": message.name} for number, message in subcode.messages.items()]
     place: dict[str, Data] = {"offset": subcode.offset, "size": subcode.size, "order": subcode.order}
     return {"code": code, **place, "messages": messages}

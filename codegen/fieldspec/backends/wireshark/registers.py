@@ -59,7 +59,7 @@ def table_data(filters: Filters, device: Device, layout: TableLayout) -> list[Da
 
 
 def _table_field(filters: Filters, device: Device, layout: TableLayout, nested: NestedField) -> dict[str, Data]:
-    """What all elements of a field of a table share."""
+    """The data that all elements of a field of a table share."""
     table, field = layout.table, nested.field
     names = (f"{layout.name}.{nested.name}", f"table.{layout.name}.{nested.name}")
     assert field.value is not None

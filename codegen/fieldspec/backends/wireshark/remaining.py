@@ -36,7 +36,7 @@ class Remaining:
 
 
 def remaining(layout: DeviceLayout) -> Remaining:
-    """What a dissector shows of a device."""
+    """The facts of a device that a dissector shows, with those that it leaves out."""
     refusals = [
         *_parameters_in_bytes(layout),
         *character_refusals(layout, _READER),

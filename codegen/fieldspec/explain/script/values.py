@@ -26,7 +26,7 @@ def stated(data: Mapping[str, Data]) -> dict[str, Data]:
 
 
 def fact_data(fact: Fact) -> dict[str, Data]:
-    """What the row of a fact prints, besides its value."""
+    """The data of a fact that its row prints besides its value."""
     return stated(
         {
             "name": fact.name,

@@ -282,7 +282,7 @@ _ABSENT: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.val
 
 
 def _claimed(node: Node) -> ScalarValue:
-    """What a claim says under a key; a list of names as one text."""
+    """The text of a claim under a key; a list of names is one text."""
     if isinstance(node, Sequence):
         return ", ".join(item.text for item in node.items if isinstance(item, Scalar))
     return node.value if isinstance(node, Scalar) else None

@@ -41,7 +41,7 @@ def _step(entry: Entry) -> Step:
         action=action,
         target=entry.text(action),
         value=None if waits else entry.value("value"),
-        wanted=_wanted(entry.get("value")) if waits else (),
+        wanted=_awaited_values(entry.get("value")) if waits else (),
         argument=entry.text("argument"),
         within=entry.decimal("within"),
         relative=entry.flag("relative"),
@@ -53,7 +53,7 @@ def _step(entry: Entry) -> Step:
     )
 
 
-def _wanted(node: Node | None) -> tuple[ScalarValue, ...]:
+def _awaited_values(node: Node | None) -> tuple[ScalarValue, ...]:
     """The values that end a wait: one, or the alternatives of a list."""
     nodes = node.items if isinstance(node, Sequence) else (node,)
     return tuple(item.value for item in nodes if isinstance(item, Scalar))
