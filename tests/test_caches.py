@@ -37,7 +37,7 @@ def test_no_other_object_gets_the_identity_of_a_key() -> None:
 
 def test_the_oldest_entry_goes_where_there_are_too_many() -> None:
     keys = [[number] for number in range(3)]
-    cache: ByIdentity[list[int], int] = ByIdentity(most=2)
+    cache: ByIdentity[list[int], int] = ByIdentity(limit=2)
     for key in keys:
         cache[key] = key[0]
     assert [key in cache for key in keys] == [False, True, True]

@@ -52,7 +52,7 @@ def test_a_code_of_its_own_marks_an_exception_response() -> None:
 
 def test_a_code_of_its_own_is_no_code_of_a_request() -> None:
     asked = explained(SCANNER, "terminal", "request", LINKS["terminal"].encode("request", "read_state", {}))
-    chosen = read(SCANNER, REFUSED_LINE, FrameOptions(), asked=OpenRequest(asked, True))
+    chosen = read(SCANNER, REFUSED_LINE, FrameOptions(), open_request=OpenRequest(asked, True))
     assert (chosen.wrong, chosen.explanation.message, chosen.chosen) == (False, "read_state", "request")
     unasked = explained(SCANNER, "terminal", "response", REFUSED_LINE)
     (meaning,) = next(row for row in unasked.rows if row.path == "command").meanings

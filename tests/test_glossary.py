@@ -8,7 +8,7 @@ import json
 import keyword
 import re
 import tokenize
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -28,11 +28,25 @@ def forbidden() -> frozenset[str]:
 
 def exempt() -> frozenset[str]:
     """The names that are not ours to choose."""
-    return frozenset(re.findall(r"^\| `(\w+)` \|", GLOSSARY.partition("Some libraries")[2], re.MULTILINE))
+    section = GLOSSARY.partition("Some libraries")[2].partition("\n## ")[0]
+    return frozenset(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE))
+
+
+def bare_words() -> frozenset[str]:
+    """The words that are no whole names inside functions: those in the first column of their table."""
+    section = GLOSSARY.partition("## Bare words inside functions")[2]
+    rows = re.findall(r"^\| (`.*?) \|", section, re.MULTILINE)
+    return frozenset(word for row in rows for word in re.findall(r"`(\w+)`", row))
 
 
 FORBIDDEN = forbidden()
 EXEMPT = exempt()
+BARE = bare_words()
+WITH_BARE_WORDS = {
+    *("audit", "captures", "changes", "checks", "commands", "evidence", "facts", "lists", "live", "plc"),
+    *("proofs", "render", "simulator"),
+}
+"""The folders of the compiler whose functions have such names still."""
 
 
 def words(name: str) -> set[str]:
@@ -40,9 +54,9 @@ def words(name: str) -> set[str]:
     return set(re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower().split("_"))
 
 
-def names(path: Path) -> Iterator[tuple[int, str]]:
-    """The names in a Python file with their lines: those that it binds, and attributes and keywords that it uses."""
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+def names(nodes: Iterable[ast.AST]) -> Iterator[tuple[int, str]]:
+    """The names that some nodes of Python bind, with their lines."""
+    for node in nodes:
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             if not node.name.startswith("test_"):
                 yield node.lineno, node.name
@@ -58,6 +72,11 @@ def names(path: Path) -> Iterator[tuple[int, str]]:
             yield from ((node.lineno, name) for name in (node.asname or "",) if name)
         elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
             yield node.lineno, node.name
+
+
+def nodes_of(path: Path) -> Iterator[ast.AST]:
+    """All nodes of a Python file."""
+    return ast.walk(ast.parse(path.read_text("utf-8")))
 
 
 def is_attribute(node: ast.Name) -> bool:
@@ -103,7 +122,7 @@ def wrong_names(path: Path) -> list[str]:
     place = path.relative_to(ROOT).as_posix()
     own = not path.stem.startswith("test_") and is_wrong(path.stem)
     places = [f"{place}: the name of the file"] if own else []
-    return places + [f"{place}:{line}: {name}" for line, name in names(path) if is_wrong(name)]
+    return places + [f"{place}:{line}: {name}" for line, name in names(nodes_of(path)) if is_wrong(name)]
 
 
 def test_the_glossary_forbids_words() -> None:
@@ -133,6 +152,43 @@ def test_names_of_code_are_in_the_compiler() -> None:
 def test_names_follow_the_glossary(name: str) -> None:
     wrong = [place for path in FILES[name] for place in wrong_names(path)]
     assert wrong == [], "\n".join(wrong)
+
+
+def names_inside(path: Path) -> Iterator[tuple[int, str]]:
+    """The names that the functions of a file bind: parameters, local values and inner functions, with their lines."""
+    seen: set[tuple[int, str]] = set()
+    for function in nodes_of(path):
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+            body = [function.body] if isinstance(function, ast.Lambda) else function.body
+            for part in (function.args, *body):
+                seen |= set(names(ast.walk(part)))
+    yield from sorted(seen)
+
+
+def bare_names(name: str) -> list[str]:
+    """The places in a folder of the compiler of names inside functions that are a bare word; not in copied Python."""
+    files = [path for path in FILES[name] if PACKAGE in path.parents and "runtime" not in path.parts]
+    return [
+        f"{path.relative_to(ROOT).as_posix()}:{line}: {bound}"
+        for path in files
+        for line, bound in names_inside(path)
+        if bound.strip("_") in BARE
+    ]
+
+
+COMPILER = sorted(name for name in FILES if any(PACKAGE in path.parents for path in FILES[name]))
+
+
+@pytest.mark.parametrize("name", [name for name in COMPILER if name not in WITH_BARE_WORDS])
+def test_names_inside_functions_say_what_they_are(name: str) -> None:
+    assert {"at", "most", "should"} <= BARE
+    wrong = bare_names(name)
+    assert wrong == [], "\n".join(wrong)
+
+
+@pytest.mark.parametrize("name", sorted(WITH_BARE_WORDS))
+def test_a_folder_is_on_the_list_of_those_with_bare_words_only_as_long_as_it_has_some(name: str) -> None:
+    assert bare_names(name) != []
 
 
 def keys(schema: object) -> Iterator[str]:
@@ -175,4 +231,4 @@ def held_value(given: int) -> int:
 def test_a_forbidden_word_is_seen_in_a_name(tmp_path: Path) -> None:
     path = tmp_path / "module.py"
     path.write_text(TEXT, "utf-8")
-    assert {name for _, name in names(path) if is_wrong(name)} == {"held_value", "given", "one", "kept"}
+    assert {name for _, name in names(nodes_of(path)) if is_wrong(name)} == {"held_value", "given", "one", "kept"}

@@ -30,15 +30,15 @@ else:
 class ByIdentity(Generic[Key, Value]):
     """Values by objects, where only the same object is the same key.
 
-    The cache keeps its keys alive: as long as an object is there, no other one gets its identity. With `most`, only so
-    many of the newest entries stay.
+    The cache keeps its keys alive: as long as an object is there, no other one gets its identity. With a `limit`, only
+    so many of the newest entries stay.
     """
 
     __slots__ = ("_entries", "_most")
 
-    def __init__(self, most: int | None = None) -> None:
+    def __init__(self, limit: int | None = None) -> None:
         self._entries: dict[int, tuple[Key, Value]] = {}
-        self._most = most
+        self._most = limit
 
     def __contains__(self, key: Key) -> bool:
         return id(key) in self._entries

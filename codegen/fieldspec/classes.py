@@ -27,7 +27,7 @@ else:
     _MISSING = object()
 
     class _Field:
-        """What is known of one attribute."""
+        """An attribute of a class: its default, and how objects compare and print it."""
 
         __slots__ = ("compare", "default", "factory", "kw_only", "name", "repr")
 
@@ -97,16 +97,16 @@ else:
             if cell.cell_contents is old:
                 cell.cell_contents = new
 
-    def _constructor(cls, /, *values, **named):
+    def _constructor(cls, /, *values, **keywords):
         """Writes the constructor of a class, when its first object is made."""
         owner = next(base for base in cls.__mro__ if "_fields" in base.__dict__)
         owner.__new__ = staticmethod(_compiled_constructor(owner))
-        return owner.__new__(cls, *values, **named)
+        return owner.__new__(cls, *values, **keywords)
 
     def _compiled_constructor(owner):
         positional = [attribute for attribute in owner._fields.values() if not attribute.kw_only]
-        named = [attribute for attribute in owner._fields.values() if attribute.kw_only]
-        parameters = [*map(_parameter, positional), *(["*"] if named else []), *map(_parameter, named)]
+        keyword_only = [attribute for attribute in owner._fields.values() if attribute.kw_only]
+        parameters = [*map(_parameter, positional), *(["*"] if keyword_only else []), *map(_parameter, keyword_only)]
         return _compiled(owner, f"make(cls, {', '.join(parameters)})", "cls", _value)
 
     def _parameter(attribute):
@@ -146,7 +146,7 @@ else:
         return function
 
     def _opened(owner):
-        """A class of the same form that is not frozen; of a class that is, it is made when its first object is."""
+        """A class like another one that is not frozen; for a frozen class, it is made with its first object."""
         if owner._frozen and "_Open" not in owner.__dict__:
             owner._Open = type("_Open", (owner,), {"__slots__": (), **_OPEN})
         return owner._Open if owner._frozen else owner
@@ -168,9 +168,9 @@ else:
         return f"{self.__class__.__qualname__}({values})"
 
     def _reduce(self):
-        return _again, (self.__class__, {name: getattr(self, name) for name in self._fields})
+        return _rebuilt, (self.__class__, {name: getattr(self, name) for name in self._fields})
 
-    def _again(cls, values):
+    def _rebuilt(cls, values):
         return cls(**values)
 
     def _refused(self, name, *value):
@@ -193,6 +193,6 @@ else:
                     repr=attribute.repr, compare=attribute.compare, kw_only=attribute.kw_only, **factory, **default
                 )
 
-            named = [(name, "object", standard(attribute)) for name, attribute in owner._fields.items()]
-            owner.__dataclass_fields__ = make_dataclass(owner.__name__, named).__dataclass_fields__
+            fields = [(name, "object", standard(attribute)) for name, attribute in owner._fields.items()]
+            owner.__dataclass_fields__ = make_dataclass(owner.__name__, fields).__dataclass_fields__
             return owner.__dataclass_fields__

@@ -134,12 +134,12 @@ class _Verb(_Parser):
             module, function = self.late_help
             self.epilog = getattr(import_module(module), function)(args) or self.epilog
         try:
-            known, others = self.parse_known_intermixed_args(args, namespace)
+            known, unrecognized = self.parse_known_intermixed_args(args, namespace)
         finally:
             self._mixing, self._tail = False, None
-        if others:
-            self.error(f"unrecognized arguments: {' '.join(others)}")
-        return known, others
+        if unrecognized:
+            self.error(f"unrecognized arguments: {' '.join(unrecognized)}")
+        return known, unrecognized
 
 
 def parser() -> argparse.ArgumentParser:
@@ -211,7 +211,7 @@ def _parser() -> argparse.ArgumentParser:
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
-    def sent(inner: _Verb, direction: str, message: str) -> None:
+    def add_frame_options(inner: _Verb, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
         inner.set_defaults(words=[])
         inner.late_help = ("fieldspec.commands.frame_options", "device_help")
@@ -223,18 +223,18 @@ def _parser() -> argparse.ArgumentParser:
             "as --message NAME. Put the device before --help to see its words."
         )
 
-    way = "request, response, or the names that the link has for them"
+    direction_names = "request, response, or the names that the link has for them"
     decode = verb("decode", "explain a frame or a log of frames, byte by byte", compiled=True)
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
     frames = "the bytes in hexadecimal (default, or -: lines of standard input); with --to: captures, logs, folders"
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-|FILE", help=frames)
-    sent(decode, way, "the message, if the frame does not identify it")
+    add_frame_options(decode, direction_names, "the message, if the frame does not identify it")
     decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
     to = "decode captures and logs in bulk, into tables of frames and values"
     decode.add_argument("--to", choices=("parquet", "csv", "jsonl", "arrow"), help=to)
-    out = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"
-    decode.add_argument("--out", metavar="FOLDER", help=out)
+    out_help = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"
+    decode.add_argument("--out", metavar="FOLDER", help=out_help)
     decode.add_argument("--port", metavar="NUMBERS", help="with --to: TCP and UDP ports of the devices, such as 502")
     decode.add_argument("--units", metavar="NUMBERS", help="with --to: values of these unit addresses only: 1,3-5")
     rows = "with --to: the frames in one file of each table (default: 1000000)"
@@ -251,7 +251,7 @@ def _parser() -> argparse.ArgumentParser:
         "members and bits; lists as 1,2,3, "
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
-    sent(encode, f"{way} (default: request)", "the message, instead of MESSAGE")
+    add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
     forms = ("csv", "xlsx", "json")
@@ -266,8 +266,8 @@ def _parser() -> argparse.ArgumentParser:
         inner.add_argument(
             "--sheet", metavar="NAME", help="the sheet of a workbook (default: the first that is not empty)"
         )
-        where = "a heading, a letter or a number (default: guessed from the headings)"
-        inner.add_argument("--address", metavar="COLUMN", help=f"the column with the addresses: {where}")
+        column_help = "a heading, a letter or a number (default: guessed from the headings)"
+        inner.add_argument("--address", metavar="COLUMN", help=f"the column with the addresses: {column_help}")
         for role in ("name", "words", "type", "access", "space"):
             inner.add_argument(f"--{role}", metavar="COLUMN", help=f"the column with the {role}")
         bases = "the notation of addresses; 4xxxx: 40001 is address 0"

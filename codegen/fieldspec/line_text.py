@@ -31,7 +31,7 @@ _INVISIBLE = re.compile(r"[^\n -~]|(?<=#)#(?=\[)")
 
 
 def visible_json(data: object, indent: int | None = None, default: Callable[[object], object] | None = None) -> str:
-    """Data as JSON, with an escape for what cannot be seen and for the start of a command. It means the same."""
+    """Data as JSON, in which invisible characters, and those that start commands, are escaped."""
     import json
 
     text = json.dumps(data, ensure_ascii=False, indent=indent, default=default)

@@ -49,7 +49,7 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
-    """What some outputs cannot express of a device, to be asked before any is built: one finding for each fact.
+    """The findings on facts of a device that some outputs cannot express, before any is built: one for each fact.
 
     Errors forbid an output. Warnings say what it leaves out.
     """
@@ -63,8 +63,8 @@ def merged_refusals(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) 
         for key in dict.fromkeys(_key(finding) for finding in findings if finding.help == LEAVE_OUT):
             refusing.setdefault(key, []).append(name)
     all_refusing = {name for outputs in refusing.values() for name in outputs}
-    others = ",".join(name for name in by_output if name not in all_refusing)
-    cure = f"build the others: `fieldspec build {device} --to {others}`" if others else LEAVE_OUT
+    remaining = ",".join(name for name in by_output if name not in all_refusing)
+    cure = f"build the others: `fieldspec build {device} --to {remaining}`" if remaining else LEAVE_OUT
     result: list[Diagnostic] = []
     for name, findings in by_output.items():
         for finding in findings:

@@ -81,7 +81,7 @@ def all_rules() -> tuple[Rule, ...]:
 def change_rules() -> tuple[Rule, ...]:
     """All rules of changes, by code."""
     return tuple(
-        replace(_parsed(code, "changes", _text(function)), classes=tuple(effect.value for effect in effects))
+        replace(_parsed(code, "changes", _rule_text(function)), classes=tuple(effect.value for effect in effects))
         for code, function, effects in OF_CHANGES
     )
 
@@ -93,7 +93,7 @@ def installed_rules() -> tuple[Rule, ...]:
 
 def check_rule(code: str, check: object) -> Rule:
     """The rule of a check. Raises ValueError where its documentation has not the four parts."""
-    return _parsed(code, "checks", _text(check))
+    return _parsed(code, "checks", _rule_text(check))
 
 
 def rule(code: str) -> Rule | None:
@@ -141,7 +141,7 @@ def _rules() -> Iterator[Rule]:
         yield _parsed(code, "audits", text)
 
 
-def _text(function: object) -> str:
+def _rule_text(function: object) -> str:
     """The docstring of a rule's function, or of the module that is named after it."""
     documentation = sys.modules[function.__module__].__doc__ or ""
     return documentation if _PARTS[-1] in documentation else function.__doc__ or ""
@@ -149,8 +149,8 @@ def _text(function: object) -> str:
 
 def _parsed(code: str, stage: str, text: str) -> Rule:
     """A rule from its text: what holds, then the three parts in their order."""
-    what, *parts = (" ".join(paragraph.split()) for paragraph in text.strip().split("\n\n"))
+    statement, *parts = (" ".join(paragraph.split()) for paragraph in text.strip().split("\n\n"))
     if len(parts) != len(_PARTS) or not all(map(str.startswith, parts, _PARTS)):
         raise ValueError(f"the text of the rule {code} has not the parts {', '.join(_PARTS)}")
-    why, example, cure = (part.removeprefix(start) for part, start in zip(parts, _PARTS, strict=True))
-    return Rule(code, stage, what, why, example, cure)
+    reason, example, cure = (part.removeprefix(start) for part, start in zip(parts, _PARTS, strict=True))
+    return Rule(code, stage, statement, reason, example, cure)

@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     class Spanned(Protocol):
-        """An object with a place in a file."""
+        """An object that has a place in a file."""
 
         @property
         def span(self) -> Span:
-            """The place."""
+            """The place in the file."""
 
 
 class Refused(bytes):
@@ -43,10 +43,10 @@ class SourceFile:
         """Offsets of the first character of every line."""
         if not self._line_starts:
             self._line_starts.append(0)
-            at = self.text.find("\n")
-            while at >= 0:
-                self._line_starts.append(at + 1)
-                at = self.text.find("\n", at + 1)
+            newline = self.text.find("\n")
+            while newline >= 0:
+                self._line_starts.append(newline + 1)
+                newline = self.text.find("\n", newline + 1)
         return self._line_starts
 
     def line(self, number: int) -> str:

@@ -71,7 +71,7 @@ class Output:
         return usages(versions) if usages is not None else {}
 
     def refusals(self, versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-        """What forbids the files for these versions of a device; asked before they are made.
+        """The facts that the output cannot express of these versions of a device; called before its files are built.
 
         A back end that cannot express every device has a function `refusals` beside `files`.
         """

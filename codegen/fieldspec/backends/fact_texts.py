@@ -38,14 +38,14 @@ def availability(fact: Fact) -> str:
     return " ".join(f"{word} {', '.join(versions)}." for word, versions in known if versions)
 
 
-def described(head: str, fact: Fact, *more: str) -> list[str]:
+def described(head: str, fact: Fact, *paragraphs: str) -> list[str]:
     """The paragraphs of a fact's docstring: a head with the manual's words, the doc, more, notes, sources."""
     first = f"{head} {printed(fact)}".strip()
     notes = [f"Note: {sentence(note)}" for note in fact.notes]
     inferred = [f"Inferred ({key}): {sentence(reason)}" for key, reason in fact.inferred.items()]
     doubt = "Nobody has compared it with the manual yet." if fact.unverified else ""
     caveats = (availability(fact), doubt, *notes, *inferred)
-    return [sentence(first), sentence(fact.doc), *more, *caveats, cited(fact.sources)]
+    return [sentence(first), sentence(fact.doc), *paragraphs, *caveats, cited(fact.sources)]
 
 
 def detection_text(detection: Detection) -> str:

@@ -45,7 +45,7 @@ def use_cache(load: Load, store: Store) -> None:
 
 
 def prepare() -> None:
-    """Compiles all templates, so that nobody waits for it later."""
+    """Compiles all templates ahead of their first use."""
     for name in _environment().list_templates(["j2"]):
         _environment().get_template(name)
 

@@ -56,21 +56,25 @@ def _unclear(tree: Mapping) -> Iterator[Diagnostic]:
             yield from _unclear_keys(action, ACTION_KEYS, frozenset(), "action")
 
 
-def _unclear_keys(node: Mapping, kinds: Kinds, always: Collection[str], what: str) -> Iterator[Diagnostic]:
-    have = kinds_of(node, kinds)
-    if len(have) != 1:
-        span = key_span(node, have[1]) if have else (node.values.get("name") or node).span
+def _unclear_keys(node: Mapping, kinds: Kinds, always: Collection[str], subject: str) -> Iterator[Diagnostic]:
+    stated_kinds = kinds_of(node, kinds)
+    if len(stated_kinds) != 1:
+        span = key_span(node, stated_kinds[1]) if stated_kinds else (node.values.get("name") or node).span
         words = ", ".join(f"`{kind}`" for kind in kinds)
-        text = f"this {what} has the kinds `{have[0]}` and `{have[1]}`" if have else f"this {what} has no kind"
+        text = (
+            f"this {subject} has the kinds `{stated_kinds[0]}` and `{stated_kinds[1]}`"
+            if stated_kinds
+            else f"this {subject} has no kind"
+        )
         yield Diagnostic(_CLEAR, text, span, help=f"it has one of {words}")
         return
-    needed, possible = kinds[have[0]]
-    for key in sorted(needed - node.values.keys()):
-        text = f"this {what} with `{have[0]}` needs `{key}`"
-        yield Diagnostic(_CLEAR, text, key_span(node, have[0]), help=f"add `{key}`")
+    required, possible = kinds[stated_kinds[0]]
+    for key in sorted(required - node.values.keys()):
+        text = f"this {subject} with `{stated_kinds[0]}` needs `{key}`"
+        yield Diagnostic(_CLEAR, text, key_span(node, stated_kinds[0]), help=f"add `{key}`")
     for key in node.values:
-        if key not in {have[0], *needed, *possible, *always}:
-            text = f"`{key}` does not go with `{have[0]}`"
+        if key not in {stated_kinds[0], *required, *possible, *always}:
+            text = f"`{key}` does not go with `{stated_kinds[0]}`"
             yield Diagnostic(_CLEAR, text, key_span(node, key), help="remove it")
 
 
@@ -131,7 +135,7 @@ class _Resolution:
         if part.kind in ("show", "initial"):
             for key in ("value", "otherwise"):
                 yield from self._value(part, key, part.get(key), part.subject)
-                yield from self._number(part, key, part.get(key))
+                yield from self._number_findings(part, key, part.get(key))
         for key in ("at", "start"):
             yield from self._value(part, key, part.get(key))
         for key, value in part.subject.items() if part.kind == "axis" else ():
@@ -212,15 +216,19 @@ class _Resolution:
         for value in action.get("values", {}).values():
             yield from self._value(action, "values", value)
 
-    def _value(self, part: Part, key: str, value: object, of: str = "") -> Iterator[Diagnostic]:
+    def _value(self, part: Part, key: str, value: object, signal: str = "") -> Iterator[Diagnostic]:
         terms = value.terms() if isinstance(value, Product) else (value,)
         for term in terms:
-            if not isinstance(term, str) or self.names.is_known(term) or (of and self.names.has_member(of, term)):
+            if (
+                not isinstance(term, str)
+                or self.names.is_known(term)
+                or (signal and self.names.has_member(signal, term))
+            ):
                 continue
-            what = f"signal, and no value of `{of}`," if of else "signal"
-            yield self._unknown(part, key, what, term, ())
+            expected = f"signal, and no value of `{signal}`," if signal else "signal"
+            yield self._unknown(part, key, expected, term, ())
 
-    def _number(self, part: Part, key: str, number: object) -> Iterator[Diagnostic]:
+    def _number_findings(self, part: Part, key: str, number: object) -> Iterator[Diagnostic]:
         """Whether what has the signal of a part can carry a number."""
         if not isinstance(number, int) or isinstance(number, bool):
             return
@@ -247,6 +255,6 @@ class _Resolution:
         if not self.names.is_known(name):
             yield self._unknown(part, key, "signal", name, self.names.like(name))
 
-    def _unknown(self, part: Part, key: str, what: str, name: str, known: Collection[str]) -> Diagnostic:
+    def _unknown(self, part: Part, key: str, expected: str, name: str, known: Collection[str]) -> Diagnostic:
         help = near(name, known) if known else "name a role, a path, or a member"
-        return Diagnostic(_RESOLVES, f"there is no {what} {quoted(name)}", part.place[key], help=help)
+        return Diagnostic(_RESOLVES, f"there is no {expected} {quoted(name)}", part.place[key], help=help)

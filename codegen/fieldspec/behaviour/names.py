@@ -29,9 +29,9 @@ class Names:
         if "/" in name:
             operand = self.operands.by_path.get(name)
             return [operand] if operand is not None else []
-        outside = self.operands.with_role(name)
-        if outside:
-            return [operand for operand in outside if not isinstance(operand.fact, Message)]
+        operands = self.operands.with_role(name)
+        if operands:
+            return [operand for operand in operands if not isinstance(operand.fact, Message)]
         return [
             operand for operand in self.operands.all if name in operand.roles and operand.scope.startswith("messages/")
         ]
@@ -64,13 +64,13 @@ class Names:
         return close if "/" in name else sorted({role for operand in self.operands.all for role in operand.roles})
 
     def unknown(self, name: str) -> str:
-        """What is wrong with a name that is no signal: what the names of signals are, and those that it may mean."""
+        """The text of a finding about a name that is no signal, with the names that it may be a misprint of."""
         from difflib import get_close_matches
 
         last = name.rpartition("/")[2]
-        meant = [path for path in self.operands.by_path if path.rpartition("/")[2] == last]
-        meant = meant or get_close_matches(name, [*self.like(name), *self.operands.by_path], 3, 0.75)
-        hint = f"did you mean {' or '.join(meant[:3])}?" if meant else "`fieldspec facts` lists the paths"
+        suggestions = [path for path in self.operands.by_path if path.rpartition("/")[2] == last]
+        suggestions = suggestions or get_close_matches(name, [*self.like(name), *self.operands.by_path], 3, 0.75)
+        hint = f"did you mean {' or '.join(suggestions[:3])}?" if suggestions else "`fieldspec facts` lists the paths"
         return f"the device has no signal `{name}`; a signal is a role, or a path as registers/NAME; {hint}"
 
     def has_member(self, signal: str, member: str) -> bool:

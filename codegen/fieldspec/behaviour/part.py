@@ -87,7 +87,7 @@ class Product:
     bits: tuple[Term, ...] = ()
 
     def terms(self) -> tuple[Term, ...]:
-        """All numbers and signals in it."""
+        """The numbers and the names of signals that are multiplied."""
         return (*self.factors, *self.over, *self.bits, *(() if self.alternative is None else (self.alternative,)))
 
 

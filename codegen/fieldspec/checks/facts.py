@@ -12,8 +12,8 @@ from fieldspec.model.record import Case, Field, Record
 from fieldspec.model.registers import Register
 from fieldspec.model.value import Signal, Value
 
-_FACTS: ByIdentity[Device, tuple[Fact, ...]] = ByIdentity(most=1)
-_VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(most=1)
+_FACTS: ByIdentity[Device, tuple[Fact, ...]] = ByIdentity(limit=1)
+_VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(limit=1)
 """Those of the last device: many checks in a row look at all of them."""
 
 

@@ -17,24 +17,24 @@ def step_spans(
     record: RecordLayout,
     body: tuple[int, bytes],
     values: Mapping[str, Raw],
-    asked: Mapping[str, Raw] | None,
+    request_values: Mapping[str, Raw] | None,
 ) -> Iterator[tuple[RegisterAccess, Span]]:
     """The steps of a message with the words that they access; a response has those that read.
 
-    `body` is where the data begin in the parts of a frame, and their bytes. `asked` are the values of the request that
-    a response answers, None for a request.
+    `body` is where the data begin in the parts of a frame, and their bytes. `request_values` are those of the request
+    that a response answers, None for a request.
     """
-    at, data = body
+    start, data = body
     for step in message.access_steps:
-        if asked is not None and step.operation == "write":
+        if request_values is not None and step.operation == "write":
             continue
-        field = record.named(step.values) if (step.operation == "read") == (asked is not None) else None
+        field = record.named(step.values) if (step.operation == "read") == (request_values is not None) else None
         offset, carried = 0, b""
         if field is not None:
             offset = field.offset
             carried = data[offset:] if field.end is None else data[offset : field.end]
         size = layout.device.space(step.space).unit_size
         # The request of what a response answers may have fields of the same names as the response.
-        span = accessed(step, values if asked is None else asked, {}, at + offset, carried, size)
+        span = accessed(step, values if request_values is None else request_values, {}, start + offset, carried, size)
         if span is not None:
             yield step, span

@@ -70,7 +70,7 @@ def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
 class Body:
     """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
 
-    `rows` and `values` go as far as the bytes do. `asked` are the values of the request that the frame answers.
+    `rows` and `values` go as far as the bytes do. `request_values` are those of the request that the frame answers.
     `outer` is the message or the record; its sources stand in for fields without their own.
     """
 
@@ -83,9 +83,9 @@ class Body:
         start: int,
         end: int,
         spot: Spot,
-        asked: Mapping[str, Raw],
+        request_values: Mapping[str, Raw],
     ) -> None:
-        self.layout, self.outer, self.spot, self.asked = layout, outer, spot, asked
+        self.layout, self.outer, self.spot, self.asked = layout, outer, spot, request_values
         self.data, self.start, self.end = data, start, end
         self.record = record.of_data(data[start:end]) or record
         self.is_request = isinstance(outer, Message) and record.record is outer.request
@@ -96,65 +96,67 @@ class Body:
         self.rows = list(self._varying_rows() if self.record.spans else rows)
 
     def _rows(self) -> Iterator[ExplanationRow]:
-        at = self.start
+        offset = self.start
         for number, field in enumerate(self.record.fields):
             if field.cases:
-                yield self._undecided(field, at)
+                yield self._undecided(field, offset)
                 return
             count = self._count(field)
-            room = max(0, min(count, (self.end - at) // field.size)) if field.size else 0
-            yield from self._field(field, at, room)
-            at += room * field.size
+            room = max(0, min(count, (self.end - offset) // field.size)) if field.size else 0
+            yield from self._field(field, offset, room)
+            offset += room * field.size
             if room < count:
-                yield self._missing(self.record.fields[number:], at)
+                yield self._missing(self.record.fields[number:], offset)
                 return
-        if at < self.end:
-            yield surplus_row(self.spot, at, self.data[at : self.end])
+        if offset < self.end:
+            yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
     def _rows_around(self, inner: InnerLists) -> Iterator[ExplanationRow]:
         """The rows of a record with fields behind a list, in the order of the wire."""
         fields = self.record.sent_fields
-        at, number_of_list = self.start, 0
+        offset, number_of_list = self.start, 0
         for number, field in enumerate(fields):
             if field.count is not None:
-                room = max(0, min(field.count, (self.end - at) // field.size))
-                yield from self._field(field, at, room)
-                at += room * field.size
+                room = max(0, min(field.count, (self.end - offset) // field.size))
+                yield from self._field(field, offset, room)
+                offset += room * field.size
                 if room < field.count:
-                    yield self._missing(fields[number:], at)
+                    yield self._missing(fields[number:], offset)
                     return
                 continue
             if number_of_list == len(self.extents):
-                yield self._unknown_list(fields[number:], inner.lists[number_of_list], at)
+                yield self._unknown_list(fields[number:], inner.lists[number_of_list], offset)
                 return
             extent = self.extents[number_of_list]
-            stop = at + extent.size
+            stop = offset + extent.size
             number_of_list += 1
             count = self._items(field)
-            yield from self._field(field, at, count, extent.elements)
-            at += sum(extent.elements) if extent.elements else count * field.size
+            yield from self._field(field, offset, count, extent.elements)
+            offset += sum(extent.elements) if extent.elements else count * field.size
             if field.field.repeat is not None and count < field.field.repeat.low:
-                yield self._missing((field,), at, stop)
-            elif at < stop:
-                yield surplus_row(self.spot, at, self.data[at:stop])
-            at = stop
+                yield self._missing((field,), offset, stop)
+            elif offset < stop:
+                yield surplus_row(self.spot, offset, self.data[offset:stop])
+            offset = stop
 
-    def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, at: int) -> ExplanationRow:
-        """The row from a list on whose bytes nobody knows."""
+    def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, offset: int) -> ExplanationRow:
+        """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
         if self._has_wrong_count(inner):
             text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
-            return self._wrong(fields[0], at, "wrong_measure", text)
+            return self._wrong(fields[0], offset, "wrong_measure", text)
         if inner.tail is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
             text = f"the elements of {fields[0].name} do not end with their bytes: see {place}"
-            return self._wrong(fields[0], at, self.fault.reason, text)
+            return self._wrong(fields[0], offset, self.fault.reason, text)
         if self.end - self.start < self.record.least:
-            return self._missing(fields, at)
-        return self._wrong(fields[0], at, "incomplete", f"{inner.count} counts more {fields[0].name} than there are")
+            return self._missing(fields, offset)
+        return self._wrong(
+            fields[0], offset, "incomplete", f"{inner.count} counts more {fields[0].name} than there are"
+        )
 
     def _has_wrong_count(self, inner: InnerList) -> bool:
-        """Whether the first list whose bytes nobody knows has a count that cannot be right."""
+        """Whether the first list whose bytes are not known has an impossible count."""
         place = self.record.inner_lists.place_in_data(self.extents, inner.count_at) if self.record.inner_lists else 0
         return (
             bool(inner.count)
@@ -178,32 +180,34 @@ class Body:
     def _varying_rows(self) -> Iterator[ExplanationRow]:
         """The rows of a record whose values vary in width."""
         fields = self.record.fields
-        at = self.start
+        offset = self.start
         known = extents(self.record.spans, self.data[self.start : self.end])
         for field, span, extent in zip(fields, self.record.spans, known, strict=False):
-            at = self.start + extent.start
+            offset = self.start + extent.start
             if span.value is None:
-                yield from self._field(field, at, field.count or 0)
+                yield from self._field(field, offset, field.count or 0)
             else:
-                sent = self.data[at : self.start + extent.stop]
-                both = (sent, extent.image)
-                rows, self.values[field.name] = self._value(field, field.name, at, 0, span.value, True, both)
+                raw = self.data[offset : self.start + extent.stop]
+                raw_and_image = (raw, extent.image)
+                rows, self.values[field.name] = self._value(
+                    field, field.name, offset, 0, span.value, True, raw_and_image
+                )
                 yield from rows
-            at = self.start + extent.stop
+            offset = self.start + extent.stop
         if len(known) < len(fields):
-            reason, text = self._endless(len(known), at)
-            yield self._wrong(fields[len(known)], at, reason, text)
-        elif at < self.end:
-            yield surplus_row(self.spot, at, self.data[at : self.end])
+            reason, text = self._endless(len(known), offset)
+            yield self._wrong(fields[len(known)], offset, reason, text)
+        elif offset < self.end:
+            yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
-    def _endless(self, number: int, at: int) -> tuple[str, str]:
-        """Why nobody knows where a field ends that begins at a byte, as a reason and in words."""
+    def _endless(self, number: int, offset: int) -> tuple[str, str]:
+        """The reason why the end of a field is not known, as the reason of a codec and in words."""
         span = self.record.spans[number]
         if span.count is None or span.value is None:
             return "incomplete", f"{span.name} has no end"
         count = self.values[self.record.spans[span.count].name]
         if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
-            return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - at} follow"
+            return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - offset} follow"
         return "wrong_measure", f"{self.record.spans[span.count].name} is no number of bytes of {span.name}"
 
     def _measured_text(self, field: FieldLayout, read: DecodedValue) -> DecodedValue | None:
@@ -224,38 +228,47 @@ class Body:
         room = (self.end - self.start - field.offset) // field.size
         return min(max(room, repeat.low), repeat.high)
 
-    def _missing(self, fields: tuple[FieldLayout, ...], at: int, stop: int | None = None) -> ExplanationRow:
+    def _missing(self, fields: tuple[FieldLayout, ...], offset: int, stop: int | None = None) -> ExplanationRow:
         """The row of the place where the body, or the bytes up to `stop`, are not enough for fields."""
         missing = self.record.least - (self.end - self.start)
         later = ", ".join(other.name for other in fields)
         text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {later}"
-        return self._wrong(fields[0], at, "incomplete", text, stop)
+        return self._wrong(fields[0], offset, "incomplete", text, stop)
 
-    def _undecided(self, field: FieldLayout, at: int) -> ExplanationRow:
+    def _undecided(self, field: FieldLayout, offset: int) -> ExplanationRow:
         """The row of a field whose type is open, because the field that decides it has a value without a case."""
-        size, by = self.end - self.start, self.record.selector
-        assert by is not None
+        size, selector = self.end - self.start, self.record.selector
+        assert selector is not None
         if size < self.record.least:
-            return self._missing(self.record.fields[-1:], at)
+            return self._missing(self.record.fields[-1:], offset)
         long = self.record.most is not None and size > self.record.most
-        reason, text = "unknown_value", f"{by.name} {self.values[by.name]!r} does not decide the type of {field.name}"
+        reason, text = (
+            "unknown_value",
+            f"{selector.name} {self.values[selector.name]!r} does not decide the type of {field.name}",
+        )
         if long:
             reason, text = "wrong_length", f"{text}, which is {size - (self.record.most or 0)} bytes too long"
-        return self._wrong(field, at, reason, text)
+        return self._wrong(field, offset, reason, text)
 
-    def _wrong(self, field: FieldLayout, at: int, reason: str, text: str, stop: int | None = None) -> ExplanationRow:
+    def _wrong(
+        self, field: FieldLayout, offset: int, reason: str, text: str, stop: int | None = None
+    ) -> ExplanationRow:
         """The row of the rest of the body, or of the bytes up to `stop`, where a field is expected."""
         path = field.field.place.path
-        data = self.data[at : self.end if stop is None else stop]
-        row = wrong_row(self.spot, at, data, reason, text, field.name, path)
+        data = self.data[offset : self.end if stop is None else stop]
+        row = wrong_row(self.spot, offset, data, reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
-    def _field(self, field: FieldLayout, at: int, count: int, sizes: tuple[int, ...] = ()) -> Iterator[ExplanationRow]:
+    def _field(
+        self, field: FieldLayout, offset: int, count: int, sizes: tuple[int, ...] = ()
+    ) -> Iterator[ExplanationRow]:
         """The rows of the elements of one field. Adds their values to `values`. `sizes` are those that differ."""
         values: list[Raw] = []
         for index in range(count):
             path = f"{field.name}[{index}]" if field.is_list else field.name
-            place, size = (at + sum(sizes[:index]), sizes[index]) if sizes else (at + index * field.size, field.size)
+            place, size = (
+                (offset + sum(sizes[:index]), sizes[index]) if sizes else (offset + index * field.size, field.size)
+            )
             rows, value = self._element(field, path, place, index, size)
             values.append(value)
             yield from rows
@@ -265,35 +278,37 @@ class Body:
             self.values[field.name] = values[0]
 
     def _element(
-        self, field: FieldLayout, path: str, at: int, index: int, size: int
+        self, field: FieldLayout, path: str, offset: int, index: int, size: int
     ) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the value of one element of a field of the message."""
         if field.record is not None:
-            return self._inner(field.record, path, at, size)
-        return self._value(field, path, at, index, self._by_exponent(field, self.record, self.start), top=True)
+            return self._inner(field.record, path, offset, size)
+        return self._value(field, path, offset, index, self._by_exponent(field, self.record, self.start), top=True)
 
-    def _inner(self, record: RecordLayout, path: str, at: int, size: int) -> tuple[list[ExplanationRow], Raw]:
+    def _inner(self, record: RecordLayout, path: str, offset: int, size: int) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the values of a record within the body, which has `size` bytes. All of them are there."""
         rows: list[ExplanationRow] = []
         values: dict[str, Raw] = {}
         for field in record.fields:
             if field.value is not None and field.value.width:
-                sent = self.data[at + field.offset : at + size]
-                own_path, both = f"{path}.{field.name}", (sent, widened(field.value, sent))
-                more, values[field.name] = self._value(field, own_path, at + field.offset, 0, field.value, False, both)
-                rows += more
+                raw = self.data[offset + field.offset : offset + size]
+                own_path, raw_and_image = f"{path}.{field.name}", (raw, widened(field.value, raw))
+                inner_rows, values[field.name] = self._value(
+                    field, own_path, offset + field.offset, 0, field.value, False, raw_and_image
+                )
+                rows += inner_rows
                 continue
             elements: list[Raw] = []
             count = (size - field.offset) // field.size if field.count is None else field.count
             for index in range(count):
                 inner = f"{path}.{field.name}[{index}]" if field.is_list else f"{path}.{field.name}"
-                place = at + field.offset + index * field.size
+                place = offset + field.offset + index * field.size
                 if field.record is not None:
-                    more, value = self._inner(field.record, inner, place, field.size)
+                    inner_rows, value = self._inner(field.record, inner, place, field.size)
                 else:
-                    own = self._by_exponent(field, record, at)
-                    more, value = self._value(field, inner, place, index, own, top=False)
-                rows += more
+                    own = self._by_exponent(field, record, offset)
+                    inner_rows, value = self._value(field, inner, place, index, own, top=False)
+                rows += inner_rows
                 elements.append(value)
             values[field.name] = elements if field.is_list else elements[0]
         return rows, values
@@ -309,17 +324,19 @@ class Body:
             if self.fault is not None and offset >= inner.lists[len(self.extents)].first:
                 return field.value
             offset = inner.place_in_data(self.extents, offset)
-        at = start + offset
-        if at + exponent.size > self.end:
+        exponent_start = start + offset
+        if exponent_start + exponent.size > self.end:
             return field.value
-        number = number_of(exponent.value, self.data[at : at + exponent.size], exponent.order, exponent.swapped)
+        number = number_of(
+            exponent.value, self.data[exponent_start : exponent_start + exponent.size], exponent.order, exponent.swapped
+        )
         return exponent_applied(field.value, exponent.value, number)
 
     def _value(
         self,
         field: FieldLayout,
         path: str,
-        at: int,
+        offset: int,
         index: int,
         value: Value,
         top: bool,
@@ -329,7 +346,7 @@ class Body:
 
         `varying` are the bytes of one that varies in width: as sent, and in the image.
         """
-        raw, image = varying or (self.data[at : at + field.size], self.data[at : at + field.size])
+        raw, image = varying or (self.data[offset : offset + field.size], self.data[offset : offset + field.size])
         device = self.layout.device
         if image is None:
             read = DecodedValue(raw).judged(False, value_form(value), "unknown_value")
@@ -339,7 +356,7 @@ class Body:
         assert number is not None
         if top:
             read = self._measured(field, self._repeated(field, read))
-        row = fact_row(device, "field", path, field.field, self.spot, at, raw, read, self.outer)
+        row = fact_row(device, "field", path, field.field, self.spot, offset, raw, read, self.outer)
         row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.is_request)
         return [with_percentages(device, row, field, number)], number
 
@@ -358,8 +375,8 @@ class Body:
         start = self.start + other.offset
         items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
         items = (other.count or 0) if self.record.spans else items
-        should = measure.number(items, other.size)
-        return read.judged(read.number == should, should, "wrong_measure")
+        expected = measure.number(items, other.size)
+        return read.judged(read.number == expected, expected, "wrong_measure")
 
     def _bit_count(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The number of bits in a list of bytes, judged by how many there are."""
@@ -378,8 +395,8 @@ class Body:
         number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)
         if number < len(self.extents):
             items = self._items(other)
-            should = measure.number(items, other.size)
-            return read.judged(read.number == should, should, "wrong_measure")
+            expected = measure.number(items, other.size)
+            return read.judged(read.number == expected, expected, "wrong_measure")
         own = inner.lists[number]
         if number != len(self.extents) or own.count != field.name or not self._has_wrong_count(own):
             return read
@@ -388,7 +405,7 @@ class Body:
 
     def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that repeats one of the request, judged by the value there."""
-        should = self.asked.get(field.field.same_as)
-        if read.reason or should is None:
+        expected = self.asked.get(field.field.same_as)
+        if read.reason or expected is None:
             return read
-        return read.judged(read.number == should, spec_text(should), "")
+        return read.judged(read.number == expected, spec_text(expected), "")

@@ -9,7 +9,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.texts import Erratum, Example
 
-_EXPLANATIONS: ByIdentity[DeviceLayout, dict[str, Explanation]] = ByIdentity(most=64)
+_EXPLANATIONS: ByIdentity[DeviceLayout, dict[str, Explanation]] = ByIdentity(limit=64)
 """By layout and example. Several outputs ask for each."""
 
 

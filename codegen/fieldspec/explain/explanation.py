@@ -44,7 +44,7 @@ _ACCEPTED = ("", "out_of_range")
 
 @dataclass(frozen=True, slots=True)
 class Explanation:
-    """The meaning of a frame.
+    """The meaning of every byte of a frame.
 
     `rows` cover every byte of the frame once, in order. `registers` are the registers that the frame reads or writes,
     by address; their bytes, if the frame carries them, are in `rows` too. `accessed` are the addresses of the first and
@@ -80,8 +80,10 @@ def explained(
     tells which message and which registers the response is about, if the response does not.
     Raises KeyError for a link that the device does not have, and nothing for any bytes.
     """
-    asked = explained(layout, link, "request", request, message) if request and direction == "response" else None
-    return explained_after(layout, link, direction, frame, message, asked)
+    explained_request = (
+        explained(layout, link, "request", request, message) if request and direction == "response" else None
+    )
+    return explained_after(layout, link, direction, frame, message, explained_request)
 
 
 def explained_after(
@@ -98,18 +100,18 @@ class _Frame:
     """
 
     def __init__(
-        self, layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str, asked: Explanation | None
+        self, layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str, request: Explanation | None
     ) -> None:
         self.layout, self.link, self.direction, self.frame = layout, layout.links[link].link, direction, frame
         self.shape = layout.links[link].frame(direction)
-        self.asked = asked
+        self.asked = request
         self.wrapped = unwrapped(self.link, direction, frame)
         self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
         self.unreadable: int | None = None
         self.empty_escape = b""
         self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
         self.data = self._original(self.sent_data) if self.shape.escape is not None else self.sent_data
-        self.named = message or (asked.message if asked else "")
+        self.named = message or (request.message if request else "")
         self.sent = layout.links[link].carried(direction)
         self.message: MessageLayout | None = self.sent.get(self.named)
         self.error = False
@@ -124,8 +126,8 @@ class _Frame:
         registers: tuple[ExplanationRow, ...] = ()
         if len(self.data) >= self.shape.header_size:
             self.error = self.error or self._is_marked()
-            inside, registers = self._body()
-            rows += [*inside, *self._tail()]
+            body_rows, registers = self._body()
+            rows += [*body_rows, *self._tail()]
         if self.surplus:
             rows.append(surplus_row(self.spot, len(self.data), self.surplus))
         rows += end_rows(self.wrapped)
@@ -149,23 +151,23 @@ class _Frame:
             return link.mark.is_in(self.data[self.shape.header_size :])
         return refusal.is_marked(0, self.shape.numbers(self.data))
 
-    def _original(self, sent: bytes) -> bytes:
+    def _original(self, escaped_data: bytes) -> bytes:
         """The bytes of the parts before they were escaped; finds out where they are in the frame."""
         shape = self.shape
         assert shape.escape is not None
-        if len(sent) < shape.header_size + shape.trailer_size:
-            return sent
-        start, stop = shape.escape_start, len(sent) + (shape.escape_stop or 0)
+        if len(escaped_data) < shape.header_size + shape.trailer_size:
+            return escaped_data
+        start, stop = shape.escape_start, len(escaped_data) + (shape.escape_stop or 0)
         try:
-            originals = original_places(shape.escape, sent[start:stop])
+            originals = original_places(shape.escape, escaped_data[start:stop])
         except EscapeError as error:
             self.unreadable = start + error.offset
-            return sent
-        self.empty_escape = b"" if originals else sent[start:stop]
+            return escaped_data
+        self.empty_escape = b"" if originals else escaped_data[start:stop]
         inner = [place + start for _, place in originals]
         inner[:1] = [start][: len(inner)]  # what is sent before the first byte belongs to it
-        data = sent[:start] + bytes(byte for byte, _ in originals) + sent[stop:]
-        end = len(sent) + len(self.surplus)
+        data = escaped_data[:start] + bytes(byte for byte, _ in originals) + escaped_data[stop:]
+        end = len(escaped_data) + len(self.surplus)
         self.spot = replace(
             self.spot,
             places=(*range(start), *inner, *range(stop, end + 1)),
@@ -175,27 +177,27 @@ class _Frame:
         )
         return data
 
-    def _unreadable(self, at: int) -> Explanation:
-        """The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on."""
+    def _unreadable(self, offset: int) -> Explanation:
+        """The explanation of a frame with bytes that are the escape of nothing, from the byte at `offset` on."""
         start, stop = self.shape.escape_start, len(self.data) + (self.shape.escape_stop or 0)
-        text = f"the byte at {len(self.wrapped.start) + at} is not escaped, or its escape means nothing"
+        text = f"the byte at {len(self.wrapped.start) + offset} is not escaped, or its escape means nothing"
         if self.shape.escape is not None and self.shape.escape.method == "can":
-            text = self.shape.escape.header_fault(self.data[start:stop], at - start)
-        rows = [*start_rows(self.wrapped), *self._outside(self.shape.header)]
+            text = self.shape.escape.header_fault(self.data[start:stop], offset - start)
+        rows = [*start_rows(self.wrapped), *self._unescaped_rows(self.shape.header)]
         rows.append(wrong_row(self.spot, start, self.data[start:stop], "wrong_mark", text))
-        rows += self._outside(self.shape.trailer)
+        rows += self._unescaped_rows(self.shape.trailer)
         if self.surplus:
             rows.append(surplus_row(self.spot, len(self.data), self.surplus))
         rows += end_rows(self.wrapped)
         return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), (), {}, ())
 
-    def _outside(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
+    def _unescaped_rows(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
         """The rows of parts that are not escaped."""
         for part in parts:
             if not part.escaped:
-                at = part.at(len(self.data))
-                data = self.data[at : at + part.size]
-                yield self._part(part, at, data, self._part_text(part, data))
+                offset = part.at(len(self.data))
+                data = self.data[offset : offset + part.size]
+                yield self._part(part, offset, data, self._part_text(part, data))
 
     def _measured(self, part: PartLayout) -> bytes:
         """The bytes whose length or checksum a part has: those that are sent, or those before they are escaped."""
@@ -226,13 +228,13 @@ class _Frame:
                 return
             yield self._part(part, part.offset, data, self._part_text(part, data))
 
-    def _part(self, part: PartLayout, at: int, data: bytes, read: DecodedValue) -> ExplanationRow:
-        return fact_row(self.layout.device, "part", part.name, part.part, self.spot, at, data, read, self.link)
+    def _part(self, part: PartLayout, offset: int, data: bytes, read: DecodedValue) -> ExplanationRow:
+        return fact_row(self.layout.device, "part", part.name, part.part, self.spot, offset, data, read, self.link)
 
-    def _short(self, part: PartLayout, at: int, data: bytes) -> ExplanationRow:
+    def _short(self, part: PartLayout, offset: int, data: bytes) -> ExplanationRow:
         missing = part.size - len(data)
         text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {part.name}"
-        return wrong_row(self.spot, at, data, "incomplete", text, part.name, part.part.place.path)
+        return wrong_row(self.spot, offset, data, "incomplete", text, part.name, part.part.place.path)
 
     def _part_text(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """The value of a part, judged by its role."""
@@ -253,25 +255,27 @@ class _Frame:
             return self._code(part, read)
         if part.role == "unit_address":
             return self._unit_address(read)
-        should = self.asked.values.get(part.part.same_as) if self.asked else None
-        return read if read.reason or should is None else read.judged(read.number == should, spec_text(should), "")
+        expected = self.asked.values.get(part.part.same_as) if self.asked else None
+        return (
+            read if read.reason or expected is None else read.judged(read.number == expected, spec_text(expected), "")
+        )
 
     def _judged_length(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """A length, compared with the bytes that it counts."""
         if not self.wrapped.whole:
             return read
-        should = part.number(len(self._measured(part)))
-        right = should is not None and read.number == should
-        return read.judged(right, should if should is not None else "for another number of bytes", "wrong_length")
+        expected = part.number(len(self._measured(part)))
+        right = expected is not None and read.number == expected
+        return read.judged(right, expected if expected is not None else "for another number of bytes", "wrong_length")
 
     def _checked(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """A checksum, compared with the one that the bytes have."""
         read = DecodedValue(raw.decode("latin-1") if part.digits else whole(raw, part.order))
         if not self.wrapped.whole:
             return read
-        should = part.checksum(self._measured(part))
-        text = should.decode("ascii") if part.digits else should.hex(" ").upper()
-        return read.judged(raw == should, text, "wrong_check")
+        expected = part.checksum(self._measured(part))
+        text = expected.decode("ascii") if part.digits else expected.hex(" ").upper()
+        return read.judged(raw == expected, text, "wrong_check")
 
     def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """The message that a code names. An exception response marks the code."""
@@ -294,9 +298,9 @@ class _Frame:
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
-            several = link.ambiguous_codes(self.direction).get(code)
-            if several is not None:
-                names = ", ".join(message.name for message in several)
+            ambiguous = link.ambiguous_codes(self.direction).get(code)
+            if ambiguous is not None:
+                names = ", ".join(message.name for message in ambiguous)
                 return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
             expected = self.sent.get(self.named)
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
@@ -332,7 +336,7 @@ class _Frame:
         return read.judged(False, addresses.ranges.text(), "out_of_range")
 
     def _record(self) -> RecordLayout | None:
-        """The record of the body; None if nothing tells what it is."""
+        """The record of the body; None where no message is known."""
         if self.error and self.link.exception_response is not None:
             return self.layout.records[self.link.exception_response.record]
         return self.message.data(self.direction) if self.message else None
@@ -344,8 +348,8 @@ class _Frame:
         if record is None:
             return list(self._unknown(start, end)), ()
         message = self.message.message if self.message else None
-        asked = self.asked.values if self.asked else {}
-        body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, asked)
+        request_values = self.asked.values if self.asked else {}
+        body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, request_values)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
         if message is None or self.error:
@@ -353,21 +357,33 @@ class _Frame:
         access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
         access = access or bits
         if access is None:
-            within = start, self.data[start:end]
+            body_bytes = start, self.data[start:end]
             steps = step_spans(
-                self.layout, message, record, within, body.values, asked if self.direction == "response" else None
+                self.layout,
+                message,
+                record,
+                body_bytes,
+                body.values,
+                request_values if self.direction == "response" else None,
             )
             return rows, tuple(
                 row for step, span in steps for row in register_rows(self.layout, span, self.spot, step.operation)
             )
         values = record.named(access.values)
-        at = start + values.offset if values else start
+        values_start = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
-        data = self.data[at:last] if values else b""
+        data = self.data[values_start:last] if values else b""
         if bits is not None:
-            span = accessed_bits(bits, body.values, asked, at, data)
+            span = accessed_bits(bits, body.values, request_values, values_start, data)
         else:
-            span = accessed(access, body.values, asked, at, data, self.layout.device.space(access.space).unit_size)
+            span = accessed(
+                access,
+                body.values,
+                request_values,
+                values_start,
+                data,
+                self.layout.device.space(access.space).unit_size,
+            )
         if span is None:
             return rows, ()
         self.accessed = span.address, span.end - 1
@@ -387,12 +403,12 @@ class _Frame:
             return
         start = max(self.shape.header_size, len(self.data) - self.shape.trailer_size)
         for part in self.shape.trailer:
-            at = start + self.shape.trailer_size + part.offset
-            data = self.data[at : at + part.size]
+            offset = start + self.shape.trailer_size + part.offset
+            data = self.data[offset : offset + part.size]
             if len(data) < part.size:
-                yield self._short(part, at, data)
+                yield self._short(part, offset, data)
                 return
-            yield self._part(part, at, data, self._part_text(part, data))
+            yield self._part(part, offset, data, self._part_text(part, data))
 
 
 def _is_right(checks: Iterable[PartLayout], data: bytes) -> bool:

@@ -98,8 +98,12 @@ def _parameter_part(field: FieldLayout) -> str:
 
 def is_query(message: MessageLayout) -> bool:
     """Whether a message only asks: without arguments, and with an answer that has values."""
-    asked = any(is_argument(field) for field in message.request.fields)
-    return message.message.is_requested and not asked and any(is_single(field) for field in message.response.fields)
+    has_arguments = any(is_argument(field) for field in message.request.fields)
+    return (
+        message.message.is_requested
+        and not has_arguments
+        and any(is_single(field) for field in message.response.fields)
+    )
 
 
 def reads_state(layout: DeviceLayout, message: MessageLayout) -> bool:
@@ -156,14 +160,14 @@ def _hazards(layout: DeviceLayout) -> Iterator[tuple[Fact, str, str]]:
 
 
 def _of_table(device: Device, table: TableLayout) -> Iterator[tuple[Fact, str, str]]:
-    seen: set[tuple[int, ...]] = set()
+    visited: set[tuple[int, ...]] = set()
     for nested in nested_fields(table.record):
         own, holders = nested.field.field, [holder.field for holder in reversed(nested.holders)]
         facts = tuple(map(id, (own, *holders)))
         access = nested.access(table.table.access)
-        if facts in seen:
+        if facts in visited:
             continue
-        seen.add(facts)
+        visited.add(facts)
         if own.handling.clears_on_read or any(holder.handling.clears_on_read for holder in holders):
             yield own, "read", CLEARS
         if access != "ro":

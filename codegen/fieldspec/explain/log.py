@@ -104,8 +104,8 @@ def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, 
         return body + rest, ()
     if not rest.startswith(end):
         return body + end, ()
-    named = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in rest[len(end) :])
-    return body + rest, (f"{named} is missing at the end of the text and is assumed to have been sent",)
+    missing = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in rest[len(end) :])
+    return body + rest, (f"{missing} is missing at the end of the text and is assumed to have been sent",)
 
 
 # Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.

@@ -43,7 +43,7 @@ class _Element:
 
     @property
     def fact(self) -> Parameter | Subindex | None:
-        """The fact that describes it."""
+        """The subindex or the parameter that describes the element."""
         return self.subindex or self.parameter
 
     @property
@@ -78,20 +78,20 @@ def with_parameter(
         parameter, number = placed
         element = _Element(parameter_set, number, parameter, None, None)
         return _read_as(device, row, field, element, is_request, field.size)
-    asked = row.number if part.part == "number" else known.get(part.number)
-    match = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
+    parameter_number = row.number if part.part == "number" else known.get(part.number)
+    match = device.parameter_at(part.set, parameter_number) if isinstance(parameter_number, int) else None
     if match is None:
         return row
     parameter_set, number = match
     known_parameter = parameter_set.numbered(number)
     if part.part == "number":
-        at = None
+        element_number = None
     elif part.part == "subindex":
-        at = row.number
+        element_number = row.number
     else:
         first = known.get(_index_field(outer, part), 0)
-        at = first + index if isinstance(first, int) else None
-    element = _element(parameter_set, number, known_parameter, at)
+        element_number = first + index if isinstance(first, int) else None
+    element = _element(parameter_set, number, known_parameter, element_number)
     if part.part == "value":
         size = field.size
         if part.sizes is not None:
@@ -127,12 +127,12 @@ def _index_field(outer: Fact, part: ParameterPart) -> str:
     return ""
 
 
-def _element(parameter_set: ParameterSet, number: int, parameter: Parameter | None, at: object) -> _Element:
+def _element(parameter_set: ParameterSet, number: int, parameter: Parameter | None, element_number: object) -> _Element:
     """The element of a parameter that has several, else the whole parameter."""
-    several = parameter is not None and (parameter.elements is not None or parameter.subindices)
-    if parameter is None or not several or not isinstance(at, int):
+    has_elements = parameter is not None and (parameter.elements is not None or parameter.subindices)
+    if parameter is None or not has_elements or not isinstance(element_number, int):
         return _Element(parameter_set, number, parameter, None, None)
-    return _Element(parameter_set, number, parameter, at, parameter.element(at))
+    return _Element(parameter_set, number, parameter, element_number, parameter.element(element_number))
 
 
 def _read_as(
@@ -145,8 +145,8 @@ def _read_as(
     fact = element.fact
     if fact is None or element.parameter is None:
         return replace(row, meanings=(element.meaning, *row.meanings))
-    again = None if row.reason else _again(device, fact.value, field, row, size)
-    if again is None:
+    decode_arguments = None if row.reason else _decode_arguments(device, fact.value, field, row, size)
+    if decode_arguments is None:
         row = replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
         if row.reason or not field.carries_bytes or element.parameter.reserved or fact.reserved:
             return row
@@ -156,7 +156,7 @@ def _read_as(
         text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
         return replace(row, verdict=text, reason="out_of_range")
     value = fact.value.for_writing() if is_request else fact.value.as_answer(False)
-    read = decode_value(device, value, *again, reserved=fact.reserved)
+    read = decode_value(device, value, *decode_arguments, reserved=fact.reserved)
     if element.parameter.trigger and not is_request:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))
@@ -175,7 +175,7 @@ def _read_as(
     )
 
 
-def _again(
+def _decode_arguments(
     device: Device, value: Value, field: FieldLayout, row: ExplanationRow, size: int
 ) -> tuple[bytes, str, bool] | None:
     """The bytes of a row as bytes of another value, with their order; None if they cannot be read as it."""

@@ -18,7 +18,7 @@ DIRECTIONS = ("request", "response")
 
 @dataclass(frozen=True, slots=True)
 class FrameOptions:
-    """What the user says about the frames. `places` are links and directions; what is empty is open."""
+    """The options of the user about frames. `places` are links and directions; an empty option leaves all open."""
 
     places: tuple[tuple[str, str], ...] = ()
     message: str = ""
@@ -79,20 +79,30 @@ class ChosenReading:
 
 
 def read(
-    layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str = "", asked: OpenRequest | None = None
+    layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str = "", open_request: OpenRequest | None = None
 ) -> ChosenReading:
     """The explanation of a frame. `mark` is the direction that a log tells, which may be wrong."""
-    answer = _answer(layout, frame, asked) if asked is not None and "response" in options.directions else None
-    if asked is not None and answer is not None and (asked.sure or (mark != "request" and not answer.wrong)):
+    answer = (
+        _answer(layout, frame, open_request) if open_request is not None and "response" in options.directions else None
+    )
+    if (
+        open_request is not None
+        and answer is not None
+        and (open_request.sure or (mark != "request" and not answer.wrong))
+    ):
         return answer
     examples = _examples(layout, frame)
     readings = (_named_by_example(reading, examples) for reading in recognised(layout, frame))
-    named = (_named_by_option(layout, frame, reading, options) for reading in readings)
-    fitting = [reading for reading in named if options.allows(reading)]
+    named_readings = (_named_by_option(layout, frame, reading, options) for reading in readings)
+    fitting = [reading for reading in named_readings if options.allows(reading)]
     if not fitting:
-        near = _closest(layout, frame, options, mark)
+        closest_reading = _closest(layout, frame, options, mark)
         # What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
-        return answer if answer is not None and mark == "response" != near.explanation.direction else near
+        return (
+            answer
+            if answer is not None and mark == "response" != closest_reading.explanation.direction
+            else closest_reading
+        )
     fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
     chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
@@ -130,8 +140,8 @@ def _named_by_option(layout: DeviceLayout, frame: bytes, reading: Reading, optio
     link, direction, message, error = reading
     if message or not error or not options.message:
         return reading
-    named = _reading(explained(layout, link, direction, frame, options.message))
-    return named if named[2] == options.message and named[3] else reading
+    option_reading = _reading(explained(layout, link, direction, frame, options.message))
+    return option_reading if option_reading[2] == options.message and option_reading[3] else reading
 
 
 def _reading(explanation: Explanation) -> Reading:
@@ -146,8 +156,10 @@ def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanat
 def _doubts(
     layout: DeviceLayout, reading: Reading, mark: str, examples: Sequence[Reading]
 ) -> tuple[bool, bool, bool, bool]:
-    """What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
-    message is a guess, and that its length may be any.
+    """The doubts about a reading, the gravest first.
+
+    These are the mark in the log, that no example is such a frame, that the message is a guess, and that its length may
+    be any.
     """
     link, direction, message, error = reading
     guessed = not error and layout.links[link].is_guessed(direction, message)
@@ -157,14 +169,18 @@ def _doubts(
 
 def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str) -> ChosenReading:
     """The reading with the fewest faults."""
-    named = (_named_by_option(layout, frame, reading, options) for reading in closest(layout, frame))
-    near = [reading for reading in named if options.allows(reading)]
-    if not near:
-        places = [(link, way) for link in layout.links for way in DIRECTIONS if options.goes(link, way)]
-        carrying = [(link, way) for link, way in places if options.message in layout.links[link].carried(way)]
+    named_readings = (_named_by_option(layout, frame, reading, options) for reading in closest(layout, frame))
+    candidates = [reading for reading in named_readings if options.allows(reading)]
+    if not candidates:
+        places = [
+            (link, direction) for link in layout.links for direction in DIRECTIONS if options.goes(link, direction)
+        ]
+        carrying = [
+            (link, direction) for link, direction in places if options.message in layout.links[link].carried(direction)
+        ]
         # Nobody sends a request on a link whose messages come from the device alone.
-        sending = carrying or [(link, way) for link, way in places if layout.links[link].carried(way)]
-        near = [(*place, options.message, False) for place in sending or places]
+        sending = carrying or [(link, direction) for link, direction in places if layout.links[link].carried(direction)]
+        candidates = [(*place, options.message, False) for place in sending or places]
 
     examples = _examples(layout, frame)
 
@@ -173,12 +189,12 @@ def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: st
         marks = sum(reason in ("wrong_mark", "not_hex") for reason in explanation.reasons)
         return marks, _doubts(layout, reading, mark, examples), len(explanation.reasons)
 
-    return ChosenReading(_explained(layout, frame, min(near, key=faults)), (), "closest")
+    return ChosenReading(_explained(layout, frame, min(candidates, key=faults)), (), "closest")
 
 
-def _answer(layout: DeviceLayout, frame: bytes, asked: OpenRequest) -> ChosenReading:
+def _answer(layout: DeviceLayout, frame: bytes, open_request: OpenRequest) -> ChosenReading:
     """The explanation of a frame as the response to a request."""
-    request = asked.request
+    request = open_request.request
     response = explained(layout, request.link, "response", frame, request.message, request.frame)
     mismatches = tuple(_mismatches(layout, request, response))
     return ChosenReading(
@@ -197,37 +213,37 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
     for role in ("unit_address", "code"):
         ours = layout.links[request.link].request.role(role)
         theirs = layout.links[request.link].response.role(role)
-        want = request.values.get(ours.name) if ours else None
-        have = response.values.get(theirs.name) if theirs else None
+        expected = request.values.get(ours.name) if ours else None
+        actual = response.values.get(theirs.name) if theirs else None
         if role == "code" and _has_code_of_its_own(layout, response):
             continue  # it marks the exception responses to all requests
         announced = layout.messages.get(request.message)
         if role == "code" and announced is not None and announced.message.response_code is not None:
-            want = announced.message.response_code
-            if theirs and isinstance(have, int) and have != want:
-                texts = theirs.number_text(have), theirs.number_text(want)
+            expected = announced.message.response_code
+            if theirs and isinstance(actual, int) and actual != expected:
+                texts = theirs.number_text(actual), theirs.number_text(expected)
                 yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"
             continue
-        if ours and isinstance(want, int) and isinstance(have, int) and have != want:
-            yield f"{ours.name} is {have}, but {want} in the request"
+        if ours and isinstance(expected, int) and isinstance(actual, int) and actual != expected:
+            yield f"{ours.name} is {actual}, but {expected} in the request"
     for row in response.rows:
         if row.verdict.startswith("wrong") and not row.reason:
             yield f"{row.path} {_NOT_REPEATED}: {row.verdict.removeprefix('wrong: ')}"
     message = layout.messages.get(response.message)
     accesses = layout.device.register_access(message.message) if message and not response.error else None
     if accesses is not None and accesses.operation == "read":
-        want = request.values.get(accesses.count) if accesses.count else 1
-        have = response.values.get(accesses.values)
-        words = len(have) if isinstance(have, list) else None
-        if isinstance(want, int) and words is not None and words != want:
+        expected = request.values.get(accesses.count) if accesses.count else 1
+        actual = response.values.get(accesses.values)
+        words = len(actual) if isinstance(actual, list) else None
+        if isinstance(expected, int) and words is not None and words != expected:
             unit = layout.device.space(accesses.space).unit
-            yield f"the request asks for {want} {unit}s, but the response has {words}"
+            yield f"the request asks for {expected} {unit}s, but the response has {words}"
     bits = layout.device.bit_access(message.message) if message and not response.error else None
     if bits is not None and bits.operation == "read" and bits.count:
-        want, have = request.values.get(bits.count), response.values.get(bits.values)
-        if isinstance(want, int) and isinstance(have, list) and len(have) != packed_size(want):
-            text = f"the request asks for {want} bits, which take {packed_size(want)} bytes"
-            yield f"{text}, but the response has {len(have)}"
+        expected, actual = request.values.get(bits.count), response.values.get(bits.values)
+        if isinstance(expected, int) and isinstance(actual, list) and len(actual) != packed_size(expected):
+            text = f"the request asks for {expected} bits, which take {packed_size(expected)} bytes"
+            yield f"{text}, but the response has {len(actual)}"
 
 
 def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:
@@ -270,14 +286,14 @@ def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
     if all(not _coded(layout, link) for link, _, _, _ in readings):
         bytes_ = f"{len(own.frame)} bytes"
         names = _enumeration(
-            [_message_text(layout.device.links[link], way, name) for link, way, name, _ in readings], "or"
+            [_message_text(layout.device.links[link], direction, name) for link, direction, name, _ in readings], "or"
         )
         return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, chosen.alternatives)}"
     names_of: dict[tuple[str, str, bool], list[str]] = {}
     for link, direction, message, error in chosen.alternatives:
         names_of.setdefault((link, direction, error), []).append(message or "an unknown message")
-    alternatives_text = " or ".join(_named(layout, own, *key, names) for key, names in names_of.items())
-    explained = _named(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
+    alternatives_text = " or ".join(_readings_text(layout, own, *key, names) for key, names in names_of.items())
+    explained = _readings_text(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
     options = _options(layout, own, chosen.alternatives)
     return f"ambiguous: explained as {explained}, it may also be {alternatives_text}; {options}"
 
@@ -304,7 +320,7 @@ def _asks(layout: DeviceLayout, link: str) -> bool:
     return layout.links[link].request.role("code") is not None
 
 
-def _named(
+def _readings_text(
     layout: DeviceLayout, own: Explanation, link: str, direction: str, error: bool, messages: Sequence[str]
 ) -> str:
     """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""
@@ -325,7 +341,7 @@ def _named(
 
 
 def _message_text(link: Link, direction: str, message: str) -> str:
-    """`telegram_3 sent`"""
+    """A message with its direction, as remarks name it: `telegram_3 sent`"""
     return f"{message} {link.direction_name(direction)}"
 
 
@@ -373,8 +389,8 @@ def _byte_count(count: int) -> str:
     return "1 byte" if count == 1 else f"{count} bytes"
 
 
-def _bounds(least: int, most: int | None, identifier: int) -> str:
+def _bounds(minimum: int, maximum: int | None, identifier: int) -> str:
     """`8`, `8 or more` or `8 to 12`: sizes without the bytes of the parts of an identifier."""
-    if most is None:
-        return f"{least - identifier} or more"
-    return str(least - identifier) if most == least else f"{least - identifier} to {most - identifier}"
+    if maximum is None:
+        return f"{minimum - identifier} or more"
+    return str(minimum - identifier) if maximum == minimum else f"{minimum - identifier} to {maximum - identifier}"

@@ -29,7 +29,7 @@ def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
 
 
 def closest(layout: DeviceLayout, frame: bytes) -> list[Reading]:
-    """The readings of a frame that fit, else those with a wrong checksum, else those with a wrong length too."""
+    """The readings of a frame without faults, else those with a wrong checksum, else those with a wrong length too."""
     return _readings(layout, frame, _FITTING + _CLOSE)
 
 
@@ -39,8 +39,8 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
         for direction in ("request", "response"):
             names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
             if link.frame(direction).role("code") is not None:
-                several = link.ambiguous_codes(direction).values()
-                names = ["", *(message.name for messages in several for message in messages if message.name in names)]
+                ambiguous = link.ambiguous_codes(direction).values()
+                names = ["", *(message.name for messages in ambiguous for message in messages if message.name in names)]
             elif direction == "response" and link.has_uncoded_exceptions:
                 names.append("")  # an exception response says what it is, and not which message it answers
             for message in names:
@@ -64,13 +64,13 @@ def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     escape = link.frame(direction).escape
     if escape is not None:
         bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-        return [name for name, (_, most) in bounds if most is None or length <= escape.most(most)]
+        return [name for name, (_, maximum) in bounds if maximum is None or length <= escape.most(maximum)]
     bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-    return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
+    return [name for name, (minimum, maximum) in bounds if minimum <= length and (maximum is None or length <= maximum)]
 
 
 def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:
     """The least and the greatest size of a message's frames without delimiters, in bytes; None is unbounded."""
     shape, body = link.frame(direction), link.messages[message].data(direction)
-    around = shape.header_size + shape.trailer_size
-    return body.least + around, None if body.most is None else body.most + around
+    parts_size = shape.header_size + shape.trailer_size
+    return body.least + parts_size, None if body.most is None else body.most + parts_size

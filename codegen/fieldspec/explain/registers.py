@@ -51,7 +51,7 @@ class Occupant:
 
     @property
     def handlings(self) -> tuple[Handling, ...]:
-        """What its value states of its handling, then what each of those around it states, the innermost one first."""
+        """The handlings of its value and of the facts that hold it, the innermost one first."""
         holders = reversed(self.nested.holders) if self.nested is not None else ()
         facts = (self.fact, *(holder.field for holder in holders), *((self.outer,) if self.nested is not None else ()))
         return tuple(handling for fact in facts if (handling := getattr(fact, "handling", None)) is not None)
@@ -75,16 +75,16 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) 
     `operation` is `read` or `write`. Registers that do not allow it have a note.
     """
     present = sorted(occupants(layout, span), key=lambda occupant: occupant.address)
-    at = span.address
+    address = span.address
     for occupant in present:
-        if occupant.address > at:
-            yield _unlisted(layout, span, at, occupant.address, spot)
-        at = max(at, occupant.address + occupant.words)
-        row = _row(layout, span, occupant, spot, operation)
-        why = FORBIDS.get((operation, occupant.access), "")
-        yield replace(row, notes=(*row.notes, f"It {why}.")) if why else row
-    if at < span.end:
-        yield _unlisted(layout, span, at, span.end, spot)
+        if occupant.address > address:
+            yield _unlisted(layout, span, address, occupant.address, spot)
+        address = max(address, occupant.address + occupant.words)
+        row = _occupant_row(layout, span, occupant, spot, operation)
+        reason = FORBIDS.get((operation, occupant.access), "")
+        yield replace(row, notes=(*row.notes, f"It {reason}.")) if reason else row
+    if address < span.end:
+        yield _unlisted(layout, span, address, span.end, spot)
 
 
 def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
@@ -93,11 +93,11 @@ def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
     A part of an atomic value can be neither read nor written.
     """
     for occupant in sorted(occupants(layout, span), key=lambda occupant: occupant.address):
-        why = FORBIDS.get((operation, occupant.access), "")
-        if not why and occupant.atomic and not _is_within(occupant, span):
-            why = f"has {occupant.words} {span.unit}s, all of which must be accessed in one request"
-        if why:
-            return f"{occupant.path} at 0x{occupant.address:04X} {why}"
+        reason = FORBIDS.get((operation, occupant.access), "")
+        if not reason and occupant.atomic and not _is_within(occupant, span):
+            reason = f"has {occupant.words} {span.unit}s, all of which must be accessed in one request"
+        if reason:
+            return f"{occupant.path} at 0x{occupant.address:04X} {reason}"
     return ""
 
 
@@ -157,7 +157,7 @@ def _located(layout: DeviceLayout, table: TableLayout, span: Span) -> TableLayou
 
 def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]:
     register = register_layout.register
-    for number in _near(
+    for number in _element_numbers(
         register_layout.address, register_layout.stride, register_layout.words, register_layout.count, span
     ):
         address = register_layout.address + number * register_layout.stride
@@ -187,9 +187,9 @@ def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]
 
 def _fields(table_layout: TableLayout, span: Span) -> Iterator[Occupant]:
     table = table_layout.table
-    near = _near(table.base, table.stride, table_layout.words, table.count, span)
-    nested = tuple(nested_fields(table_layout.record)) if near else ()
-    for number in near:
+    numbers = _element_numbers(table.base, table.stride, table_layout.words, table.count, span)
+    nested = tuple(nested_fields(table_layout.record)) if numbers else ()
+    for number in numbers:
         base = table.base + number * table.stride
         for field in nested:
             first = base + field.offset // 2
@@ -218,16 +218,16 @@ def _field(table: Table, nested: NestedField, number: int) -> Occupant:
     )
 
 
-def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
+def _element_numbers(base: int, stride: int, words: int, count: int, span: Span) -> range:
     """The numbers of the elements that may share words with a span."""
     first = max(0, (span.address - base - words) // stride + 1)
     last = min(count, -(-(span.end - base) // stride))
     return range(first, max(first, last))
 
 
-def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, operation: str) -> ExplanationRow:
+def _occupant_row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, operation: str) -> ExplanationRow:
     piece = span.piece(occupant.address, occupant.value.size, occupant.skip)
-    at, raw = (piece.at, piece.raw) if piece else (0, b"")
+    offset, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value.as_answer(False)
         value = _by_exponent(layout, span, occupant, value)
@@ -235,9 +235,9 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
-        inside = _is_within(occupant, span)
-        read = DecodedValue(None, notes=() if inside else (_PARTIAL[occupant.atomic].format(span.unit),))
-    row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
+        is_inside = _is_within(occupant, span)
+        read = DecodedValue(None, notes=() if is_inside else (_PARTIAL[occupant.atomic].format(span.unit),))
+    row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, offset, raw, read, occupant.outer)
     if not piece:
         row = replace(row, offset=0, can_place="")
     row = replace(row, notes=(*row.notes, *_absence(layout, span, occupant)))
@@ -250,9 +250,9 @@ def exponent_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant |
     if not name:
         return None
     table = occupant.outer
-    beside = occupant.nested.beside(name) if occupant.nested is not None else None
-    if beside is not None and isinstance(table, Table):
-        return _field(table, beside, element_number(occupant))
+    nested_exponent = occupant.nested.beside(name) if occupant.nested is not None else None
+    if nested_exponent is not None and isinstance(table, Table):
+        return _field(table, nested_exponent, element_number(occupant))
     return _first(next(row for row in layout.registers if row.name == name))
 
 
@@ -311,15 +311,15 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
         for gap in group.gaps
         if any(low < end and first <= high for low, high in gap.addresses.intervals)
     )
-    at, raw = span.unlisted(first, end)
-    offset, length, characters = spot.place(at, len(raw)) if raw else (0, 0, "")
+    start, raw = span.unlisted(first, end)
+    offset, length, characters = spot.place(start, len(raw)) if raw else (0, 0, "")
     return ExplanationRow(
         kind="register",
         offset=offset,
         length=length,
         raw=raw,
         characters=characters,
-        can_place=spot.can_place(at) if raw else "",
+        can_place=spot.can_place(start) if raw else "",
         doc="No register is listed here.",
         notes=(*reasons, *_unknown_bases(layout, span, first, end)),
         address=first,
@@ -333,8 +333,8 @@ def _unknown_bases(layout: DeviceLayout, span: Span, first: int, end: int) -> It
     own = layout.device.space_name(span.space)
     for name, register in moving_tables(layout).items():
         table, ranges = layout.tables[name], register.register.value.ranges
-        behind = (table.table.count - 1) * table.table.stride + table.words
+        reach = (table.table.count - 1) * table.table.stride + table.words
         if layout.device.space_name(table.table.space) != own or _located(layout, table, span) is not None:
             continue
-        if any(low < end and first < high + behind for low, high in (ranges.intervals if ranges is not None else ())):
+        if any(low < end and first < high + reach for low, high in (ranges.intervals if ranges is not None else ())):
             yield f"Elements of {name} may be here: {register.name} has the address of the first one."

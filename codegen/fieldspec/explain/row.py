@@ -99,29 +99,33 @@ class Spot:
     escape: Escape | None = None
     gap: int | None = None
 
-    def can_place(self, at: int) -> str:
-        """Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read."""
+    def can_place(self, position: int) -> str:
+        """Where the byte at `position` of the parts is in a CAN frame; empty in others, and where it is unreadable."""
         if self.escape is None or self.escape.method != "can" or not self.places:
             return ""
-        return IDENTIFIER if at < self.escape.fields_size else str(at - self.escape.fields_size)
+        return IDENTIFIER if position < self.escape.fields_size else str(position - self.escape.fields_size)
 
-    def byte_text(self, at: int) -> str:
+    def byte_text(self, position: int) -> str:
         """`byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""
-        return f"byte {at}" if self.escape is None else self.escape.byte_text(at)
+        return f"byte {position}" if self.escape is None else self.escape.byte_text(position)
 
-    def place(self, at: int, length: int) -> tuple[int, int, str]:
-        """The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters.
+    def place(self, position: int, length: int) -> tuple[int, int, str]:
+        """The offset and the length in the frame of `length` bytes of the parts from `position` on; their characters.
 
         The characters of bytes that are escaped are the bytes that are sent, as hexadecimal digits.
         """
         if self.places:
             end = len(self.places) - 1
-            first, behind = self.places[min(at, end)], self.places[min(at + length, end)]
-            behind = self.gap if length and at + length == self.gap else behind
+            first, stop = self.places[min(position, end)], self.places[min(position + length, end)]
+            stop = self.gap if length and position + length == self.gap else stop
             offset = self.start + first
-            sent = self.frame[offset : offset + behind - first]
-            return offset, len(sent), sent.hex(" ").upper() if sent != self.originals[at : at + length] else ""
-        offset, length = self.start + at * self.width, length * self.width
+            escaped = self.frame[offset : offset + stop - first]
+            return (
+                offset,
+                len(escaped),
+                escaped.hex(" ").upper() if escaped != self.originals[position : position + length] else "",
+            )
+        offset, length = self.start + position * self.width, length * self.width
         characters = self.frame[offset : offset + length].decode("latin-1") if self.width > 1 else ""
         return offset, length, characters
 
@@ -144,7 +148,7 @@ class _Errata:
                 self.of.setdefault(path, []).append((number, erratum.id))
 
 
-_ERRATA: ByIdentity[tuple[Erratum, ...], _Errata] = ByIdentity(most=1)
+_ERRATA: ByIdentity[tuple[Erratum, ...], _Errata] = ByIdentity(limit=1)
 """One device is explained at a time."""
 
 
@@ -172,15 +176,23 @@ def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
     """The ids of the errata of enums, members and flags that gave a value its meaning, not those of other members."""
     if not facts:
         return ()
-    of = _errata(device).of
-    return tuple(name for _, name in sorted({erratum for fact in facts for erratum in of.get(fact, ())}))
+    errata_by_fact = _errata(device).of
+    return tuple(name for _, name in sorted({erratum for fact in facts for erratum in errata_by_fact.get(fact, ())}))
 
 
 def fact_row(
-    device: Device, kind: str, path: str, fact: Fact, spot: Spot, at: int, raw: bytes, read: DecodedValue, outer: Fact
+    device: Device,
+    kind: str,
+    path: str,
+    fact: Fact,
+    spot: Spot,
+    position: int,
+    raw: bytes,
+    read: DecodedValue,
+    outer: Fact,
 ) -> ExplanationRow:
-    """The row of a fact whose bytes are at `at` in the parts. A fact without sources has those of `outer`."""
-    offset, length, characters = spot.place(at, len(raw))
+    """The row of a fact whose bytes are at `position` in the parts. A fact without sources has those of `outer`."""
+    offset, length, characters = spot.place(position, len(raw))
     errata = (*errata_at(device, fact.place.path), *errata_of_words(device, read.facts))
     return ExplanationRow(
         kind=kind,
@@ -188,7 +200,7 @@ def fact_row(
         length=length,
         raw=raw,
         characters=characters,
-        can_place=spot.can_place(at),
+        can_place=spot.can_place(position),
         path=path,
         fact=fact.place.path,
         printed_name=fact.printed_name,
@@ -206,17 +218,17 @@ def fact_row(
 
 
 def wrong_row(
-    spot: Spot, at: int, raw: bytes, reason: str, detail: str, path: str = "", fact: str = ""
+    spot: Spot, position: int, raw: bytes, reason: str, detail: str, path: str = "", fact: str = ""
 ) -> ExplanationRow:
     """The row of bytes that no fact describes, or of a place where bytes are missing."""
-    offset, length, characters = spot.place(at, len(raw))
+    offset, length, characters = spot.place(position, len(raw))
     return ExplanationRow(
         kind="unexplained",
         offset=offset,
         length=length,
         raw=raw,
         characters=characters,
-        can_place=spot.can_place(at),
+        can_place=spot.can_place(position),
         path=path,
         fact=fact,
         verdict=f"wrong: {detail}",
@@ -224,10 +236,10 @@ def wrong_row(
     )
 
 
-def surplus_row(spot: Spot, at: int, raw: bytes) -> ExplanationRow:
-    """The row of bytes behind the end."""
+def surplus_row(spot: Spot, position: int, raw: bytes) -> ExplanationRow:
+    """The row of bytes behind the end of a frame or of its body."""
     return wrong_row(
-        spot, at, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
+        spot, position, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
     )
 
 
@@ -266,7 +278,7 @@ def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
     inner = frame[len(start) : len(frame) - len(end)]
     if link.encoding == "binary":
         return Unwrapped(link, marks, frame, start, inner, b"", "", end)
-    good = next((at for at, char in enumerate(inner) if char not in HEX), len(inner))
+    good = next((index for index, char in enumerate(inner) if char not in HEX), len(inner))
     pairs = good // 2 * 2
     reason = "not_hex" if good < len(inner) else "wrong_length" if pairs < good else ""
     data = bytes.fromhex(inner[:pairs].decode("ascii"))
@@ -277,7 +289,7 @@ def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
     """The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else."""
     if frame.startswith(mark) or encoding == "binary":
         return frame[: len(mark)]
-    return frame[: next((at for at, char in enumerate(frame[: len(mark)]) if char in HEX), len(mark))]
+    return frame[: next((index for index, char in enumerate(frame[: len(mark)]) if char in HEX), len(mark))]
 
 
 def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
@@ -287,29 +299,29 @@ def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
 
 def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
     """The rows of surplus characters, and of the end delimiter, if the link has one."""
-    at = len(parts.frame) - len(parts.end)
+    offset = len(parts.frame) - len(parts.end)
     if parts.surplus:
         text = "not pairs of hexadecimal characters" if not parts.whole else "1 character too many"
         yield ExplanationRow(
             kind="unexplained",
-            offset=at - len(parts.surplus),
+            offset=offset - len(parts.surplus),
             length=len(parts.surplus),
             raw=parts.surplus,
             characters=parts.surplus.decode("latin-1"),
             verdict=f"wrong: {text}",
             reason=parts.reason,
         )
-    yield from _mark_row(parts, "end", at, parts.end, parts.marks[1])
+    yield from _mark_row(parts, "end", offset, parts.end, parts.marks[1])
 
 
-def escape_row(spot: Spot, link: Link, at: int, raw: bytes) -> ExplanationRow:
-    """The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
+def escape_row(spot: Spot, link: Link, position: int, raw: bytes) -> ExplanationRow:
+    """The row of bytes of an escape that stand for no bytes, as the code of COBS before no data.
 
-    `raw` are the bytes that are sent.
+    They are at `position` in the parts; `raw` are the bytes that are sent.
     """
     return ExplanationRow(
         kind="mark",
-        offset=spot.start + at,
+        offset=spot.start + position,
         length=len(raw),
         raw=raw,
         path="escape",
@@ -319,18 +331,18 @@ def escape_row(spot: Spot, link: Link, at: int, raw: bytes) -> ExplanationRow:
     )
 
 
-def _mark_row(parts: Unwrapped, name: str, at: int, data: bytes, should: bytes) -> Iterator[ExplanationRow]:
-    if should:
-        right = data == should
+def _mark_row(parts: Unwrapped, name: str, offset: int, data: bytes, expected: bytes) -> Iterator[ExplanationRow]:
+    if expected:
+        right = data == expected
         yield ExplanationRow(
             kind="mark",
-            offset=at,
+            offset=offset,
             length=len(data),
             raw=data,
             characters=data.decode("latin-1") if parts.link.encoding == "hex_ascii" else "",
             path=name,
             fact=parts.link.place.path,
-            verdict="right" if right else f"wrong: should be {should.hex(' ').upper()}",
+            verdict="right" if right else f"wrong: should be {expected.hex(' ').upper()}",
             reason="" if right else "wrong_mark",
             source=citations(parts.link.sources),
         )

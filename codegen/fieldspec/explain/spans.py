@@ -44,7 +44,7 @@ class Span:
 
     @property
     def unit(self) -> str:
-        """The unit at one address."""
+        """What one address of the space has: `word`, `byte` or `bit`."""
         return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
 
     def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:
@@ -62,8 +62,8 @@ class Span:
         bit = bits[index] if 0 <= index < len(bits) else None
         if bit is None:
             return None
-        at, end = (0, len(self.data)) if len(bits) == 1 else (index // 8, index // 8 + 1)
-        return Piece(self.at + at, self.data[at:end], bytes([bit]))
+        start, end = (0, len(self.data)) if len(bits) == 1 else (index // 8, index // 8 + 1)
+        return Piece(self.at + start, self.data[start:end], bytes([bit]))
 
     def unlisted(self, first: int, end: int) -> tuple[int, bytes]:
         """The offset and the bytes of neighbouring words; none for bits, which share bytes with others."""
@@ -74,37 +74,37 @@ class Span:
 def accessed(
     access: RegisterAccess,
     values: Mapping[str, Raw],
-    asked: Mapping[str, Raw],
-    at: int,
+    request_values: Mapping[str, Raw],
+    offset: int,
     data: bytes,
     unit_size: int = 2,
 ) -> Span | None:
     """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
 
-    `data` are the bytes of the words, at `at` in the parts; empty if the message does not carry them. In a space of
+    `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. In a space of
     bytes, the `unit_size` is 1.
     """
-    start = values.get(access.start, asked.get(access.start))
+    start = values.get(access.start, request_values.get(access.start))
     whole = data[: len(data) // unit_size * unit_size]
     carried = len(whole) // unit_size
-    count = values.get(access.count, asked.get(access.count)) if access.count else max(carried, 1)
+    count = values.get(access.count, request_values.get(access.count)) if access.count else max(carried, 1)
     if not isinstance(start, int):
         return None
     words = count if isinstance(count, int) else carried
-    return Span(access.space, start, words, at, whole, unit_size=unit_size)
+    return Span(access.space, start, words, offset, whole, unit_size=unit_size)
 
 
 def accessed_bits(
-    access: RegisterAccess, values: Mapping[str, Raw], asked: Mapping[str, Raw], at: int, data: bytes
+    access: RegisterAccess, values: Mapping[str, Raw], request_values: Mapping[str, Raw], offset: int, data: bytes
 ) -> Span | None:
     """The same as `accessed` for a space of bits."""
-    start = values.get(access.start, asked.get(access.start))
-    count = values.get(access.count, asked.get(access.count)) if access.count else 1
+    start = values.get(access.start, request_values.get(access.start))
+    count = values.get(access.count, request_values.get(access.count)) if access.count else 1
     if not isinstance(start, int):
         return None
     if access.set is not None:
         number = values.get(access.values) if data else None
         bit = {access.set: 1, access.clear: 0}.get(number) if isinstance(number, int) else None
-        return Span(access.space, start, 1, at, data, (bit,))
+        return Span(access.space, start, 1, offset, data, (bit,))
     words = count if isinstance(count, int) else 8 * len(data)
-    return Span(access.space, start, words, at, data, tuple(unpacked_bits(data))[:words])
+    return Span(access.space, start, words, offset, data, tuple(unpacked_bits(data))[:words])

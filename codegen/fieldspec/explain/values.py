@@ -55,11 +55,11 @@ class DecodedValue:
     notes: tuple[str, ...] = ()
     facts: tuple[str, ...] = ()
 
-    def judged(self, right: bool, should: object, reason: str) -> DecodedValue:
-        """The same value with a verdict, and with the reason for which a codec refuses it if it is wrong."""
+    def judged(self, right: bool, expected: object, reason: str) -> DecodedValue:
+        """The same value with a verdict; of a wrong one, also the reason for which a codec refuses it."""
         if right:
             return replace(self, verdict="right", reason="")
-        return replace(self, verdict=f"wrong: should be {should}", reason=reason)
+        return replace(self, verdict=f"wrong: should be {expected}", reason=reason)
 
 
 def whole(data: bytes, order: str) -> int:
@@ -171,12 +171,12 @@ def _float(value: Value, number: float) -> DecodedValue:
 def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
     if number not in (0, 1):
         return DecodedValue(number).judged(False, "0 or 1", "unknown_value")
-    named = _named(device, value, int(bool(number))) if value.enum else DecodedValue(number)
-    return replace(named, number=bool(number))
+    decoded = _member_meaning(device, value, int(bool(number))) if value.enum else DecodedValue(number)
+    return replace(decoded, number=bool(number))
 
 
 def _whole(device: Device, value: Value, number: int) -> DecodedValue:
-    """The meaning of a whole number."""
+    """The meaning of a whole number that a value has."""
     if value.const is not None and number != value.const:
         return DecodedValue(number).judged(False, value.const, "wrong_const")
     decoded = DecodedValue(number, verdict="" if value.const is None else "right")
@@ -184,8 +184,8 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
     if sentinel is not None:
         return replace(decoded, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
-        named = _named(device, value, number)
-        decoded = replace(named, text=in_unit(value, number), verdict=named.verdict or decoded.verdict)
+        member_value = _member_meaning(device, value, number)
+        decoded = replace(member_value, text=in_unit(value, number), verdict=member_value.verdict or decoded.verdict)
     elif value.flags:
         word = device.flags[value.flags]
         meanings = tuple(_set_bits(device, word, number))
@@ -202,7 +202,7 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
     return decoded
 
 
-def _named(device: Device, value: Value, number: int) -> DecodedValue:
+def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
     """The meaning of a number that a member of the value's enum names."""
     enum = device.enums[value.enum]
     member = enum.member(number)
@@ -232,9 +232,9 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
         unknown &= ~bit.mask
         if number_of_bits or ((bit.enum or bit.is_number) and not bit.reserved):
             yield _bit(device, bit, number_of_bits)
-    for at in range(unknown.bit_length()):
-        if unknown >> at & 1:
-            yield Meaning("", "", "not listed", str(at))
+    for index in range(unknown.bit_length()):
+        if unknown >> index & 1:
+            yield Meaning("", "", "not listed", str(index))
     yield from (_state(state) for state in word.states if _shows(word, state, number))
 
 

@@ -81,19 +81,21 @@ class _Search:
         layout, device = self.layout, self.layout.device
         self._find_registers()
         for record in layout.records.values():
-            if causes := (*self._of(record.record.place.path), *self._in_record(record)):
+            if causes := (*self._own_causes(record.record.place.path), *self._in_record(record)):
                 self.records[record.name] = causes
         bodies = {
             (message.name, direction): causes
             for message in layout.messages.values()
             for direction in ("request", "response")
-            if (causes := (*self._in_record(message.data(direction)), *self._of(message.message.place.path)))
+            if (causes := (*self._in_record(message.data(direction)), *self._own_causes(message.message.place.path)))
         }
         messages = {
             message.name: causes for message in layout.messages.values() if (causes := _of_message(message, bodies))
         }
         conversions = {
-            name: causes for name, own in device.conversions.items() if (causes := tuple(self._of(own.place.path)))
+            name: causes
+            for name, own in device.conversions.items()
+            if (causes := tuple(self._own_causes(own.place.path)))
         }
         tables = {name: causes for name, table in device.tables.items() if (causes := tuple(self._in_table(table)))}
         parameters = {
@@ -104,7 +106,7 @@ class _Search:
         }
         stated = (self.registers, self.records, bodies, tables, parameters, conversions)
         expressed = {id(cause.finding) for absent in stated for causes in absent.values() for cause in causes}
-        needed = {id(finding) for finding in self._in_exceptions()} if reads_exceptions else set[int]()
+        required = {id(finding) for finding in self._in_exceptions()} if reads_exceptions else set[int]()
         findings = [finding for findings in self.refused.values() for finding in findings]
         return Absences(
             self.registers,
@@ -114,17 +116,17 @@ class _Search:
             tables,
             parameters,
             conversions,
-            tuple(finding for finding in findings if id(finding) in needed or id(finding) not in expressed),
+            tuple(finding for finding in findings if id(finding) in required or id(finding) not in expressed),
         )
 
-    def _of(self, path: str) -> Iterator[Cause]:
+    def _own_causes(self, path: str) -> Iterator[Cause]:
         """The reasons why the fact with a path itself is refused."""
         for finding in self.refused.get(path, ()):
             yield Cause(finding.message, finding)
 
     def _find_registers(self) -> None:
         for layout in self.layout.registers:
-            if causes := tuple(self._of(layout.register.place.path)):
+            if causes := tuple(self._own_causes(layout.register.place.path)):
                 self.registers[layout.name] = causes
         before = -1
         while before != len(self.registers):
@@ -144,23 +146,23 @@ class _Search:
             yield from self._in_field(field)
 
     def _in_field(self, field: FieldLayout) -> Iterator[Cause]:
-        yield from self._of(field.field.place.path)
+        yield from self._own_causes(field.field.place.path)
         for case in field.cases:
-            yield from self._of(case.case.place.path)
+            yield from self._own_causes(case.case.place.path)
         yield from self._in_exponent(field.value)
         if field.record is not None:
             yield from self.records.get(field.record.name, ())
 
     def _in_table(self, table: Table) -> Iterator[Cause]:
-        yield from self._of(table.place.path)
+        yield from self._own_causes(table.place.path)
         yield from self.records.get(table.record, ())
         yield from _because(f"its number of elements is in {table.count_by}", self.registers.get(table.count_by))
         yield from _because(f"its address is in {table.base_by}", self.registers.get(table.base_by))
 
     def _in_parameter(self, parameter: Parameter) -> Iterator[Cause]:
-        yield from self._of(parameter.place.path)
+        yield from self._own_causes(parameter.place.path)
         for inner in parameter.subindices:
-            yield from self._of(inner.place.path)
+            yield from self._own_causes(inner.place.path)
 
     def _in_exceptions(self) -> Iterator[Diagnostic]:
         """The findings about the records of exception responses, which tell that a message was not carried out."""

@@ -22,7 +22,7 @@ def moving_tables(layout: DeviceLayout) -> dict[str, RegisterLayout]:
 
 
 def at_bases(layout: DeviceLayout, bases: Mapping[str, int]) -> DeviceLayout:
-    """A layout whose tables begin at known addresses, by their names; these tables do not move any more."""
+    """The layout with tables at known base addresses, by the names of the tables; they do not move any more."""
     if not bases:
         return layout
     tables = {

@@ -11,7 +11,7 @@ def packed_size(count: int) -> int:
 
 
 def packed_bits(bits: Sequence[int]) -> bytes:
-    """Bits as bytes."""
+    """The bytes that carry bits, the first bit lowest in the first byte."""
     number = sum(bit << index for index, bit in enumerate(bits))
     return number.to_bytes(packed_size(len(bits)), "little")
 

@@ -48,7 +48,10 @@ def reflected(number: int, width: int) -> int:
 
 @cache
 def crc_table(width: int, polynomial: int, is_reflected: bool) -> tuple[int, ...]:
-    """The terms of each byte, for a register whose lowest, or of 64 bits whose highest, bit comes first."""
+    """The table of a CRC, with the term of each byte.
+
+    The register of a reflected CRC has the lowest bit first; any other one has 64 bits, the highest first.
+    """
     if is_reflected:
         term = reflected(polynomial, width)
         table = []

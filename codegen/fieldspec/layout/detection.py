@@ -40,13 +40,13 @@ def version_detection(device: Device) -> VersionDetection | None:
     value = detecting_value(device, detection)
     number = value is not None and value.type.kind is Kind.INTEGER
     versions = [version for line in device.lines if line.builds or line.like for version in line.versions]
-    named = tuple((item, version.id) for version in versions for item in version.detected_as)
+    detected_values = tuple((item, version.id) for version in versions for item in version.detected_as)
     return VersionDetection(
         fact=detection.fact,
         form=detection.form,
         places=value.size if detection.form == "bytes" and value is not None else detection.places,
-        named=named,
-        takes_numbers=number and bool(detection.form or named),
+        named=detected_values,
+        takes_numbers=number and bool(detection.form or detected_values),
     )
 
 

@@ -44,11 +44,11 @@ class TableLayout:
         """The first word, the number of words, and the fields in them; fields that share a word are together."""
         words = [self._in_word(word) for word in range(self.words)]
         first = 0
-        for at in range(1, len(words) + 1):
-            if at == len(words) or words[at] != words[first]:
+        for index in range(1, len(words) + 1):
+            if index == len(words) or words[index] != words[first]:
                 if words[first]:
-                    yield first, at - first, words[first]
-                first = at
+                    yield first, index - first, words[first]
+                first = index
 
     def _in_word(self, word: int) -> tuple[FieldLayout, ...]:
         def end(field: FieldLayout) -> int:

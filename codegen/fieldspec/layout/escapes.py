@@ -20,50 +20,50 @@ def original_places(escape: Escape, data: bytes) -> list[tuple[int, int]]:
     if escape.method == "cobs":
         return _of_blocks(data)
     if escape.method == "add":
-        return [((byte - escape.inserted) & 0xFF, at) for at, byte in enumerate(data)]
+        return [((byte - escape.inserted) & 0xFF, place) for place, byte in enumerate(data)]
     return _replaced(escape, data) if escape.method == "replace" else _without_inserted(escape, data)
 
 
 def _replaced(escape: Escape, data: bytes) -> list[tuple[int, int]]:
     originals = {(first, second): byte for byte, first, second in escape.pairs}
     special = {byte for byte, _, _ in escape.pairs} | {first for _, first, _ in escape.pairs}
-    places, at = [], 0
-    while at < len(data):
-        byte, width = data[at], 1
+    places, place = [], 0
+    while place < len(data):
+        byte, width = data[place], 1
         if byte in special:
-            pair = (byte, data[at + 1]) if at + 1 < len(data) else None
+            pair = (byte, data[place + 1]) if place + 1 < len(data) else None
             if pair not in originals:
-                raise EscapeError(at)
+                raise EscapeError(place)
             byte, width = originals[pair], 2
-        places.append((byte, at))
-        at += width
+        places.append((byte, place))
+        place += width
     return places
 
 
 def _without_inserted(escape: Escape, data: bytes) -> list[tuple[int, int]]:
-    places, begin, at = [], 0, 0
-    while at < len(data):
-        places.append((data[at], at))
-        at += 1
-        if data[begin:at].endswith(escape.pattern):
-            if at == len(data) or data[at] != escape.inserted:
-                raise EscapeError(at)
-            at += 1
-            begin = at
+    places, begin, place = [], 0, 0
+    while place < len(data):
+        places.append((data[place], place))
+        place += 1
+        if data[begin:place].endswith(escape.pattern):
+            if place == len(data) or data[place] != escape.inserted:
+                raise EscapeError(place)
+            place += 1
+            begin = place
     return places
 
 
 def _of_blocks(data: bytes) -> list[tuple[int, int]]:
     places: list[tuple[int, int]] = []
-    at = 0
-    while at < len(data):
-        end = at + data[at]
-        if end == at or end > len(data) or 0 in data[at:end]:
-            raise EscapeError(at)
-        places += [(data[place], place) for place in range(at + 1, end)]
-        if data[at] < 0xFF and end < len(data):
+    begin = 0
+    while begin < len(data):
+        end = begin + data[begin]
+        if end == begin or end > len(data) or 0 in data[begin:end]:
+            raise EscapeError(begin)
+        places += [(data[place], place) for place in range(begin + 1, end)]
+        if data[begin] < 0xFF and end < len(data):
             places.append((0, end))
-        at = end
+        begin = end
     if not data:
         raise EscapeError(0)
     return places
@@ -75,5 +75,5 @@ def _of_identifier(escape: Escape, data: bytes) -> list[tuple[int, int]]:
     if wrong is not None:
         raise EscapeError(wrong)
     parts, first = escape.unpacked(int.from_bytes(data[:4], "big")), escape.fields[0][0]
-    places = [(byte, 0 if at < first else CAN_HEADER) for at, byte in enumerate(parts)]
-    return [*places, *((data[at], at) for at in range(CAN_HEADER, len(data)))]
+    places = [(byte, 0 if place < first else CAN_HEADER) for place, byte in enumerate(parts)]
+    return [*places, *((data[place], place) for place in range(CAN_HEADER, len(data)))]

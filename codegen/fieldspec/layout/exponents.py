@@ -11,7 +11,7 @@ from fieldspec.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class ExponentLayout:
-    """What has the exponent of a scale: a `field` of the same record, else the `register`."""
+    """The field of the same record, else the register, that has the exponent of a scale."""
 
     name: str
     value: Value

@@ -44,7 +44,7 @@ def _values(link: LinkLayout, frame: FrameLayout, part: PartLayout) -> list[byte
 
 
 def _addresses(link: LinkLayout, frame: FrameLayout) -> list[bytes]:
-    """The unit addresses of one byte."""
+    """The unit addresses that the first byte of a frame may be."""
     known = link.link.unit_addresses
     if known is None or known.ranges is None:
         return []

@@ -16,18 +16,18 @@ from fieldspec.model.link import Link
 from fieldspec.model.sizes import part_size, sent_on
 
 
-def original_parts(frame: FrameLayout, sent: bytes) -> bytes:
+def original_parts(frame: FrameLayout, data: bytes) -> bytes:
     """The bytes of the parts before they were escaped. Raises EscapeError."""
     if frame.escape is None:
-        return sent
-    start, stop = frame.escape_start, len(sent) + (frame.escape_stop or 0)
-    return sent[:start] + bytes(byte for byte, _ in original_places(frame.escape, sent[start:stop])) + sent[stop:]
+        return data
+    start, stop = frame.escape_start, len(data) + (frame.escape_stop or 0)
+    return data[:start] + bytes(byte for byte, _ in original_places(frame.escape, data[start:stop])) + data[stop:]
 
 
 def _covers(checksum: PartLayout, other: PartLayout) -> bool:
     """Whether a checksum covers another part. Offsets from the start come before the body, those from the end after."""
-    begins, ends = _rank(checksum.start), (1, 0) if checksum.stop is None else _rank(checksum.stop)
-    return other is not checksum and begins <= _rank(other.offset) < ends
+    start, stop = _rank(checksum.start), (1, 0) if checksum.stop is None else _rank(checksum.stop)
+    return other is not checksum and start <= _rank(other.offset) < stop
 
 
 def _rank(offset: int) -> tuple[int, int]:
@@ -124,17 +124,17 @@ class LinkLayout:
 
     def messages_with_code(self, code: int, direction: str = "request") -> list[MessageLayout]:
         """The messages with a code in one direction; several differ in a constant in their data."""
-        return [message for message in self._sent(direction) if message.message.code_of(direction) == code]
+        return [message for message in self._all_messages(direction) if message.message.code_of(direction) == code]
 
-    def refused_message(self, code: int, asked: str = "") -> MessageLayout | None:
+    def refused_message(self, code: int, request_name: str = "") -> MessageLayout | None:
         """The message that an exception response with a code refuses.
 
         Several messages may have the code, and exception responses have no data that tell them apart: `asked` names
         the message of the request. None if there is no such message, and where this leaves open which one it is.
         """
-        messages = [message for message in self._sent("request") if message.message.code_of("response") == code]
-        named = (message for message in messages if message.name == asked)
-        return messages[0] if len(messages) == 1 else next(named, None)
+        messages = [message for message in self._all_messages("request") if message.message.code_of("response") == code]
+        requested = (message for message in messages if message.name == request_name)
+        return messages[0] if len(messages) == 1 else next(requested, None)
 
     def codes(self, direction: str) -> list[int]:
         """The codes of the messages in one direction, in ascending order."""
@@ -147,28 +147,28 @@ class LinkLayout:
         return any(message.message.response_code is not None for message in self.carried("response").values())
 
     def message_with_code(
-        self, code: int, direction: str = "request", data: bytes | None = None, asked: str = ""
+        self, code: int, direction: str = "request", data: bytes | None = None, request_name: str = ""
     ) -> MessageLayout | None:
         """The message with a code in one direction, and with some data where several have the code.
 
-        `asked` names the message of the request, which decides where nothing in the data does. None if there is none,
-        and where all of this leaves open which one it is.
+        `request_name` names the message of the request, which decides where nothing in the data does. None if there is
+        none, and where all of this leaves open which one it is.
         """
         messages = self.messages_with_code(code, direction)
         if len(messages) < 2:
             return messages[0] if messages else None
         shared = subcode(messages, direction)
         if shared is None:
-            return next((message for message in messages if message.name == asked), None)
+            return next((message for message in messages if message.name == request_name), None)
         return shared.message(data) if data is not None else None
 
     def shared_codes(self, direction: str) -> list[int]:
         """The codes that several messages have in one direction."""
-        seen: set[int] = set()
+        codes: set[int] = set()
         shared: set[int] = set()
-        for message in self._sent(direction):
+        for message in self._all_messages(direction):
             if (code := message.message.code_of(direction)) is not None:
-                (shared if code in seen else seen).add(code)
+                (shared if code in codes else codes).add(code)
         return sorted(shared)
 
     def ambiguous_codes(self, direction: str) -> dict[int, list[MessageLayout]]:
@@ -178,8 +178,8 @@ class LinkLayout:
         """
         if self.frame(direction).role("code") is None:
             return {}
-        each = ((code, self.messages_with_code(code, direction)) for code in self.shared_codes(direction))
-        return {code: messages for code, messages in each if subcode(messages, direction) is None}
+        groups = ((code, self.messages_with_code(code, direction)) for code in self.shared_codes(direction))
+        return {code: messages for code, messages in groups if subcode(messages, direction) is None}
 
     def is_guessed(self, direction: str, message: str) -> bool:
         """Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one."""
@@ -193,10 +193,10 @@ class LinkLayout:
         return self.carried("request").get(message) if code is None else self.message_with_code(code, "request", data)
 
     def subcodes(self, direction: str) -> dict[int, Subcode]:
-        """What tells messages apart, by the code that they share."""
+        """The subcodes of messages that share a code, by this code."""
         shared = self.shared_codes(direction)
-        each = ((code, subcode(self.messages_with_code(code, direction), direction)) for code in shared)
-        return {code: shared_code for code, shared_code in each if shared_code is not None}
+        pairs = ((code, subcode(self.messages_with_code(code, direction), direction)) for code in shared)
+        return {code: shared_code for code, shared_code in pairs if shared_code is not None}
 
     def code_text(self, message: MessageLayout, direction: str) -> str:
         """`0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code."""
@@ -214,12 +214,12 @@ class LinkLayout:
         return f"{text} with {' or '.join(shared.texts_of(message))} at {byte}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
-        """The messages in one direction: those that users send, and those that the device sends on the link."""
+        """The messages of one direction on the link: those that users send, and those that the device sends."""
         if direction == "request":
             return {name: message for name, message in self.messages.items() if message.message.is_requested}
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
 
-    def _sent(self, direction: str) -> Iterable[MessageLayout]:
+    def _all_messages(self, direction: str) -> Iterable[MessageLayout]:
         """The messages in one direction, those too that an output leaves out."""
         link = replace(self, messages=self.known, known={}) if self.known else self
         return link.carried(direction).values()
@@ -262,10 +262,10 @@ class LinkLayout:
 
 def link_layout(link: Link, messages: Mapping[str, MessageLayout], records: Mapping[str, RecordLayout]) -> LinkLayout:
     """The layout of a link. `messages` are the messages of all links of the device, `records` all its records."""
-    sent = {name: message for name, message in messages.items() if sent_on(link, message.message)}
+    link_messages = {name: message for name, message in messages.items() if sent_on(link, message.message)}
     exception = link.exception_response
     mark = exception_mark(exception, records.get(exception.record) if exception is not None else None)
-    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent, mark)
+    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), link_messages, mark)
 
 
 def _frame(link: Link, direction: str) -> FrameLayout:
@@ -273,15 +273,15 @@ def _frame(link: Link, direction: str) -> FrameLayout:
     orders = Orders(link.byte_order or "big", link.word_order or link.byte_order or "big")
     sizes = [part_size(part) for part in parts]
     body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
-    around = sum(sizes)
+    parts_size = sum(sizes)
 
     def place(number: int) -> int:
         """The offset of a part: from the start; from the end and negative if the part comes after the body."""
-        return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - around
+        return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - parts_size
 
     def stop_of(last: int) -> int | None:
         """The bound behind a part, None for the end of the frame."""
-        return sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - around or None
+        return sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - parts_size or None
 
     escaped = link.escaped_span(direction)
     placed = []
@@ -305,7 +305,9 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 start=place(first) if part.role == "checksum" else 0,
                 stop=stop if part.role == "checksum" else None,
                 unit_size=part.unit_size,
-                base=around - sum(sizes[first : last + 1]) - part.plus * part.unit_size if part.role == "length" else 0,
+                base=parts_size - sum(sizes[first : last + 1]) - part.plus * part.unit_size
+                if part.role == "length"
+                else 0,
                 constant=fill,
                 reserved=part.reserved,
                 digits=part.digits,

@@ -54,7 +54,7 @@ class FrameExtents:
 
     @property
     def all_extents(self) -> Iterator[FrameExtent]:
-        """The extents of all frames."""
+        """The extents of all frames that may occur."""
         yield from self.by_code.values()
         for _, extents in self.by_subcode.values():
             yield from extents.values()
@@ -81,13 +81,13 @@ def frame_extents(
 ) -> FrameExtents:
     """The extents of the frames of some messages: name, code and data; `refusal` are those of exception responses."""
     frame, error = link.frame(direction), link.link.exception_response
-    each: dict[int, set[FrameExtent]] = {}
+    code_extents: dict[int, set[FrameExtent]] = {}
     names: dict[str, FrameExtent] = {}
     for name, code, record in messages:
         names[name] = _extent(frame, record)
         if code is not None:
-            each.setdefault(code, set()).add(names[name])
-    by_code = {code: next(iter(own)) if len(own) == 1 else _OPEN for code, own in each.items()}
+            code_extents.setdefault(code, set()).add(names[name])
+    by_code = {code: next(iter(own)) if len(own) == 1 else _OPEN for code, own in code_extents.items()}
     refused = _extent(frame, refusal) if refusal is not None and error is not None else None
     if error is not None and refused is not None and not error.flag:
         by_code |= {error.code: refused} if error.code is not None else {}
@@ -96,29 +96,29 @@ def frame_extents(
             return FrameExtents({code: extent if extent == refused else _OPEN for code, extent in by_code.items()})
     by_subcode = {}
     for code, shared in link.subcodes(direction).items():
-        if len(each.get(code, ())) > 1:
+        if len(code_extents.get(code, ())) > 1:
             by_subcode[code] = shared, {number: names[own.name] for number, own in shared.messages.items()}
             del by_code[code]
     return FrameExtents(by_code, by_subcode, refused if error is not None and error.flag else None)
 
 
 def _extent(frame: FrameLayout, record: RecordLayout) -> FrameExtent:
-    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
+    framing_size = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
     if record.size is not None:
-        return FrameExtent(FIXED, around + record.size)
-    count, others = record.count_of_text or (None, 0)
+        return FrameExtent(FIXED, framing_size + record.size)
+    count, other_bytes = record.count_of_text or (None, 0)
     if count is not None and record.has_place(count):
-        return _by_count(frame, count, around + others, 1)
+        return _by_count(frame, count, framing_size + other_bytes, 1)
     if record.spans:
         is_delimited = bool(frame.end) and not _may_contain(frame, record, frame.end[0])
-        return FrameExtent(DELIMITED, around + record.first_bytes) if is_delimited else _OPEN
+        return FrameExtent(DELIMITED, framing_size + record.first_bytes) if is_delimited else _OPEN
     tail = record.fields[-1]
-    counts = [each for each in record.fields if record.has_place(each) and _measures(each, tail)]
-    count = min(counts, key=lambda each: each.size, default=None)  # one byte is read faster than two
+    counts = [field for field in record.fields if record.has_place(field) and _measures(field, tail)]
+    count = min(counts, key=lambda field: field.size, default=None)  # one byte is read faster than two
     if count is None or count.field.measures is None or tail.cases or not record.has_single_list:
         return _OPEN
     unit, plus = count.field.measures.unit(tail.size), count.field.measures.plus
-    return _by_count(frame, count, around + tail.offset - plus * unit, unit)
+    return _by_count(frame, count, framing_size + tail.offset - plus * unit, unit)
 
 
 def _by_count(frame: FrameLayout, count: FieldLayout, length: int, unit: int) -> FrameExtent:
@@ -135,7 +135,7 @@ def _measures(count: FieldLayout, tail: FieldLayout) -> bool:
 
 def _may_contain(frame: FrameLayout, record: RecordLayout, byte: int) -> bool:
     """Whether a byte may be in a frame behind those that precede the first value that varies in width."""
-    fields = {each.name: each for each in record.fields}
+    fields = {field.name: field for field in record.fields}
     varying = dropwhile(lambda span: span.value is None, record.spans)
     return any(_may_be_in(fields[span.name], byte) for span in varying) or any(
         byte in _DIGITS if part.form else True for part in frame.trailer

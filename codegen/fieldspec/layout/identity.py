@@ -74,7 +74,7 @@ def _value(value: Value | None) -> Words:
 
 
 def _part(part: ParameterPart | None) -> str | None:
-    """What a value is in an access to parameters."""
+    """The part that a value has in an access to parameters: number, subindex or value."""
     if part is None:
         return None
     text = f"ParameterPart(set={part.set!r}, part={part.part!r}, number={part.number!r})"
@@ -172,7 +172,7 @@ def _step(step: RegisterAccess) -> tuple[str, ...]:
 
 
 def _segments(segments: Segments | None) -> Iterator[object]:
-    """How a value follows a message in pieces; nothing where none does."""
+    """The form in which a value follows a message in pieces; empty where none does."""
     if segments is not None:
         yield "segments"
         yield from (segments.message, segments.when, segments.size, segments.unsized, segments.data)

@@ -11,24 +11,24 @@ from fieldspec.layout.refusal import Refusal
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
     """A refusal of each list with fields behind it; `reader` is what does not read it."""
     lists = {
-        field.field.place.path: (field.field, what)
+        field.field.place.path: (field.field, problem)
         for message in layout.messages.values()
         for body in message.bodies
         if body.inner_lists is not None
         for field in body.sent_fields
-        if (what := _problem(body, field))
+        if (problem := _problem(body, field))
     }
     return [
         Refusal(
             field,
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
-                f"{field.name} {what}, and {reader} reads only lists that come last, of elements of one size",
+                f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
                 field.place["repeat"],
                 help=LEAVE_OUT,
             ),
         )
-        for field, what in lists.values()
+        for field, problem in lists.values()
     ]
 
 

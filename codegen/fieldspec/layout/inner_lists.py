@@ -86,12 +86,12 @@ class InnerLists:
         image = b""
         before = 0
         for inner in self.lists:
-            at = inner.first + before
-            left = len(data) - at - (self.fixed - inner.first)
+            start = inner.first + before
+            left = len(data) - start - (self.fixed - inner.first)
             if left < 0:
                 return extents, ListFault("incomplete", len(data))
-            image += data[len(image) + before : at]
-            extent = self._extent(inner, image, data[at : at + left], extents)
+            image += data[len(image) + before : start]
+            extent = self._extent(inner, image, data[start : start + left], extents)
             if isinstance(extent, ListFault):
                 return extents, extent
             extents.append(extent)
@@ -100,16 +100,16 @@ class InnerLists:
 
     def _extent(self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
         """The bytes of a list in data that begin with it, less the fields behind it."""
-        at = inner.first + sum(extent.size for extent in extents)
+        start = inner.first + sum(extent.size for extent in extents)
         size = None
         if inner.count:
             size = inner.size_of(inner.count_in(image))
             if size is None:
                 return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
         if inner.tail is not None:
-            return _elements(inner, inner.tail, data, size, at)
+            return _elements(inner, inner.tail, data, size, start)
         if size is not None and size > len(data):
-            return ListFault("incomplete", at + len(data) + self.fixed - inner.first)
+            return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
         return ListExtent(len(data) if size is None else size)
 
     def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
@@ -120,10 +120,10 @@ class InnerLists:
             fields += data[len(fields) + before : start]
             piece = data[start : start + extent.size]
             if inner.tail is not None:
-                at, pieces = 0, []
+                offset, pieces = 0, []
                 for size in extent.elements:
-                    pieces.append(piece[at : at + size].ljust(inner.element, b"\0"))
-                    at += size
+                    pieces.append(piece[offset : offset + size].ljust(inner.element, b"\0"))
+                    offset += size
                 piece = b"".join(pieces)
             lists += piece if inner is self.last else piece.ljust(inner.most, b"\0")
             before += extent.size
@@ -131,60 +131,60 @@ class InnerLists:
         return (fields + data[len(fields) + before : stop]).ljust(self.fixed, b"\0") + lists
 
     def data_of(self, image: bytes) -> bytes:
-        """What is sent of an image."""
-        data, at = b"", 0
+        """The bytes that are sent for an image."""
+        data, offset = b"", 0
         for inner in self.lists:
-            data += image[at : inner.first] + self._sent(inner, image)
-            at = inner.first
-        return data + image[at : self.fixed]
+            data += image[offset : inner.first] + self._sent_bytes(inner, image)
+            offset = inner.first
+        return data + image[offset : self.fixed]
 
-    def _sent(self, inner: InnerList, image: bytes) -> bytes:
-        """What is sent of a list in an image."""
+    def _sent_bytes(self, inner: InnerList, image: bytes) -> bytes:
+        """The bytes that are sent for a list in an image."""
         piece = image[inner.room :]
         if inner is not self.last:
             piece = piece[: inner.size_of(inner.count_in(image))]
         if inner.tail is None:
             return piece
-        elements = [piece[at : at + inner.element] for at in range(0, len(piece), inner.element)]
+        elements = [piece[offset : offset + inner.element] for offset in range(0, len(piece), inner.element)]
         return b"".join(element[: element_size(inner.tail, element)] for element in elements)
 
-    def place_in_data(self, extents: Sequence[ListExtent], at: int) -> int:
+    def place_in_data(self, extents: Sequence[ListExtent], offset: int) -> int:
         """The byte in data, whose lists have some extents, for a byte of their image."""
         before = 0
         unknown = [ListExtent(0)] * (len(self.lists) - len(extents))
         for inner, extent in zip(self.lists, [*extents, *unknown], strict=True):
-            if at >= inner.room and (inner is self.last or at < inner.room + inner.most):
-                return inner.first + before + _place_in_list(inner, extent, at - inner.room)
-            if at < inner.first:
-                return at + before
+            if offset >= inner.room and (inner is self.last or offset < inner.room + inner.most):
+                return inner.first + before + _place_in_list(inner, extent, offset - inner.room)
+            if offset < inner.first:
+                return offset + before
             before += extent.size
-        return at + before
+        return offset + before
 
 
-def _place_in_list(inner: InnerList, extent: ListExtent, at: int) -> int:
+def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
     if inner.tail is None:
-        return at
-    index, rest = divmod(at, inner.element)
+        return offset
+    index, rest = divmod(offset, inner.element)
     return sum(extent.elements[:index]) + rest
 
 
 def _elements(inner: InnerList, tail: InnerList, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
     """The elements of a list whose elements differ in size: as many as have `size` bytes in the image, or all."""
     sizes: list[int] = []
-    at = 0
-    while at < len(data) if size is None else len(sizes) * inner.element < size:
+    offset = 0
+    while offset < len(data) if size is None else len(sizes) * inner.element < size:
         if len(sizes) * inner.element == inner.most:
-            return ListFault("wrong_length", start + at)
-        own = element_size(tail, data[at:])
+            return ListFault("wrong_length", start + offset)
+        own = element_size(tail, data[offset:])
         if own is None:
-            return ListFault("wrong_measure", start + at + tail.count_at)
-        if at + own > len(data):
+            return ListFault("wrong_measure", start + offset + tail.count_at)
+        if offset + own > len(data):
             return ListFault("incomplete", start + len(data))
         sizes.append(own)
-        at += own
+        offset += own
     if len(sizes) * inner.element < inner.least:
-        return ListFault("incomplete", start + at)
-    return ListExtent(at, tuple(sizes))
+        return ListFault("incomplete", start + offset)
+    return ListExtent(offset, tuple(sizes))
 
 
 def element_size(tail: InnerList, data: bytes) -> int | None:
@@ -197,14 +197,14 @@ def element_size(tail: InnerList, data: bytes) -> int | None:
 
 def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
     """The lists as programs in JavaScript have them."""
-    return {"fixed": inner.fixed, "lists": [_row(row) for row in inner.lists]}
+    return {"fixed": inner.fixed, "lists": [_inner_list_row(row) for row in inner.lists]}
 
 
-def _row(row: InnerList) -> dict[str, Any]:
+def _inner_list_row(row: InnerList) -> dict[str, Any]:
     names = {"name": row.name} | ({"countName": row.count} if row.count else {})
     bounds = {"element": row.element, "least": row.least, "most": row.most}
     count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
     plus = {"plus": row.plus} if row.plus else {}
     is_little = {"little": True} if row.count_order == "little" else {}
-    tail = {"tail": _row(row.tail)} if row.tail is not None else {}
+    tail = {"tail": _inner_list_row(row.tail)} if row.tail is not None else {}
     return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **tail}

@@ -54,8 +54,8 @@ class NestedField:
         field = self.record.named(name)
         if field is None or field.value is None:
             return None
-        at = self.start + field.offset
-        return NestedField(f"{self.before}{name}", field, at, self.holders, self.record, self.start, self.before)
+        offset = self.start + field.offset
+        return NestedField(f"{self.before}{name}", field, offset, self.holders, self.record, self.start, self.before)
 
 
 def nested_fields(record: RecordLayout) -> Iterator[NestedField]:
@@ -69,8 +69,8 @@ def _of_record(
     for field in record.fields:
         for number in range(field.count or 0):
             path = f"{before}{field.name}" + (f"[{number}]" if field.is_list else "")
-            at = start + field.offset + number * field.size
+            offset = start + field.offset + number * field.size
             if field.record is not None:
-                yield from _of_record(field.record, (*holders, field), at, f"{path}.")
+                yield from _of_record(field.record, (*holders, field), offset, f"{path}.")
             elif field.value is not None:
-                yield NestedField(path, field, at, holders, record, start, before)
+                yield NestedField(path, field, offset, holders, record, start, before)

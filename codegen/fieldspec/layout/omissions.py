@@ -20,7 +20,7 @@ class Omission:
 
     @property
     def text(self) -> str:
-        """What a comment says of it."""
+        """The line of a comment about it."""
         return f"{self.title}: {self.reason}"
 
 

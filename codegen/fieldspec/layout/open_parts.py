@@ -46,11 +46,11 @@ def _names_sequence(name: str) -> bool:
 
 def _repeated(link: LinkLayout, part: PartLayout) -> PartLayout | None:
     """The part of the response that repeats a part of the request."""
-    others = [other for other in link.response.header if other.role == "plain" and other.is_argument]
-    stated = next((other for other in others if other.part.same_as == part.name), None)
+    candidates = [other for other in link.response.header if other.role == "plain" and other.is_argument]
+    stated = next((other for other in candidates if other.part.same_as == part.name), None)
     if stated is not None or not _names_sequence(part.name):
         return stated
-    return next((other for other in others if other.name == part.name and not other.part.same_as), None)
+    return next((other for other in candidates if other.name == part.name and not other.part.same_as), None)
 
 
 def _numbers(value: Value | None) -> tuple[int, int] | None:

@@ -68,8 +68,8 @@ class PartLayout:
 
     def number(self, length: int) -> int | None:
         """The value of a length part if all parts together have `length` bytes; None if it cannot express that."""
-        units, over = divmod(length - self.base, self.unit_size)
-        return units if not over and self.value and self.value.low <= units <= self.value.high else None
+        units, remainder = divmod(length - self.base, self.unit_size)
+        return units if not remainder and self.value and self.value.low <= units <= self.value.high else None
 
     @property
     def form(self) -> str:

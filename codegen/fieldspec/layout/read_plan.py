@@ -100,7 +100,7 @@ class ReadPlan:
 
     @property
     def spaces(self) -> tuple[str, ...]:
-        """The spaces that messages read."""
+        """The address spaces that a message reads."""
         return tuple(dict.fromkeys(limit.space for limit in self.limits))
 
     def limit(self, space: str) -> ReadLimit | None:
@@ -125,22 +125,22 @@ def read_plan(layout: DeviceLayout) -> ReadPlan:
     for space in plan.spaces:
         limit = plan.limit(space)
         if limit is not None and limit.words is not None:
-            more, rest = _blocks([unit for unit in units if unit.space == space], limit.message, limit.words)
-            blocks += more
+            space_blocks, rest = _blocks([unit for unit in units if unit.space == space], limit.message, limit.words)
+            blocks += space_blocks
             left_out += rest
     return ReadPlan(limits, tuple(blocks), tuple(left_out))
 
 
-def _blocks(units: Sequence[ReadUnit], message: str, most: int) -> tuple[list[ReadBlock], list[ReadUnit]]:
-    """The blocks of a space, and what is left out; a request reads at most `most` words."""
+def _blocks(units: Sequence[ReadUnit], message: str, limit: int) -> tuple[list[ReadBlock], list[ReadUnit]]:
+    """The blocks of a space, and what is left out; a request reads at most `limit` words."""
     too_long = [
         ReadUnit(unit.space, unit.first, unit.words, unit.name, TOO_LONG)
         for unit in units
-        if not unit.refused and unit.words > most
+        if not unit.refused and unit.words > limit
     ]
-    usable = [unit for unit in units if not unit.refused and unit.words <= most]
+    usable = [unit for unit in units if not unit.refused and unit.words <= limit]
     stops = [unit for unit in units if unit.refused]
-    blocks = [block for run in _together(usable, stops) for block in _cut(run, message, most)]
+    blocks = [block for run in _unit_runs(usable, stops) for block in _cut(run, message, limit)]
     return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
 
@@ -210,11 +210,11 @@ def _of_table(device: Device, table_layout: TableLayout) -> Iterator[ReadUnit]:
         for first, words, fields in table_layout.word_runs()
     ]
     for number in range(table.count):
-        at = table.base + number * table.stride
+        address = table.base + number * table.stride
         for first, words, name, refused, reserved in runs:
             full_name = f"{table.name}[{table.index_from + number}].{name}"
             element = f"{table.name}[{table.index_from + number}]" if table.count_by else ""
-            yield ReadUnit(space, at + first, words, full_name, refused, reserved, element)
+            yield ReadUnit(space, address + first, words, full_name, refused, reserved, element)
 
 
 def _field_name(field: FieldLayout) -> str:
@@ -252,7 +252,7 @@ def _refused(access: str, handling: Handling) -> str:
     return "" if readable(access) else ACCESS_UNKNOWN
 
 
-def _together(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator[list[ReadUnit]]:
+def _unit_runs(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator[list[ReadUnit]]:
     """Units without a hole between them; an address that cannot be read is a hole, even where a unit shares it."""
     closed = {address for unit in stops for address in range(unit.first, unit.end)}
     run: list[ReadUnit] = []
@@ -269,23 +269,23 @@ def _together(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator
         yield run
 
 
-def _cut(run: Sequence[ReadUnit], message: str, most: int) -> Iterator[ReadBlock]:
+def _cut(run: Sequence[ReadUnit], message: str, limit: int) -> Iterator[ReadBlock]:
     """The longest blocks of a run, one after the other, without reserved words at their ends."""
-    at = 0
-    while at < len(run):
-        if run[at].reserved:
-            at += 1
+    index = 0
+    while index < len(run):
+        if run[index].reserved:
+            index += 1
             continue
-        start = run[at].first
-        behind = next((n for n in range(at, len(run)) if run[n].end - start > most), len(run))
+        start = run[index].first
+        stop = next((n for n in range(index, len(run)) if run[n].end - start > limit), len(run))
         # What overlaps may reach further than what follows it: the block ends where nothing is divided.
-        taken = run[at:behind]
-        while len(taken) > 1 and behind < len(run) and max(unit.end for unit in taken) > run[behind].first:
-            behind -= 1
-            taken = run[at:behind]
-        at = behind
-        while taken[-1].reserved:
-            taken = taken[:-1]
-        words = max(unit.end for unit in taken) - start
-        names = tuple(unit.name for unit in taken if not unit.reserved)
-        yield ReadBlock(message, run[0].space, start, words, names, sum(unit.words for unit in taken if unit.reserved))
+        units = run[index:stop]
+        while len(units) > 1 and stop < len(run) and max(unit.end for unit in units) > run[stop].first:
+            stop -= 1
+            units = run[index:stop]
+        index = stop
+        while units[-1].reserved:
+            units = units[:-1]
+        words = max(unit.end for unit in units) - start
+        names = tuple(unit.name for unit in units if not unit.reserved)
+        yield ReadBlock(message, run[0].space, start, words, names, sum(unit.words for unit in units if unit.reserved))

@@ -104,7 +104,7 @@ class RecordLayout:
 
     @property
     def image(self) -> RecordLayout:
-        """The record as codecs have it.
+        """The layout of the image of the record, which codecs read and write.
 
         Each field that varies in width has all the bytes that it may have. Lists come last, and all but the last one of
         them have room for all elements.
@@ -115,8 +115,8 @@ class RecordLayout:
         if self.inner_lists is None:
             return self
         *rooms, last = self.inner_lists.lists
-        least, most = last.room + last.least, last.room + last.most
-        return replace(self, inner_lists=None, rooms=tuple(rooms), least=least, most=most)
+        minimum, maximum = last.room + last.least, last.room + last.most
+        return replace(self, inner_lists=None, rooms=tuple(rooms), least=minimum, most=maximum)
 
     @property
     def sent_fields(self) -> tuple[FieldLayout, ...]:
@@ -140,15 +140,17 @@ class RecordLayout:
         varying = [span for span in self.spans if span.value is not None]
         if len(varying) != 1 or varying[0].count is None:
             return None
-        others = sum(span.size for span in self.spans if span.value is None)
-        return self.fields[varying[0].count], others - varying[0].plus
+        other_bytes = sum(span.size for span in self.spans if span.value is None)
+        return self.fields[varying[0].count], other_bytes - varying[0].plus
 
     def has_place(self, field: FieldLayout) -> bool:
         """Whether the offset of a field is its place in all data: nothing before it varies, nor is it moved."""
         if self.inner_lists is not None:
             return field.offset < self.inner_lists.lists[0].first
-        at = next((other.offset for other in self.fields if other.value is not None and other.value.width), None)
-        return at is None or field.offset <= at
+        varying_offset = next(
+            (other.offset for other in self.fields if other.value is not None and other.value.width), None
+        )
+        return varying_offset is None or field.offset <= varying_offset
 
     @property
     def has_tails(self) -> bool:
@@ -172,8 +174,8 @@ class RecordLayout:
         """The record for some data: this one, or the one that the selector in it decides, None if it decides none."""
         if self.selector is None:
             return self
-        at = self.selector.offset
-        selector_bytes = data[at : at + self.selector.size]
+        offset = self.selector.offset
+        selector_bytes = data[offset : offset + self.selector.size]
         order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
         return (
             self.chosen.get(int.from_bytes(selector_bytes, order))
@@ -219,8 +221,8 @@ def _choosing(
     enums: Mapping[str, Enum],
 ) -> RecordLayout:
     """The layout of a record whose last field has cases."""
-    by = record.named(choice.by)
-    enum = enums.get(by.value.enum) if by is not None and by.value is not None else None
+    selector = record.named(choice.by)
+    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
     assert enum is not None
     cases = []
     chosen: dict[int, RecordLayout] = {}
@@ -242,7 +244,7 @@ def _choosing(
         (*first.fields[:-1], field),
         sizes.pop() if len(sizes) == 1 else None,
         min(shape.least for shape in shapes),
-        None if None in bounds else max(most for most in bounds if most is not None),
+        None if None in bounds else max(bound for bound in bounds if bound is not None),
         first.named(choice.by),
         chosen,
     )
@@ -252,7 +254,7 @@ def _fixed(
     record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
 ) -> RecordLayout:
     """The layout of a record without cases."""
-    at = 0
+    offset = 0
     fields = []
     lists = [field for field in record.fields if field.repeat is not None]
     differing = [field for field in lists if field.record and records[field.record].size is None]
@@ -263,8 +265,10 @@ def _fixed(
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
         sizes = _sizes(record, field, enums)
-        fields.append(FieldLayout(field, field.name, at, size, count, field.value, nested, order, swapped, sizes=sizes))
-        at += size * (field.repeat.high if field.repeat is not None else count or 1)
+        fields.append(
+            FieldLayout(field, field.name, offset, size, count, field.value, nested, order, swapped, sizes=sizes)
+        )
+        offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):
         return _varying(record, tuple(fields))
     fixed = sum(field.size * field.count for field in fields if field.count is not None)
@@ -272,10 +276,10 @@ def _fixed(
     if not repeated:
         return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
     leasts = [field.size if field.record is None else field.record.least for field in fields if field.count is None]
-    least = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
-    most = fixed + sum(repeat.high * size for repeat, size in repeated)
+    minimum = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
+    maximum = fixed + sum(repeat.high * size for repeat, size in repeated)
     inner_lists = _inner_lists(record, tuple(fields), fixed) if is_inner else None
-    return RecordLayout(record, record.name, tuple(fields), None, least, most, inner_lists=inner_lists)
+    return RecordLayout(record, record.name, tuple(fields), None, minimum, maximum, inner_lists=inner_lists)
 
 
 def _lists_last(record: Record, lists: list[Field]) -> list[Field]:
@@ -294,8 +298,8 @@ def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) ->
         if own.repeat is None:
             first += field.size * (field.count or 0)
             continue
-        least, most = own.repeat.low * field.size, own.repeat.high * field.size
-        inner = InnerList(field.name, first, field.offset, field.size, least, most)
+        minimum, maximum = own.repeat.low * field.size, own.repeat.high * field.size
+        inner = InnerList(field.name, first, field.offset, field.size, minimum, maximum)
         count = None if field is last else list_count(record, own)
         inner = inner if count is None else _with_count(inner, by_name[count.name])
         if field.record is not None and field.record.size is None:
@@ -305,15 +309,18 @@ def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) ->
 
 
 def tail_of(record: RecordLayout) -> InnerList:
-    """The list at the end of a record that counts it; a text whose bytes are counted is a list of these."""
+    """The list at the end of a record that counts it. A text is a list of its bytes."""
     field = record.fields[-1]
-    repeat, at, size = field.field.repeat, field.offset, field.size
+    repeat, offset, size = field.field.repeat, field.offset, field.size
     if repeat is None:
         assert field.value is not None
-        count, tail = text_count(record.record, field.field), InnerList(field.name, at, at, 1, 0, field.value.width)
+        count, tail = (
+            text_count(record.record, field.field),
+            InnerList(field.name, offset, offset, 1, 0, field.value.width),
+        )
     else:
         count = list_count(record.record, field.field)
-        tail = InnerList(field.name, at, at, size, repeat.low * size, repeat.high * size)
+        tail = InnerList(field.name, offset, offset, size, repeat.low * size, repeat.high * size)
     assert count is not None
     return _with_count(tail, {own.name: own for own in record.fields}[count.name])
 
@@ -329,8 +336,8 @@ def _with_count(inner: InnerList, count: FieldLayout) -> InnerList:
 def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:
     """The numbers of bytes that are the value of a parameter, by the numbers of the field that says so."""
     part = field.value.parameter if field.value is not None else None
-    by = record.named(part.sizes.by) if part is not None and part.sizes is not None else None
-    enum = enums.get(by.value.enum) if by is not None and by.value is not None else None
+    selector = record.named(part.sizes.by) if part is not None and part.sizes is not None else None
+    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
     if part is None or part.sizes is None or enum is None:
         return {}
     members = ((enum.named(name), case.bytes) for case in part.sizes.cases for name in case.when)
@@ -351,9 +358,9 @@ def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
         end = following.value.const if following is not None and following.value is not None else None
         size = field.size * (field.count or 0)
         spans.append(Span(field.name, size, field.value if varies else None, end if varies else None))
-    least = sum(span.size if span.value is None else span.value.least_width for span in spans)
-    most = sum(span.size if span.value is None else span.value.width for span in spans)
-    return RecordLayout(record, record.name, fields, None, least, most, spans=tuple(spans))
+    minimum = sum(span.size if span.value is None else span.value.least_width for span in spans)
+    maximum = sum(span.size if span.value is None else span.value.width for span in spans)
+    return RecordLayout(record, record.name, fields, None, minimum, maximum, spans=tuple(spans))
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,10 +16,10 @@ def repeated_parts(link: LinkLayout) -> list[tuple[PartLayout, PartLayout]]:
     that its answer is lost.
     """
     pairs = [(link.request.role("unit_address"), link.response.role("unit_address"))]
-    asked = {part.name: part for part in link.request.header}
-    named = {part.repeated.name: part.part for part in open_parts(link) if part.repeated is not None}
+    request_parts = {part.name: part for part in link.request.header}
+    repeated = {part.repeated.name: part.part for part in open_parts(link) if part.repeated is not None}
     pairs += [
-        (named.get(part.name) or asked.get(part.part.same_as), part)
+        (repeated.get(part.name) or request_parts.get(part.part.same_as), part)
         for part in link.response.header
         if part.role == "plain"
     ]
@@ -32,6 +32,6 @@ def repeated_fields(message: MessageLayout) -> list[tuple[FieldLayout, FieldLayo
     The response to an access to registers repeats what has the same name, which no spec has to say.
     """
     by_name = message.message.accesses is not None
-    named = [(field.field.same_as or (field.name if by_name else ""), field) for field in message.response.fields]
-    pairs = [(message.request.named(name), field) for name, field in named if name]
+    candidates = [(field.field.same_as or (field.name if by_name else ""), field) for field in message.response.fields]
+    pairs = [(message.request.named(name), field) for name, field in candidates if name]
     return [(own, other) for own, other in pairs if own is not None and not own.field.reserved]

@@ -124,8 +124,8 @@ class SegmentsLayout:
     def pieces(self, data: bytes) -> Iterator[tuple[bytes, bool]]:
         """A value in pieces, each with whether it is the last one; there is one at least."""
         size = self.data.size
-        for at in range(0, max(len(data), 1), size):
-            yield data[at : at + size], at + size >= len(data)
+        for offset in range(0, max(len(data), 1), size):
+            yield data[offset : offset + size], offset + size >= len(data)
 
 
 def _order(field: FieldLayout) -> Literal["big", "little"]:
@@ -160,14 +160,14 @@ def segments_of(layout: DeviceLayout, first: MessageLayout) -> SegmentsLayout | 
     def place(record: RecordLayout, name: str) -> NumberPlace | None:
         return next(number_places(flags, record.record, name), None) if name else None
 
-    by = _deciding(first)
+    deciding = _deciding(first)
     return SegmentsLayout(
         first,
         piece,
         stated.reads,
-        by.name if by is not None else "",
-        _numbers(layout, by, stated.when),
-        frozenset(_numbers(layout, by, stated.unsized)),
+        deciding.name if deciding is not None else "",
+        _numbers(layout, deciding, stated.when),
+        frozenset(_numbers(layout, deciding, stated.unsized)),
         own.named(stated.size) if stated.size else None,
         data,
         place(piece.request, stated.counter),
@@ -216,8 +216,8 @@ def _deciding(first: MessageLayout) -> FieldLayout | None:
     return None
 
 
-def _numbers(layout: DeviceLayout, by: FieldLayout | None, names: Iterable[str]) -> tuple[int, ...]:
+def _numbers(layout: DeviceLayout, field: FieldLayout | None, names: Iterable[str]) -> tuple[int, ...]:
     """The numbers of some members of a field's enum, in the order of their names."""
-    enum = layout.device.enums[by.value.enum] if by is not None and by.value is not None else None
+    enum = layout.device.enums[field.value.enum] if field is not None and field.value is not None else None
     members = (enum.named(name) for name in names) if enum is not None else ()
     return tuple(member.value for member in members if member is not None)

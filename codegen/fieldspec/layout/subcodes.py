@@ -58,7 +58,7 @@ class Subcode:
 
 
 def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None:
-    """What tells messages of one code apart in one direction.
+    """The place and the numbers that tell messages of one code apart in one direction.
 
     None for a single message, and for responses that only their requests tell apart.
     """

@@ -74,25 +74,25 @@ def raw_of(
     raw: dict[str, Raw] = {}
     for name, value in entered.items():
         if name in known_parts:
-            raw[name] = _number(device, name, known_parts[name].value, value)
+            raw[name] = _raw_number(device, name, known_parts[name].value, value)
         elif name in known_fields:
             raw[name] = _field(device, name, known_fields[name], value)
         else:
-            have = ", ".join([*known_parts, *known_fields])
-            raise MeaningError(name, f"there is no such field; there are {have}")
+            known_names = ", ".join([*known_parts, *known_fields])
+            raise MeaningError(name, f"there is no such field; there are {known_names}")
     return raw
 
 
 def _decided(device: Device, body: RecordLayout, entered: Mapping[str, object]) -> RecordLayout:
     """The record itself, or the one that the entered value of its selector decides."""
-    by = body.selector
-    if by is None:
+    selector = body.selector
+    if selector is None:
         return body
-    if by.name not in entered:
-        raise MeaningError(by.name, f"is needed: it decides what {body.fields[-1].name} holds")
-    chosen = body.of_number(_field(device, by.name, by, entered[by.name]))
+    if selector.name not in entered:
+        raise MeaningError(selector.name, f"is needed: it decides what {body.fields[-1].name} holds")
+    chosen = body.of_number(_field(device, selector.name, selector, entered[selector.name]))
     if chosen is None:
-        raise MeaningError(by.name, f"`{entered[by.name]}` leaves open what {body.fields[-1].name} holds")
+        raise MeaningError(selector.name, f"`{entered[selector.name]}` leaves open what {body.fields[-1].name} holds")
     return chosen
 
 
@@ -117,7 +117,7 @@ def pieces(path: str, text: str) -> list[str]:
 
 def _element_value(device: Device, path: str, field: FieldLayout, entered: object) -> Raw:
     if field.record is None:
-        return _number(device, path, field.value, entered)
+        return _raw_number(device, path, field.value, entered)
     if not isinstance(entered, dict):
         raise MeaningError(path, "a mapping of fields is expected")
     inner: dict[str, Raw] = {}
@@ -131,11 +131,11 @@ def _element_value(device: Device, path: str, field: FieldLayout, entered: objec
 
 def raw_value(device: Device, path: str, value: Value, entered: object) -> Raw:
     """The raw value of an entered value. Raises MeaningError, which calls the value `path`."""
-    return _number(device, path, value, entered)
+    return _raw_number(device, path, value, entered)
 
 
-def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
-    """The raw value of an entered value."""
+def _raw_number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
+    """The raw value for a value that a person enters."""
     assert value is not None
     if isinstance(entered, dict) or (isinstance(entered, list) and not value.flags):
         raise MeaningError(path, "one value is expected, and neither members nor a list")
@@ -151,9 +151,9 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         except ValueError:
             raise MeaningError(path, "bytes are written as pairs of hexadecimal digits") from None
     if value.type.kind is Kind.FLOAT:
-        named = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
-        if named is not None:
-            return number_of_sentinel(value, named)
+        special = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
+        if special is not None:
+            return number_of_sentinel(value, special)
         quantity = device.entered_quantity(value, entered)
         if quantity is not None:
             return _present(path, value, str(entered), float(quantity))
@@ -166,7 +166,7 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
     if isinstance(entered, float | Decimal) and value.scaled and not value.unit:
         entered = point_text(entered)
     if isinstance(entered, str):
-        return _text(device, path, value, entered)
+        return _raw_of_text(device, path, value, entered)
     unit = "; with its unit it may be a fraction" if value.unit else ""
     raise MeaningError(path, f"`{entered}` is no whole number of counts{unit}")
 
@@ -184,20 +184,20 @@ def number_of_sentinel(value: Value, sentinel: Sentinel) -> int | float:
 def _present(path: str, value: Value, entered: str, number: float) -> float:
     """A quantity as a number of the type of a value. Raises MeaningError for one that would be sent as a sentinel."""
     try:
-        (sent,) = struct.unpack(f">{value.type.letter}", struct.pack(f">{value.type.letter}", number))
+        (sent_number,) = struct.unpack(f">{value.type.letter}", struct.pack(f">{value.type.letter}", number))
     except OverflowError:
         return number
-    absent = value.sentinel(sent)
+    absent = value.sentinel(sent_number)
     if absent is not None:
-        raise MeaningError(path, f"`{entered}` would be sent as {sent!r}, {_meant(absent)}")
+        raise MeaningError(path, f"`{entered}` would be sent as {sent_number!r}, {_sentinel_help(absent)}")
     return number
 
 
-def _meant(absent: Sentinel) -> str:
+def _sentinel_help(absent: Sentinel) -> str:
     return f"which stands for {absent.name}; write `{absent.name}` if you mean that"
 
 
-def _near(value: Value, quantity: Fraction) -> str:
+def _nearest_text(value: Value, quantity: Fraction) -> str:
     """The quantities of the counts beside one that has none; these counts, where they are no decimal numbers."""
     from fractions import Fraction
 
@@ -205,13 +205,13 @@ def _near(value: Value, quantity: Fraction) -> str:
     if not isinstance(value.scale, Decimal):
         return f"; the nearest counts are {floor(count)} and {ceil(count)}"
     quantities = sorted(value.in_unit(whole).normalize(_EXACT) for whole in (floor(count), ceil(count)))
-    below, above = (f"{near:f}{value.unit}" if value.unit else point_text(near) for near in quantities)
+    below, above = (f"{neighbour:f}{value.unit}" if value.unit else point_text(neighbour) for neighbour in quantities)
     offset = f"; it has the offset {value.offset:f} {value.unit}".rstrip() if value.offset else ""
     return f"; the nearest ones are {below} and {above}{offset}"
 
 
 def _example(value: Value) -> str:
-    """What a number of a value without a unit has to look like if it is no count, where the value has a scale."""
+    """The hint that a scaled number needs a decimal point; empty for a value without a scale."""
     return ", or the scaled number with a decimal point, such as 2.0" if value.scaled else ""
 
 
@@ -219,7 +219,7 @@ def _is_count(entered: object) -> bool:
     return isinstance(entered, str) and count_of(entered) is not None
 
 
-def _text(device: Device, path: str, value: Value, entered: str) -> int:
+def _raw_of_text(device: Device, path: str, value: Value, entered: str) -> int:
     """The raw value of a count, a member's name, a sentinel's name, or a quantity with its unit."""
     count = count_of(entered)
     if count is not None:
@@ -236,10 +236,10 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
         raw = value.from_unit(quantity)
         if raw is None:
             text = f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}".rstrip()
-            raise MeaningError(path, f"{text}{_near(value, quantity)}")
+            raise MeaningError(path, f"{text}{_nearest_text(value, quantity)}")
         absent = value.sentinel(raw)
         if absent is not None:
-            raise MeaningError(path, f"`{entered}` would be the count {raw}, {_meant(absent)}")
+            raise MeaningError(path, f"`{entered}` would be the count {raw}, {_sentinel_help(absent)}")
         return raw
     if value.enum:
         names = ", ".join(member.name for member in device.enums[value.enum].members)
@@ -270,11 +270,13 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
         names.add(name)
         number = 1
         if setting:
-            number = _text(device, f"{path}.{name}", bit.as_value, setting)
+            number = _raw_of_text(device, f"{path}.{name}", bit.as_value, setting)
         if not bit.low <= number <= bit.high:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
         word = word & ~bit.mask | (number << bit.first) & bit.mask
-    missing = next((needed for needed in needed_bits(flags, device.enums) if names.isdisjoint(needed.names)), None)
+    missing = next(
+        (required for required in needed_bits(flags, device.enums) if names.isdisjoint(required.names)), None
+    )
     if missing is not None:
         own = missing.bit.name
         raise MeaningError(path, f"`{own}` is not given, and its {missing.reason}; give `{own}=`, or the whole word")

@@ -41,9 +41,9 @@ class Span:
 class WidthError(ValueError):
     """Bytes that are not those of a record: the reason, the field, and the place."""
 
-    def __init__(self, reason: str, name: str, at: int) -> None:
-        super().__init__(f"{reason}: {name} at byte {at}")
-        self.reason, self.name, self.at = reason, name, at
+    def __init__(self, reason: str, name: str, offset: int) -> None:
+        super().__init__(f"{reason}: {name} at byte {offset}")
+        self.reason, self.name, self.at = reason, name, offset
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,19 +58,19 @@ class Extent:
 def extents(spans: tuple[Span, ...], data: bytes) -> list[Extent]:
     """The fields of a record as far as the data go: the last one may lack bytes, or its end."""
     known: list[Extent] = []
-    at = 0
+    start = 0
     for span in spans:
-        stop = _stop(span, data, at, known)
+        stop = _stop(span, data, start, known)
         if stop is None:
             return known
-        piece = data[at:stop]
+        piece = data[start:stop]
         image = piece if span.value is None else widened(span.value, piece)
-        known.append(Extent(at, stop, image))
+        known.append(Extent(start, stop, image))
         if span.count is not None:
             count = known[span.count]
             whole = (span.size + span.plus).to_bytes(count.stop - count.start, span.order)
             known[span.count] = Extent(count.start, count.stop, whole)
-        at = stop
+        start = stop
     return known
 
 
@@ -83,16 +83,16 @@ def _text_bytes(span: Span, data: bytes, known: list[Extent]) -> int | None:
     return number if 0 <= number <= span.value.width else None
 
 
-def _stop(span: Span, data: bytes, at: int, known: list[Extent]) -> int | None:
+def _stop(span: Span, data: bytes, start: int, known: list[Extent]) -> int | None:
     """Where a field ends that begins at a byte; None where its bytes, its number of bytes, or its end, are missing."""
     if span.value is None:
-        return at + span.size if at + span.size <= len(data) else None
+        return start + span.size if start + span.size <= len(data) else None
     if span.count is not None:
         number = _text_bytes(span, data, known)
-        return None if number is None or at + number > len(data) else at + number
+        return None if number is None or start + number > len(data) else start + number
     if span.end is None:
         return len(data)
-    stop = data.find(span.end, at)
+    stop = data.find(span.end, start)
     return None if stop < 0 else stop
 
 
@@ -124,12 +124,12 @@ def image_with_counts(spans: tuple[Span, ...], data: bytes, fields: list[Extent]
 
 
 def data_of(spans: tuple[Span, ...], image: bytes) -> bytes:
-    """What is sent of an image. Raises WidthError for a text that has the byte which would end it."""
+    """The bytes that are sent for an image. Raises WidthError for a text that contains the byte which ends it."""
     pieces: list[bytes] = []
-    at = 0
+    offset = 0
     for span in spans:
-        piece = image[at : at + span.size]
-        at += span.size
+        piece = image[offset : offset + span.size]
+        offset += span.size
         if span.value is not None:
             piece = narrowed(span.value, piece)
             if span.end is not None and span.end in piece:
@@ -140,12 +140,12 @@ def data_of(spans: tuple[Span, ...], image: bytes) -> bytes:
     return b"".join(pieces)
 
 
-def place_in_data(spans: tuple[Span, ...], fields: list[Extent], at: int) -> int:
+def place_in_data(spans: tuple[Span, ...], fields: list[Extent], offset: int) -> int:
     """The byte in the data for a byte of the image."""
     first = 0
     for span, extent in zip(spans, fields, strict=True):
-        if at < first + span.size:
-            return extent.start + (at - first if span.value is None else 0)
+        if offset < first + span.size:
+            return extent.start + (offset - first if span.value is None else 0)
         first += span.size
     return fields[-1].stop if fields else 0
 
@@ -170,7 +170,7 @@ def widened(value: Value, piece: bytes) -> bytes | None:
 
 
 def narrowed(value: Value, image: bytes) -> bytes:
-    """What is sent of the bytes of a value in the image: no leading zeros, and a sign only below zero."""
+    """The bytes that are sent for a value in an image: no leading zeros, and a sign only below zero."""
     if not value.digits:
         return image.rstrip(b"\0")
     digits = image[1:] if has_sign(value) else image

@@ -35,7 +35,7 @@ class Checksum:
 
     @property
     def size(self) -> int:
-        """The bytes of the result."""
+        """The number of bytes of the result."""
         return (self.width + 7) // 8
 
     @property
@@ -171,8 +171,8 @@ def combined(checksum: Checksum, data: bytes, order: str) -> int:
     size, number = checksum.unit_size, checksum.initial
     filled = data + bytes(-len(data) % size)
     units = [
-        int.from_bytes(filled[at : at + size], "little" if order == "little" else "big")
-        for at in range(0, len(filled), size)
+        int.from_bytes(filled[offset : offset + size], "little" if order == "little" else "big")
+        for offset in range(0, len(filled), size)
     ]
     if checksum.method == "fletcher":
         half, modulus = checksum.width // 2, checksum.modulus

@@ -191,10 +191,10 @@ class Device:
 
     def sets(self, name: str) -> list[ParameterSet]:
         """The parameter set with a name, or all sets of the address space with that name."""
-        named = self.parameters.get(name)
+        single = self.parameters.get(name)
         return (
-            [named]
-            if named is not None
+            [single]
+            if single is not None
             else [parameter_set for parameter_set in self.parameters.values() if parameter_set.space == name]
         )
 

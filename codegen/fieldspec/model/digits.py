@@ -128,8 +128,8 @@ def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
     """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
     text = data.lstrip(b" ")
     is_negative = value.type.signed and text.startswith(b"-")
-    behind = value.places + 1 if value.places else 0
-    whole = text[is_negative : max(len(text) - behind, 0)]
+    fraction_width = value.places + 1 if value.places else 0
+    whole = text[is_negative : max(len(text) - fraction_width, 0)]
     fraction = text[is_negative + len(whole) :]
     if not whole or (whole.startswith(b"0") and len(whole) > 1) or (value.places and not fraction.startswith(b".")):
         return None
@@ -174,5 +174,5 @@ def _varying_text(value: Digits, name: str) -> str:
     case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
     places = f", {value.places} place{'s' * (value.places != 1)} after a point" if value.places else ""
     sign = ", a sign below zero" if has_sign(value) else ""
-    least = 1 + (value.places + 1 if value.places else 0)
-    return f"{least} to {value.width} characters: {name} digits{case}{places}{sign}"
+    minimum = 1 + (value.places + 1 if value.places else 0)
+    return f"{minimum} to {value.width} characters: {name} digits{case}{places}{sign}"

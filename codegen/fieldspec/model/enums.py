@@ -142,12 +142,12 @@ class Bit(Fact):
         return self.signed or bool(self.unit) or self.scale != 1 or self.offset != 0
 
     def number_in(self, word: int) -> int:
-        """Its number in a word."""
+        """The number that the bit field has in a word."""
         number = (word & self.mask) >> self.first
         return number - (1 << self.width) if self.signed and number >> (self.width - 1) else number
 
     def reason_to_give(self, enum: Enum | None) -> str:
-        """Why a word cannot have 0 here without a word: what 0 is; empty where it is 0, and for what has a default."""
+        """The reason why users must state the bit: the meaning of its 0; empty where it has none, or a default."""
         if self.reserved or self.default is not None:
             return ""
         if self.ranges is not None and 0 not in self.ranges:
@@ -163,7 +163,7 @@ class Bit(Fact):
 
     @property
     def mask(self) -> int:
-        """The bits in the word."""
+        """The word in which all bits of the field, and only these, are 1."""
         return ((1 << self.width) - 1) << self.first
 
 

@@ -48,18 +48,18 @@ class Escape:
 
     @property
     def flags(self) -> int:
-        """What the four bytes of the identifier have besides its bits."""
+        """The bits of the four bytes of the identifier that are not its own."""
         return CAN_EXTENDED if self.bits > CAN_BITS[0] else 0
 
     def packed(self, data: bytes) -> int | None:
         """The four bytes of the identifier for the bytes of its parts; None for a number that has too many bits."""
-        identifier, at = self.flags, 0
+        identifier, offset = self.flags, 0
         for size, order, first, width in self.fields:
-            number = int.from_bytes(data[at : at + size], "little" if order == "little" else "big")
+            number = int.from_bytes(data[offset : offset + size], "little" if order == "little" else "big")
             if number >> width:
                 return None
             identifier |= number << first
-            at += size
+            offset += size
         return identifier
 
     def unpacked(self, identifier: int) -> bytes:
@@ -78,19 +78,19 @@ class Escape:
             return 4
         return 5 if any(data[5:CAN_HEADER]) else None
 
-    def header_fault(self, data: bytes, at: int) -> str:
+    def header_fault(self, data: bytes, offset: int) -> str:
         """What is wrong with a CAN frame at an offset that `wrong_header` returns."""
-        if at == 4 and data[4] != len(data) - CAN_HEADER:
+        if offset == 4 and data[4] != len(data) - CAN_HEADER:
             return f"byte 4 says {data[4]} bytes of data, but there are {len(data) - CAN_HEADER}"
-        if at == 4:
+        if offset == 4:
             return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
-        if at == 5:
+        if offset == 5:
             return "the three bytes behind the number of the data are not zero"
         return f"it is no CAN frame with an identifier of {self.bits} bits"
 
-    def byte_text(self, at: int) -> str:
-        """`byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts."""
-        return f"byte {at - self.fields_size} of the data" if self.method == "can" else f"byte {at}"
+    def byte_text(self, position: int) -> str:
+        """`byte 4`, or `byte 2 of the data` of a CAN frame, for a position among the bytes of all parts."""
+        return f"byte {position - self.fields_size} of the data" if self.method == "can" else f"byte {position}"
 
     def most(self, size: int) -> int:
         """The most bytes that are sent for `size` bytes."""
@@ -109,13 +109,14 @@ class Escape:
             places = ", ".join(f"{first}..{last}" if first < last else str(first) for first, last in ends)
             return f"the first parts are the bits {places} of an identifier with {self.bits} bits"
         first, last = self.first and f"from {self.first}", self.last and f"to {self.last}"
-        where = " ".join(["", *(word for word in (first, last) if word)])
+        part_range = " ".join(["", *(word for word in (first, last) if word)])
         if self.method == "cobs":
-            return f"COBS{where}: no zero is sent, and each block begins with the distance to the next one"
+            return f"COBS{part_range}: no zero is sent, and each block begins with the distance to the next one"
         if self.method == "add":
-            return f"{self.inserted:02X} is added to each byte{where}"
+            return f"{self.inserted:02X} is added to each byte{part_range}"
         if self.method == "insert":
-            return f"{self.inserted:02X} is sent after each {self.pattern.hex(' ').upper()}{where}"
+            return f"{self.inserted:02X} is sent after each {self.pattern.hex(' ').upper()}{part_range}"
         return (
-            ", ".join(f"{byte:02X} is sent as {before:02X} {after:02X}" for byte, before, after in self.pairs) + where
+            ", ".join(f"{byte:02X} is sent as {before:02X} {after:02X}" for byte, before, after in self.pairs)
+            + part_range
         )

@@ -26,7 +26,7 @@ class Place:
 
     @property
     def whole(self) -> Span:
-        """The span of the fact."""
+        """The span of the whole fact, as opposed to one of its keys."""
         return self.stated.span
 
     @property
@@ -66,7 +66,7 @@ class Citation:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """What another place of the manual states of a fact, by key, and where that is."""
+    """The statement of a fact at another place of the manual, by key, and that place."""
 
     place: Place
     sources: tuple[Citation, ...]

@@ -55,7 +55,7 @@ class Part(Fact):
 
 @dataclass(frozen=True, slots=True)
 class ExceptionResponse:
-    """What marks an exception response, and the record in its body.
+    """The mark of an exception response, and the record in its body.
 
     The mark is the bits `flag` in the code of the request; or, where `flag` is 0, a `code` of its own, or a `part`
     before the body with a number that is not `normal`; or, where responses have no code, the constant of a `field` of
@@ -91,13 +91,13 @@ class ExceptionResponse:
         normal = merged(self.normal.intervals if self.normal is not None else ())
         if is_exception:
             return Ranges(tuple(hole for low, high in own for hole in uncovered(low, high, normal)))
-        both = [(max(low, first), min(high, last)) for low, high in own for first, last in normal]
-        return Ranges(tuple((low, high) for low, high in both if low <= high))
+        overlaps = [(max(low, first), min(high, last)) for low, high in own for first, last in normal]
+        return Ranges(tuple((low, high) for low, high in overlaps if low <= high))
 
 
 @dataclass(frozen=True, slots=True)
 class UnitAddresses:
-    """The addresses on the line."""
+    """The unit addresses that stations on a line may have."""
 
     place: Place
     ranges: Ranges | None
@@ -142,8 +142,8 @@ class Network:
     @property
     def ports(self) -> tuple[tuple[str, int], ...]:
         """The stated ports: `("tcp", 502)`."""
-        each = (("tcp", self.tcp), ("udp", self.udp))
-        return tuple((protocol, port) for protocol, port in each if port is not None)
+        protocol_ports = (("tcp", self.tcp), ("udp", self.udp))
+        return tuple((protocol, port) for protocol, port in protocol_ports if port is not None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

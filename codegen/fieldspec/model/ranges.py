@@ -84,7 +84,7 @@ def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
     pairs = []
     for part in text.split(", "):
         low, _, high = part.partition("..")
-        pairs.append((_number(low), _number(high or low)))
+        pairs.append((_bound_number(low), _bound_number(high or low)))
     return tuple(pairs)
 
 
@@ -104,5 +104,5 @@ def _whole(text: str) -> int:
     return int(text, 16) if "x" in text else int(text)
 
 
-def _number(text: str) -> Decimal:
+def _bound_number(text: str) -> Decimal:
     return Decimal(int(text, 16)) if "x" in text else Decimal(text)

@@ -16,7 +16,7 @@ _INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
 
 
 class SinglePrecision(float):
-    """A number of a floating-point value of four bytes, whose text has the fewest digits that lead to these bytes.
+    """A number of four bytes in floating point, printed with the fewest digits that read back as the same bytes.
 
     Its text is `50.02`; that of the same number as a double is `50.02000045776367`.
     """
@@ -52,7 +52,7 @@ def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | flo
     """
     in_order = data
     if swapped:
-        in_order = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+        in_order = b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
     big = (order == "big") != swapped
     if value.type.kind is Kind.FLOAT:
         number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]

@@ -145,7 +145,7 @@ class RegisterAccess:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The fields that it names."""
+        """The names of the fields that the access refers to."""
         return tuple(filter(None, (self.start, self.count, self.values, self.and_mask, self.or_mask)))
 
 

@@ -43,35 +43,35 @@ class RecordSizes:
             return tuple(sorted({case.value.size for case in field.choice.cases}))
         if field.value is not None:
             return () if field.value.width else (field.value.size,)
-        both = self._bounds.get(field.record)
-        return (both[0],) if both is not None and both[0] == both[1] and field.record not in self._open else ()
+        bounds = self._bounds.get(field.record)
+        return (bounds[0],) if bounds is not None and bounds[0] == bounds[1] and field.record not in self._open else ()
 
     def field(self, field: Field) -> tuple[int, int] | None:
         """The least and the most bytes of a field, None where nothing decides them."""
         if field.value is not None and field.value.width:
             return field.value.least_width, field.value.width
         sizes = self.elements(field)
-        both = (sizes[0], sizes[-1]) if sizes else self._bounds.get(field.record)
-        if both is None:
+        bounds = (sizes[0], sizes[-1]) if sizes else self._bounds.get(field.record)
+        if bounds is None:
             return None
         if field.repeat is not None:
-            return field.repeat.low * both[0], field.repeat.high * both[1]
-        return (field.count or 1) * both[0], (field.count or 1) * both[1]
+            return field.repeat.low * bounds[0], field.repeat.high * bounds[1]
+        return (field.count or 1) * bounds[0], (field.count or 1) * bounds[1]
 
     def bounds(self, record: Record) -> tuple[int, int] | None:
         """The least and the most bytes of a record, None where nothing decides them."""
-        least = most = 0
+        minimum = maximum = 0
         for field in record.fields:
-            both = self.field(field)
-            if both is None:
+            field_bounds = self.field(field)
+            if field_bounds is None:
                 return None
-            least, most = least + both[0], most + both[1]
-        return least, most
+            minimum, maximum = minimum + field_bounds[0], maximum + field_bounds[1]
+        return minimum, maximum
 
     def fixed(self, record: Record) -> int | None:
         """The bytes of a record that always has the same size, else None."""
-        both = self.bounds(record)
-        return both[0] if both is not None and both[0] == both[1] else None
+        bounds = self.bounds(record)
+        return bounds[0] if bounds is not None and bounds[0] == bounds[1] else None
 
     def has_tail(self, name: str) -> bool:
         """Whether a record has one size but for its last field, a list or a text that a field before it counts."""
@@ -87,19 +87,19 @@ class RecordSizes:
 
     def named(self, name: str) -> int | None:
         """The bytes of the record with a name, None unless it always has the same size."""
-        both = self._bounds.get(name)
-        return both[0] if both is not None and both[0] == both[1] else None
+        bounds = self._bounds.get(name)
+        return bounds[0] if bounds is not None and bounds[0] == bounds[1] else None
 
     def offsets(self, record: Record) -> list[tuple[Field, int]]:
         """The fields of a record with their offsets in bytes, as far as the fields before them are fixed."""
-        at = 0
+        offset = 0
         placed = []
         for field in record.fields:
-            placed.append((field, at))
-            both = self.field(field)
-            if both is None or both[0] != both[1]:
+            placed.append((field, offset))
+            bounds = self.field(field)
+            if bounds is None or bounds[0] != bounds[1]:
                 break
-            at += both[0]
+            offset += bounds[0]
         return placed
 
 
@@ -124,8 +124,8 @@ class Shape:
         """The bytes that a length part counts in a frame with `data` bytes of data."""
         parts = self.link.parts(self.direction)
         first, last = self.link.span(self.direction, part) or (0, len(parts) - 1)
-        inside = any(part.role == "body" for part in parts[first : last + 1])
-        return sum(part_size(part) for part in parts[first : last + 1]) + inside * data
+        has_body = any(part.role == "body" for part in parts[first : last + 1])
+        return sum(part_size(part) for part in parts[first : last + 1]) + has_body * data
 
 
 def coded(link: Link) -> bool:

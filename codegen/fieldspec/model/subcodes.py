@@ -68,7 +68,7 @@ def distinct_place(places: Sequence[Mapping[Place, Numbers]]) -> Place | None:
     """
     common = [place for place in places[0] if all(numbers.get(place) for numbers in places)]
     for place in sorted(common, key=lambda place: any(len(numbers[place]) > 1 for numbers in places)):
-        every = [number for numbers in places for number in numbers[place]]
-        if len(set(every)) == len(every):
+        all_numbers = [number for numbers in places for number in numbers[place]]
+        if len(set(all_numbers)) == len(all_numbers):
             return place
     return None

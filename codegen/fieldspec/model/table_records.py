@@ -40,14 +40,14 @@ def table_records(device: Device) -> dict[str, list[TableRecord]]:
     return result
 
 
-def _inner(device: Device, outer: TableRecord, seen: set[tuple[str, str]]) -> Iterator[TableRecord]:
+def _inner(device: Device, outer: TableRecord, visited: set[tuple[str, str]]) -> Iterator[TableRecord]:
     record: Record | None = device.records.get(outer.record)
     for field in record.fields if record is not None else ():
         access = narrowed(outer.access, field.access)
-        if not field.record or (field.record, access) in seen:
+        if not field.record or (field.record, access) in visited:
             continue
-        seen.add((field.record, access))
+        visited.add((field.record, access))
         place = field.place if field.access else outer.place
         use = TableRecord(outer.table, field.record, f"{outer.name}.{field.name}", access, place)
         yield use
-        yield from _inner(device, use, seen)
+        yield from _inner(device, use, visited)

@@ -88,9 +88,9 @@ class Task(Fact):
 
     def arguments(self) -> Iterator[str]:
         """The arguments that the user of the task chooses, each once, in the order of the steps."""
-        seen: set[str] = set()
+        earlier: set[str] = set()
         for step in self.steps:
             for name in (step.argument, *step.arguments.values()):
-                if name and name not in seen:
-                    seen.add(name)
+                if name and name not in earlier:
+                    earlier.add(name)
                     yield name

@@ -61,7 +61,7 @@ class TextForm:
         if self.terminator is not None:
             end = chr(self.terminator).encode(codec)
             places = range(0, len(data) - self.unit + 1, self.unit)
-            return next((data[:at] for at in places if data[at : at + self.unit] == end), None)
+            return next((data[:place] for place in places if data[place : place + self.unit] == end), None)
         padding = chr(self.padding).encode(codec)
         first, last = 0, len(data)
         while not self.is_right and last > first and data[last - self.unit : last] == padding:
@@ -73,7 +73,7 @@ class TextForm:
 
 def turned_words(data: bytes) -> bytes:
     """Words of 16 bits with the two bytes of each exchanged."""
-    return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+    return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
 
 
 def text_form(encoding: str, padding: str, align: str, terminator: int | None, byte_order: str) -> TextForm | None:

@@ -138,7 +138,7 @@ class LookupColumn:
 
 @dataclass(frozen=True, slots=True)
 class LookupRow:
-    """A cell for each column."""
+    """A row of a lookup table: one cell for each column."""
 
     place: Place
     cells: tuple[ScalarValue, ...]
@@ -159,7 +159,7 @@ class Lookup(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """What one place of the manual states of a subject: it applies `always`, `sometimes` or `never`."""
+    """The statement of one place of the manual on a subject: it applies `always`, `sometimes` or `never`."""
 
     place: Place
     subject: str

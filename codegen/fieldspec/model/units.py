@@ -62,7 +62,7 @@ class DeclaredUnit(Fact):
 
     @property
     def unit(self) -> Unit:
-        """The unit itself."""
+        """The declared unit as conversions take it, without its place."""
         return Unit(self.symbol, self.title, self.quantity, self.ucum, self.factor, word=self.name)
 
 

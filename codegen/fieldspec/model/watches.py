@@ -74,8 +74,8 @@ def before_effect(task: Task) -> int:
 
 def is_query(task: Task, index: int) -> bool:
     """Whether a step sends a message only to look at its response."""
-    step, behind = task.steps[index], task.steps[index + 1 : index + 2]
-    looks = bool(behind) and behind[0].action in ("wait", "read")
+    step, following = task.steps[index], task.steps[index + 1 : index + 2]
+    looks = bool(following) and following[0].action in ("wait", "read")
     return step.action == "send" and not step.values and not step.arguments and looks
 
 
@@ -120,12 +120,12 @@ def conditions(operands: Operands, task: Task, index: int, message: str = "") ->
     """
     if shows_acceptance(operands, task.steps[index], message):
         return (task.steps[index],)
-    together: list[Step] = []
+    waits: list[Step] = []
     for step in task.steps[index:]:
         if step.action != "wait" or shows_acceptance(operands, step, message):
             break
-        together.append(step)
-    return tuple(together)
+        waits.append(step)
+    return tuple(waits)
 
 
 def needs_begin(task: Task, index: int, accepted: int) -> bool:
@@ -136,8 +136,8 @@ def needs_begin(task: Task, index: int, accepted: int) -> bool:
     if task.kind not in MOVING or task.kind in LASTING or index <= accepted:
         return False
     steps = task.steps[index:]
-    behind = next((number for number, step in enumerate(steps) if step.action != "wait"), len(steps))
-    is_last = all(step.action != "wait" for step in steps[behind:])
+    stop = next((number for number, step in enumerate(steps) if step.action != "wait"), len(steps))
+    is_last = all(step.action != "wait" for step in steps[stop:])
     proved = task.kind in ("move_absolute", "move_relative") and any(step.argument for step in steps)
     begun = any(step.action == "wait" for step in task.steps[accepted + 1 : index])
     return is_last and not proved and not begun
@@ -155,11 +155,11 @@ def end_steps(task: Task) -> tuple[int, int] | None:
         if last <= first:
             raise ValueError("no step ends it")
         return first, last
-    for at, step in enumerate(task.steps):
+    for index, step in enumerate(task.steps):
         if step.action == "set":
-            for later in range(at + 1, len(task.steps)):
+            for later in range(index + 1, len(task.steps)):
                 if (task.steps[later].action, task.steps[later].target) == ("clear", step.target):
-                    return at, later
+                    return index, later
     return None
 
 

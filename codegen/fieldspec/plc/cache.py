@@ -17,7 +17,7 @@ def cached(make: Callable[[DeviceLayout], Result]) -> Callable[[DeviceLayout], R
 
     Layouts never change, and the outputs of one device are built one after the other.
     """
-    results: ByIdentity[DeviceLayout, Result] = ByIdentity(most=1)
+    results: ByIdentity[DeviceLayout, Result] = ByIdentity(limit=1)
 
     @wraps(make)
     def cached_result(layout: DeviceLayout) -> Result:

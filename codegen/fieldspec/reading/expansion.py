@@ -53,9 +53,9 @@ class _Expansion:
 
     def __init__(self, tree: Mapping) -> None:
         self.findings: list[Diagnostic] = []
-        self.signals = _named(tree.values.get("signals"))
-        self.flags = _named(tree.values.get("flags"))
-        self.enums = _named(tree.values.get("enums"))
+        self.signals = _mappings_by_name(tree.values.get("signals"))
+        self.flags = _mappings_by_name(tree.values.get("flags"))
+        self.enums = _mappings_by_name(tree.values.get("enums"))
 
     def message(self, message: Mapping) -> Mapping:
         """The message, with the keys of signals in the fields that place them."""
@@ -112,7 +112,7 @@ class _Expansion:
         originals = (
             [row for row in group_rows.items if isinstance(row, Mapping)] if isinstance(group_rows, Sequence) else []
         )
-        prints = self._prints(copy, _named(group_rows))
+        prints = self._prints(copy, _mappings_by_name(group_rows))
         prefix, base = _scalar(copy, "prefix").text, _scalar(copy, "base")
         first = _integer(originals[0].values.get("at")) if originals else 0
         rows = []
@@ -121,15 +121,15 @@ class _Expansion:
             printed = prints.get(name, {})
             row = Mapping(copy.file, copy.start, copy.end, {})
             if printed:
-                some = next(iter(printed.values()))
-                row = replace(row, start=some.start, end=some.end)
+                printed_node = next(iter(printed.values()))
+                row = replace(row, start=printed_node.start, end=printed_node.end)
             for key, value in original.values.items():
                 if key not in _NOT_COPIED:
                     row = row.with_value(key, value)
-            at = _integer(original.values.get("at")) - first + _integer(base)
+            address = _integer(original.values.get("at")) - first + _integer(base)
             row = row.with_value("name", _scalar_like(base, f"{prefix}_{name}"))
             row = row.with_value("copy_of", _scalar_like(base, name))
-            row = row.with_value("at", _scalar_like(base, at))
+            row = row.with_value("at", _scalar_like(base, address))
             for key in ("access", "trigger", "inferred"):
                 inherited = copy.values.get(key) or original.values.get(key)
                 if inherited is not None:
@@ -162,14 +162,14 @@ class _Expansion:
                 prints[name] = {key: value for key, value in row.values.items() if key != "of"}
         return prints
 
-    def _known(self, name: Node | None, have: dict[str, Mapping], what: str) -> Mapping | None:
+    def _known(self, name: Node | None, known: dict[str, Mapping], kind: str) -> Mapping | None:
         """The mapping that a reference names; one that names nothing is a finding."""
         if not isinstance(name, Scalar):
             return None
-        if name.text not in have:
-            text = f"there is no {what} `{name.text}`"
-            self.findings.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, have)))
-        return have.get(name.text)
+        if name.text not in known:
+            text = f"there is no {kind} `{name.text}`"
+            self.findings.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, known)))
+        return known.get(name.text)
 
 
 def _elsewhere(defaults: Node) -> Node:
@@ -185,7 +185,7 @@ def _change_each(items: Sequence, change: object) -> Sequence:
     return replace(items, items=tuple(change(item) if isinstance(item, Mapping) else item for item in items.items))
 
 
-def _named(items: Node | None) -> dict[str, Mapping]:
+def _mappings_by_name(items: Node | None) -> dict[str, Mapping]:
     """The mappings of a list by name."""
     nodes = items.items if isinstance(items, Sequence) else ()
     return {name: item for item in nodes if isinstance(item, Mapping) and (name := identity(item)) is not None}
@@ -193,8 +193,8 @@ def _named(items: Node | None) -> dict[str, Mapping]:
 
 def _masks(flags: Mapping) -> Iterator[Mapping]:
     """A member for each bit that has a name: its value is the mask, whichever end the manual counts the bits from."""
-    bits, most = flags.values.get("bits"), flags.values.get("bit_0")
-    highest = int(_scalar(flags, "type").text[1:]) - 1 if isinstance(most, Scalar) and most.text == "most" else None
+    bits, bit_0 = flags.values.get("bits"), flags.values.get("bit_0")
+    highest = int(_scalar(flags, "type").text[1:]) - 1 if isinstance(bit_0, Scalar) and bit_0.text == "most" else None
     for bit in bits.items if isinstance(bits, Sequence) else ():
         if not isinstance(bit, Mapping) or "name" not in bit.values or "bit" not in bit.values:
             continue
@@ -213,11 +213,11 @@ def _numbers(enum: Mapping) -> Iterator[Mapping]:
             yield _member(member, member.values["number"])
 
 
-def _member(of: Mapping, value: Node) -> Mapping:
-    member = Mapping(of.file, of.start, of.end, {})
+def _member(bit: Mapping, value: Node) -> Mapping:
+    member = Mapping(bit.file, bit.start, bit.end, {})
     for key in ("name", "printed_name", "label", "doc", "source", "since", "until", "only"):
-        if key in of.values:
-            member = member.with_value(key, of.values[key])
+        if key in bit.values:
+            member = member.with_value(key, bit.values[key])
     return member.with_value("value", value)
 
 

@@ -93,8 +93,8 @@ def bounded(findings: list[Diagnostic]) -> list[Diagnostic]:
     if len(findings) <= MOST_FINDINGS:
         return findings
     text = f"more than {MOST_FINDINGS} findings; the rest is not listed"
-    more = Diagnostic("too_many_findings", text, findings[MOST_FINDINGS].span, help="correct the first findings")
-    return [*findings[:MOST_FINDINGS], more]
+    remark = Diagnostic("too_many_findings", text, findings[MOST_FINDINGS].span, help="correct the first findings")
+    return [*findings[:MOST_FINDINGS], remark]
 
 
 def quoted(text: str) -> str:
@@ -107,10 +107,10 @@ def synonym(word: str, known: Collection[str]) -> str:
     return next((key for key in SYNONYMS.get(word.lower(), ()) if key in known), "")
 
 
-def near(word: str, known: Collection[str], about: str = "") -> str:
+def near(word: str, known: Collection[str], description: str = "") -> str:
     """The help for an unknown word: the known word that is probably meant, or all known words.
 
-    Where these are too many to be listed, `about` says what they are.
+    Where these are too many to be listed, `description` says what they are.
     """
     from difflib import get_close_matches
 
@@ -123,8 +123,8 @@ def near(word: str, known: Collection[str], about: str = "") -> str:
     close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []
     if close:
         return f"did you mean `{close[0]}`?"
-    if about and len(known) > _MOST_NAMES:
-        return about
+    if description and len(known) > _MOST_NAMES:
+        return description
     names = [f"`{name}`" for name in sorted(known)]
-    more = "" if len(names) <= _MOST_NAMES else ", ..."
-    return "it can be " + ", ".join(names[:_MOST_NAMES]) + more if names else "there is none"
+    ending = "" if len(names) <= _MOST_NAMES else ", ..."
+    return "it can be " + ", ".join(names[:_MOST_NAMES]) + ending if names else "there is none"

@@ -12,10 +12,10 @@ _WITH_POLYNOMIAL = re.compile(r"crc[-_]?([0-9]{1,2})[-_](?:0x)?([0-9a-f]{1,16})"
 
 def algorithm_help(text: str, known: Collection[str]) -> str:
     """The CRCs with the polynomial that a name holds, as it is or with its bits reversed; empty where it holds none."""
-    named = _WITH_POLYNOMIAL.fullmatch(text)
-    if named is None:
+    match = _WITH_POLYNOMIAL.fullmatch(text)
+    if match is None:
         return ""
-    width, polynomial = int(named[1]), int(named[2], 16)
+    width, polynomial = int(match[1]), int(match[2], 16)
     mirrored = int(f"{polynomial:0{width}b}"[::-1], 2) if polynomial < 1 << width else -1
     for number in (polynomial, mirrored):
         alike = [

@@ -47,6 +47,6 @@ def _ranges(text: str) -> str:
 
 @lru_cache(maxsize=1)
 def _patterns() -> dict[str, Callable[[str], str]]:
-    """What brings a text into the form of a pattern."""
+    """The help for a text that does not match a pattern."""
     parts = schema()["$defs"]
     return {parts["name"]["pattern"]: _name, parts["ranges"]["pattern"]: _ranges}

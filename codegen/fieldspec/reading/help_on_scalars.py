@@ -49,5 +49,5 @@ def _characters_help(text: str) -> str:
     if not 0 < len(text) <= _MOST_CHARACTERS or not text.isascii() or not text.isprintable() or text.isdecimal():
         return ""
     number = int.from_bytes(text.encode("ascii"), "big")
-    sent = "the character is" if len(text) == 1 else "the characters are, the first one highest,"
-    return f"{sent} the number `0x{number:02X}`: write that"
+    subject = "the character is" if len(text) == 1 else "the characters are, the first one highest,"
+    return f"{subject} the number `0x{number:02X}`: write that"

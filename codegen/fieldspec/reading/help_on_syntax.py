@@ -24,14 +24,14 @@ _HELP = (
 )
 
 
-def syntax_help(problem: str, text: str, at: int) -> str:
+def syntax_help(problem: str, text: str, offset: int) -> str:
     """The help for a message of the parser about a place of a text; empty for messages that nobody has met."""
     if "cannot start any token" in problem:
-        word = re.match(r"[^\s,}\]]*", text[at:])
-        quoted = word[0] if word is not None else text[at : at + 1]
-        return f'a text cannot begin with `{text[at : at + 1]}`: quote it, as in `"{quoted}"`'
+        word = re.match(r"[^\s,}\]]*", text[offset:])
+        quoted = word[0] if word is not None else text[offset : offset + 1]
+        return f'a text cannot begin with `{text[offset : offset + 1]}`: quote it, as in `"{quoted}"`'
     if "mapping values are not allowed" in problem:
-        line = text[text.rfind("\n", 0, at) + 1 : at]
+        line = text[text.rfind("\n", 0, offset) + 1 : offset]
         if ": " in line:
             return (
                 "a text with `: ` needs quotes around it, as in `doc: 'a: b'`; one line has one key outside of braces"

@@ -33,7 +33,7 @@ class Scalar:
 
 @dataclass(slots=True)
 class Sequence:
-    """A list of nodes."""
+    """A list of nodes with its place in a file."""
 
     file: SourceFile
     start: int
@@ -118,7 +118,7 @@ def mappings(node: Node | None) -> Iterator[Mapping]:
 
 
 def copied(node: Node) -> Node:
-    """The same node once more, so that it can be typed in another way."""
+    """A copy of a node, so that it can be typed by another part of the schema."""
     if isinstance(node, Scalar):
         return Scalar(node.file, node.start, node.end, node.text, node.quoted, node.value)
     if isinstance(node, Sequence):
@@ -152,23 +152,23 @@ Change = Callable[[Node], Node | None]
 
 def find(node: Node, path: str) -> Node | None:
     """The node at a path, None if there is none."""
-    at: Node | None = node
+    current: Node | None = node
     for step in path.split("/"):
-        if at is None:
+        if current is None:
             return None
-        at = _step(at, step)
-    return at
+        current = _step(current, step)
+    return current
 
 
 def keys(node: Node, path: str) -> list[str | int] | None:
     """The keys and numbers that lead to the node at a path, or None if there is no node."""
-    at: Node = node
+    current: Node = node
     path_keys: list[str | int] = []
     for step in path.split("/"):
-        steps = _keys(at, step)
+        steps = _keys(current, step)
         if steps is None:
             return None
-        at = node_at(at, steps)
+        current = node_at(current, steps)
         path_keys += steps
     return path_keys
 
@@ -194,27 +194,27 @@ def _keys(node: Node, step: str) -> list[str | int] | None:
     return None
 
 
-def node_at(node: Node, at: list[str | int]) -> Node:
+def node_at(node: Node, node_keys: list[str | int]) -> Node:
     """The node at some keys."""
-    for key in at:
+    for key in node_keys:
         node = node.items[key] if isinstance(node, Sequence) else node.values[key]  # type: ignore[index, union-attr]
     return node
 
 
-def schema_path(at: list[str | int]) -> tuple[str, ...]:
+def schema_path(node_keys: list[str | int]) -> tuple[str, ...]:
     """The keys of the part of the schema that describes the node at some keys of a tree."""
     path: list[str] = []
-    for key in at:
+    for key in node_keys:
         path += ["items"] if isinstance(key, int) else ["properties", key]
     return tuple(path)
 
 
-def put(node: Node, at: list[str | int], new: Node | None) -> Node:
+def put(node: Node, node_keys: list[str | int], new: Node | None) -> Node:
     """The tree with another node at some keys, or without the item of a list that is there."""
-    if not at:
+    if not node_keys:
         assert new is not None
         return new
-    key, *rest = at
+    key, *rest = node_keys
     if isinstance(node, Sequence) and isinstance(key, int):
         if new is None and not rest:
             items = (*node.items[:key], *node.items[key + 1 :])

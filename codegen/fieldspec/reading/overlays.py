@@ -54,7 +54,7 @@ class Silent:
         self._known: ByIdentity[Node, bool] = ByIdentity()
 
     def __call__(self, node: Mapping | Sequence) -> bool:
-        """Whether a part refers to nothing."""
+        """Whether a part of a tree contains no key that refers to a fact."""
         if node in self._known:
             return True
         if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):
@@ -88,8 +88,8 @@ def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
     if not isinstance(own, Sequence) or not isinstance(head, Mapping):
         return tree
     entries = tuple(entry.with_value("since", head.values["id"]) for entry in mappings(own))
-    have = tree.values.get("accepts")
-    before = have.items if isinstance(have, Sequence) else ()
+    existing = tree.values.get("accepts")
+    before = existing.items if isinstance(existing, Sequence) else ()
     return tree.with_value("accepts", Sequence(own.file, own.start, own.end, (*before, *entries)))
 
 
@@ -116,7 +116,7 @@ class _Application:
     def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
         self.findings.append(Diagnostic(code, text, node.span, labels, help))
 
-    def _at(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
+    def _keys_and_fact(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
         """The keys of the fact that an entry is about, and the fact. A missing fact is a finding."""
         path = entry.values[key]
         assert isinstance(path, Scalar)
@@ -125,8 +125,8 @@ class _Application:
             text = f"`{section}` is that of the device, not of a version"
             self._refuse("overlay_fact_missing", text, path, "change it in the files of the device")
             return None
-        at = keys(self.tree, path.text)
-        if at is None:
+        node_keys = keys(self.tree, path.text)
+        if node_keys is None:
             self._refuse(
                 "overlay_fact_missing",
                 f"there is no fact {quoted(path.text)} in the base version",
@@ -134,25 +134,25 @@ class _Application:
                 _near_path(self.tree, path.text),
             )
             return None
-        return at, node_at(self.tree, at)
+        return node_keys, node_at(self.tree, node_keys)
 
-    def _put(self, at: list[str | int], new: Node | None) -> None:
-        tree = put(self.tree, at, new)
+    def _put(self, node_keys: list[str | int], new: Node | None) -> None:
+        tree = put(self.tree, node_keys, new)
         assert isinstance(tree, Mapping)
         self.tree = tree
 
     def change(self, entry: Mapping) -> None:
         """Sets keys of a fact, if they have the values that the entry expects."""
-        place = self._at(entry)
+        place = self._keys_and_fact(entry)
         if place is None:
             return
-        at, fact = place
+        node_keys, fact = place
         if not isinstance(fact, Mapping):
             self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name a fact, not a list")
             return
         keys_set = entry.values["set"]
         assert isinstance(keys_set, Mapping)
-        if at == ["device"] and "id" in keys_set.values:
+        if node_keys == ["device"] and "id" in keys_set.values:
             text = "all versions have the id of the device"
             self._refuse("id_matches_path", text, keys_set.values["id"], "remove `id`")
             return
@@ -161,7 +161,7 @@ class _Application:
             assert isinstance(pair, Mapping)
             was, now = pair.values["was"], pair.values["is"]
             old = fact.values.get(key)
-            if not self._was(key, was, old, fact, at):
+            if not self._was(key, was, old, fact, node_keys):
                 sound = False
             elif _is_same_node(was, now):
                 text = f"`{key}` does not change"
@@ -172,71 +172,71 @@ class _Application:
             else:
                 new = new.with_entry(key, now, keys_set)
         if sound:
-            self._typed(at, new)
+            self._typed(node_keys, new)
 
-    def _was(self, key: str, was: Node, old: Node | None, fact: Node, at: list[str | int]) -> bool:
+    def _was(self, key: str, was: Node, old: Node | None, fact: Node, node_keys: list[str | int]) -> bool:
         """Whether a key had the value that an entry expects; if not, a finding shows both places."""
         if _absent(was) and old is None:
             return True
-        part = schema_path(at)
+        part = schema_path(node_keys)
         known = key in part_at(part).get("properties", {})
         if not known:
             return True  # the schema says that there is no such key
         if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
             return True
-        have = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
-        text = f"`{key}` {have} in the base version, not {quoted(_node_text(was))}"
+        state = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
+        text = f"`{key}` {state} in the base version, not {quoted(_node_text(was))}"
         label = Label((old or fact).span, "the value in the base version")
         self._refuse(
             "overlay_base_differs", text, was, "the base has changed: look at both places, and correct `was`", label
         )
         return False
 
-    def _typed(self, at: list[str | int], new: Mapping) -> None:
+    def _typed(self, node_keys: list[str | int], new: Mapping) -> None:
         """Puts a mapping at some keys, typed by the schema."""
-        node, findings = typed_at(new, schema_path(at))
+        node, findings = typed_at(new, schema_path(node_keys))
         self.findings += findings
         if not findings:
-            self._put(at, node)
+            self._put(node_keys, node)
 
     def remove(self, entry: Mapping) -> None:
         """Takes a fact out of its list."""
-        place = self._at(entry)
+        place = self._keys_and_fact(entry)
         if place is None:
             return
         if not isinstance(place[0][-1], int):
             self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name an item of a list")
             return
-        at, fact = place
-        holder = node_at(self.tree, at[:2])
-        self._put(at, None)
+        node_keys, fact = place
+        holder = node_at(self.tree, node_keys[:2])
+        self._put(node_keys, None)
         path = entry.values["fact"]
         assert isinstance(path, Scalar)
         self.removed.append(RemovedFact(path, fact, holder))
 
     def rename(self, entry: Mapping) -> None:
         """Gives a fact another name, wherever the spec refers to it."""
-        place = self._at(entry)
+        place = self._keys_and_fact(entry)
         if place is None:
             return
-        at, fact = place
+        node_keys, fact = place
         to, path = entry.values["to"], entry.values["fact"]
         assert isinstance(to, Scalar)
         assert isinstance(path, Scalar)
         if not isinstance(fact, Mapping) or "name" not in fact.values:
             self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
             return
-        around = node_at(self.tree, at[:-1])
-        taken = next((item for item in mappings(around) if identity(item) == to.text), None)
-        if taken is not None:
+        holder = node_at(self.tree, node_keys[:-1])
+        existing = next((item for item in mappings(holder) if identity(item) == to.text), None)
+        if existing is not None:
             text = f"{quoted(to.text)} already exists"
-            same = taken is fact
+            same = existing is fact
             code = "overlay_changes_nothing" if same else "overlay_name_taken"
-            self._refuse(code, text, to, "use another name", Label(taken.span, "this one"))
+            self._refuse(code, text, to, "use another name", Label(existing.span, "this one"))
             return
         old = path.text.rpartition("/")[2]
-        self._put(at, fact.with_value("name", to))
-        renaming = _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(at) == 2)
+        self._put(node_keys, fact.with_value("name", to))
+        renaming = _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(node_keys) == 2)
         tree = _referring(self.tree, renaming, self.silent)
         assert isinstance(tree, Mapping)
         self.tree = tree
@@ -248,36 +248,38 @@ class _Application:
         assert isinstance(item, Mapping)
         if "source" in entry.values and "source" not in item.values:
             item = item.with_value("source", entry.values["source"])
-        at = keys(self.tree, path.text) if path.text.partition("/")[0] not in _OF_ALL_VERSIONS else None
-        if at is None and "/" not in path.text and path.text in _LISTS - _OF_ALL_VERSIONS:
+        node_keys = keys(self.tree, path.text) if path.text.partition("/")[0] not in _OF_ALL_VERSIONS else None
+        if node_keys is None and "/" not in path.text and path.text in _LISTS - _OF_ALL_VERSIONS:
             empty = Sequence(path.file, path.start, path.end, ())
             self.tree = self.tree.with_value(path.text, empty)
-            at = [path.text]
-        if at is None:
-            self._at(entry, "in")
+            node_keys = [path.text]
+        if node_keys is None:
+            self._keys_and_fact(entry, "in")
             return
-        node = node_at(self.tree, at)
+        node = node_at(self.tree, node_keys)
         if isinstance(node, Mapping):
             inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
             if inner is None:
                 self._refuse("overlay_fact_missing", "this is not a list of facts", path, "name a list of facts")
                 return
-            at, node = [*at, inner], node.values[inner]
+            node_keys, node = [*node_keys, inner], node.values[inner]
         assert isinstance(node, Sequence)
         name = identity(item)
-        taken = next((item for item in node.items if name is not None and identity(item) == name), None)
-        if taken is not None:
-            label = Label(taken.span, "this one")
+        existing = next((item for item in node.items if name is not None and identity(item) == name), None)
+        if existing is not None:
+            label = Label(existing.span, "this one")
             help = "change it under `changes`, or use another name"
             self._refuse("overlay_name_taken", f"{quoted(name or '')} already exists", item, help, label)
             return
-        new, findings = typed_at(item, (*schema_path(at), "items"))
+        new, findings = typed_at(item, (*schema_path(node_keys), "items"))
         self.findings += findings
-        place = self._behind(entry, node, new)
+        place = self._index_of_new(entry, node, new)
         if not findings and place is not None:
-            self._put(at, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:])))
+            self._put(
+                node_keys, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:]))
+            )
 
-    def _behind(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
+    def _index_of_new(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
         """The index of a new item in its list."""
         after = entry.values.get("after")
         if isinstance(after, Scalar):
@@ -289,9 +291,9 @@ class _Application:
                 return None
             return names.index(after.text) + 1
         for key in _ORDERED_BY:
-            own = _number(new, key)
+            own = _scalar_number(new, key)
             if own is not None:
-                later = (n for n, item in enumerate(siblings.items) if (_number(item, key) or 0) > own)
+                later = (n for n, item in enumerate(siblings.items) if (_scalar_number(item, key) or 0) > own)
                 return next(later, len(siblings.items))
         return len(siblings.items)
 
@@ -366,7 +368,7 @@ def _names_below(node: Node, levels: int) -> list[str]:
     return [*node.values, *(name for child in lists for name in _names_below(child, levels - 1))]
 
 
-def _number(node: Node, key: str) -> int | None:
+def _scalar_number(node: Node, key: str) -> int | None:
     scalar = node.values.get(key) if isinstance(node, Mapping) else None
     return scalar.value if isinstance(scalar, Scalar) and isinstance(scalar.value, int) else None
 

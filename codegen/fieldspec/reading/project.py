@@ -120,8 +120,8 @@ class _Reader:
         folders: dict[str, list[str]] = {}
         for path in sorted(self.files):
             folder, _, name = path.partition("/")
-            within, _, file = name.rpartition("/")
-            if name.endswith(".yaml") and within in ("", VERSIONS) and folder != PROTOCOLS and file:
+            subfolder, _, file = name.rpartition("/")
+            if name.endswith(".yaml") and subfolder in ("", VERSIONS) and folder != PROTOCOLS and file:
                 folders.setdefault(folder, []).append(path)
         devices: dict[str, DeviceSpec] = {}
         for folder, paths in folders.items():
@@ -159,8 +159,8 @@ class _Reader:
                     Diagnostic("file_empty", text, Span(file, 0, 0), help="write a section, or remove the file")
                 ]
             elif node is not None:
-                result, more = typed(node)
-                findings += more
+                result, type_findings = typed(node)
+                findings += type_findings
                 if isinstance(result, Mapping) and not findings:
                     return result
         self.findings += bounded(findings)
@@ -182,9 +182,9 @@ class _Reader:
         paths = sorted(paths, key=lambda path: (path != main, path))
         own = [path for path in paths if not path.startswith(f"{folder}/{VERSIONS}/")]
         trees = [self._tree(path) for path in own]
-        others = {path: self._tree(path) for path in paths if path not in own}
+        overlay_trees = {path: self._tree(path) for path in paths if path not in own}
         usable = [tree for tree in trees if tree is not None]
-        if len(usable) < len(trees) or None in others.values() or not usable:
+        if len(usable) < len(trees) or None in overlay_trees.values() or not usable:
             return None
         whole, findings = joined(usable)
         self.findings += findings
@@ -196,7 +196,7 @@ class _Reader:
             return None
         self.uses[""] = set()
         self.incomplete.discard("")
-        files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
+        files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in overlay_trees.items() if tree}
         if len(files) > MOST_OVERLAYS:
             text = f"the device has {len(files)} files of versions; the limit is {MOST_OVERLAYS}"
             help = "write the oldest version that is still in use as the base, and remove those before it"
@@ -256,7 +256,7 @@ class _Reader:
                 help = "a file belongs to a device or to a protocol, not to both"
                 self.findings.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
 
-    def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
+    def _with_protocols(self, tree: Mapping, users: tuple[str, ...]) -> Mapping:
         """The tree, merged over every protocol that it uses."""
         uses = tree.values.get("uses")
         if isinstance(uses, Sequence) and len(uses.items) > MOST_USES:
@@ -269,23 +269,23 @@ class _Reader:
                 continue
             name = use.values["protocol"]
             assert isinstance(name, Scalar)
-            if name.text not in within:
-                self.uses.setdefault(within[-1] if within else "", set()).add(name.text)
-            protocol = self._protocol(name, within)
+            if name.text not in users:
+                self.uses.setdefault(users[-1] if users else "", set()).add(name.text)
+            protocol = self._protocol(name, users)
             if protocol is None or name.text in self.incomplete:
-                self.incomplete.add(within[-1] if within else "")
+                self.incomplete.add(users[-1] if users else "")
             if protocol is not None:
                 tree, findings = merged_over(tree, protocol, use)
                 self.findings += bounded(findings)
         return tree
 
-    def _protocol(self, name: Scalar, within: tuple[str, ...]) -> Mapping | None:
-        if name.text in within:
-            chain = " -> ".join((*within, name.text))
+    def _protocol(self, name: Scalar, users: tuple[str, ...]) -> Mapping | None:
+        if name.text in users:
+            chain = " -> ".join((*users, name.text))
             text = f"the protocol uses itself: {chain}"
             self.findings.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
             return None
-        if len(within) >= DEEPEST_USE and name.text not in self.protocols:
+        if len(users) >= DEEPEST_USE and name.text not in self.protocols:
             text = f"more than {DEEPEST_USE} protocols are in one chain of uses"
             help = "let each protocol use the ones that it needs directly"
             self.findings.append(Diagnostic("uses_bounded", text, name.span, help=help))
@@ -297,9 +297,9 @@ class _Reader:
             text = f"there is no file `{path}`"
             self.findings.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
             return None
-        return self._loaded(name.text, within)
+        return self._loaded(name.text, users)
 
-    def _loaded(self, name: str, within: tuple[str, ...]) -> Mapping | None:
+    def _loaded(self, name: str, users: tuple[str, ...]) -> Mapping | None:
         """The tree of a protocol whose file is there, read once."""
         if name not in self.protocols:
             tree = self._tree(f"{PROTOCOLS}/{name}.yaml")
@@ -310,7 +310,7 @@ class _Reader:
                 self.findings.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
             elif tree is not None and isinstance(head, Mapping):
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
-            self.protocols[name] = self._with_protocols(tree, (*within, name)) if tree is not None else None
+            self.protocols[name] = self._with_protocols(tree, (*users, name)) if tree is not None else None
         return self.protocols[name]
 
 

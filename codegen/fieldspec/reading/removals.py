@@ -28,8 +28,15 @@ def removed_changes(base: Mapping, overlay: Mapping) -> Iterator[Diagnostic]:
     """A finding for each change of a fact that the same overlay removes; all paths are of the base."""
     removed = [(path, keys(base, path.text)) for path in _facts(overlay, "removes")]
     for path in _facts(overlay, "changes"):
-        at = keys(base, path.text)
-        other = next((own for own, gone in removed if at and gone and at[: len(gone)] == gone), None)
+        changed_keys = keys(base, path.text)
+        other = next(
+            (
+                own
+                for own, removed_keys in removed
+                if changed_keys and removed_keys and changed_keys[: len(removed_keys)] == removed_keys
+            ),
+            None,
+        )
         if other is not None:
             text = f"{quoted(other.text)} is removed by this overlay, so the change has no effect"
             help = "remove the change; what is added again under `adds` states its new values there"
@@ -44,11 +51,13 @@ def _facts(overlay: Mapping, part: str) -> list[Scalar]:
 
 def removal_findings(tree: Mapping, removed: list[RemovedFact]) -> Iterator[Diagnostic]:
     """A finding for each removed fact that others are still about."""
-    for gone in removed:
-        path = gone.path
-        about = [(section, item) for section in _SECTIONS for item in mappings(tree.values.get(section))]
-        starts = _starts(tree, gone)
-        items = [(section, item) for section, item in about if _is_about(item, path.text, gone.fact, starts)]
+    for removed_fact in removed:
+        path = removed_fact.path
+        candidates = [(section, item) for section in _SECTIONS for item in mappings(tree.values.get(section))]
+        starts = _starts(tree, removed_fact)
+        items = [
+            (section, item) for section, item in candidates if _is_about(item, path.text, removed_fact.fact, starts)
+        ]
         if items:
             names = [f"{section}/{identity(item)}" for section, item in items]
             labels = tuple(Label(item.span, "this one") for _, item in items[:1])
@@ -62,31 +71,34 @@ def _joined(names: list[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def _starts(tree: Mapping, gone: RemovedFact) -> dict[str, frozenset[str]]:
+def _starts(tree: Mapping, removed_fact: RemovedFact) -> dict[str, frozenset[str]]:
     """By message, the fields with an address in the space of a removed register."""
     first = next((identity(space) for space in mappings(tree.values.get("spaces"))), None) or ""
-    holder = gone.holder
-    space = (_text(holder.values.get("space")) if isinstance(holder, Mapping) else "") or first
+    holder = removed_fact.holder
+    space = (_scalar_text(holder.values.get("space")) if isinstance(holder, Mapping) else "") or first
     starts = {}
     for message in mappings(tree.values.get("messages")):
         accesses = [*mappings(message.values.get("access_steps"))]
         single = message.values.get("accesses")
         accesses += [single] if isinstance(single, Mapping) else []
-        own = (access for access in accesses if (_text(access.values.get("space")) or first) == space)
-        starts[identity(message) or ""] = frozenset(_text(access.values.get("start")) for access in own)
+        own = (access for access in accesses if (_scalar_text(access.values.get("space")) or first) == space)
+        starts[identity(message) or ""] = frozenset(_scalar_text(access.values.get("start")) for access in own)
     return starts
 
 
 def _is_about(item: Mapping, path: str, fact: Node, starts: Table[str, frozenset[str]]) -> bool:
     section, _, name = path.partition("/")
-    if section == "messages" and _text(item.values.get("message")) == name:
+    if section == "messages" and _scalar_text(item.values.get("message")) == name:
         return True
     if section == "registers" and isinstance(fact, Mapping):
-        values, at = item.values.get("values"), fact.values.get("at")
-        if isinstance(values, Mapping) and isinstance(at, Scalar):
-            names = starts.get(_text(item.values.get("message")), frozenset())
+        values, address_node = item.values.get("values"), fact.values.get("at")
+        if isinstance(values, Mapping) and isinstance(address_node, Scalar):
+            names = starts.get(_scalar_text(item.values.get("message")), frozenset())
             addresses = [values.values[key] for key in names if key in values.values]
-            if any(isinstance(address, Scalar) and _number(address) == _number(at) for address in addresses):
+            if any(
+                isinstance(address, Scalar) and _scalar_number(address) == _scalar_number(address_node)
+                for address in addresses
+            ):
                 return True
     return any(text == path or text.startswith(f"{path}/") for text in _paths(item))
 
@@ -101,12 +113,12 @@ def _paths(node: Node, key: str = "") -> Iterator[str]:
         yield from _paths(inner, step if isinstance(step, str) else key)
 
 
-def _number(scalar: Scalar) -> int | None:
+def _scalar_number(scalar: Scalar) -> int | None:
     try:
         return int(scalar.text, 0)
     except ValueError:
         return None
 
 
-def _text(node: Node | None) -> str:
+def _scalar_text(node: Node | None) -> str:
     return node.text if isinstance(node, Scalar) else ""

@@ -59,17 +59,17 @@ def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     return node, _objections(node, _typed_value(node, _form(schema())), ())
 
 
-def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
+def violations_at(tree: Node, node_keys: list[str | int]) -> list[Diagnostic]:
     """The violations of the schema by the node at some keys of a tree."""
-    node = node_at(tree, at)
-    for key in reversed(at):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
+    node = node_at(tree, node_keys)
+    for key in reversed(node_keys):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
         alone = (node.file, node.start, node.end)
         node = Sequence(*alone, (node,)) if isinstance(key, int) else Mapping(*alone, {key: node})
-    return _objections(node, json_data(node), (), len(at))
+    return _objections(node, json_data(node), (), len(node_keys))
 
 
 def _objections(node: Node, data: object, path: tuple[str, ...], depth: int = 0) -> list[Diagnostic]:
-    """What the schema, or its part at some keys, has against a tree, given as plain data too, from a depth on."""
+    """The violations of the schema, or of its part at some keys, by a tree and its plain data, from a depth on."""
     findings: list[Diagnostic] = []
     for error in _validator(path).iter_errors(data):
         if len(error.instance_path) >= depth:
@@ -122,10 +122,10 @@ def _form(part: Schema) -> _Form:
 
 
 def _new_form(part: Schema) -> _Form:
-    wanted = part.get("type")
-    if wanted is None and "enum" in part:
-        wanted = "string"
-    kinds = {wanted} if isinstance(wanted, str) else set(wanted or _KINDS)
+    types = part.get("type")
+    if types is None and "enum" in part:
+        types = "string"
+    kinds = {types} if isinstance(types, str) else set(types or _KINDS)
     return _Form(
         part,
         kinds.isdisjoint(("integer", "number", "boolean", "null")),
@@ -156,7 +156,7 @@ def _typed_value(node: Node, form: _Form) -> object:
 
 
 def _value(text: str, form: _Form) -> ScalarValue:
-    """The value of a text without quotes if it is what is wanted, else the text."""
+    """The value of a text without quotes: a number, a truth value or null where the form has these, else the text."""
     if form.integer and _INTEGER.fullmatch(text):
         return int(text, 0)
     if form.number and _NUMBER.fullmatch(text):
@@ -170,7 +170,7 @@ def _value(text: str, form: _Form) -> ScalarValue:
 
 def _findings(error: Any, root: Node, path: tuple[str, ...]) -> list[Diagnostic]:
     """A validation error of the library: one finding, or one for each unknown key."""
-    node = _at(root, error.instance_path)
+    node = _node_at(root, error.instance_path)
     part = _schema_part(error.schema_path, path)
     if error.schema_path[-1] == "additionalProperties" and isinstance(node, Mapping):
         unknown = error.kind.as_dict()["unexpected"]
@@ -181,7 +181,7 @@ def _findings(error: Any, root: Node, path: tuple[str, ...]) -> list[Diagnostic]
 def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
     """A validation error of the library in our words, at its place."""
     last = error.instance_path[-1] if error.instance_path else "the file"
-    what = f"`{last}`" if isinstance(last, str) and error.instance_path else "this"
+    subject = f"`{last}`" if isinstance(last, str) and error.instance_path else "this"
     facts = error.kind.as_dict()
     keyword = error.schema_path[-1]
     text = node.text if isinstance(node, Scalar) else None
@@ -193,13 +193,13 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         options = [str(option) for option in part.get("enum", [])]
         hint = algorithm_help(text, options) if last == "algorithm" else ""
         hint = hint or near(text, options, described(part))
-        return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
+        return Diagnostic("unknown_word", f"{subject} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
-        wanted = part.get("type")
-        names = [wanted] if isinstance(wanted, str) else list(wanted or [])
+        types = part.get("type")
+        names = [types] if isinstance(types, str) else list(types or [])
         kinds = " or ".join(_KINDS.get(name, name) for name in names)
-        message = f"{what} must be {kinds}, not {_have(node)}"
+        message = f"{subject} must be {kinds}, not {_kind_text(node)}"
         form = _FORMS.get(names[0], "") if isinstance(node, Scalar) else ""
         if isinstance(node, Scalar) and not {"integer", "number"}.isdisjoint(names):
             form = number_help(node.text, node.quoted, "integer" in names) or form
@@ -210,19 +210,19 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
             help = number_help(node.text, node.quoted, whole=False) if is_number else ""
             help = help or form_help(node.text, part.get("pattern", ""))
             description = f"{help}; {description}" if help else description
-        return Diagnostic("wrong_form", f"{what} cannot be {quoted(text or '')}", node.span, help=description)
+        return Diagnostic("wrong_form", f"{subject} cannot be {quoted(text or '')}", node.span, help=description)
     if keyword in ("minimum", "maximum"):
         limit = part.get(keyword)
-        return Diagnostic("wrong_value", f"{what} is {text}; the {keyword} is {limit}", node.span, help=description)
+        return Diagnostic("wrong_value", f"{subject} is {text}; the {keyword} is {limit}", node.span, help=description)
     if keyword in ("minItems", "minProperties", "maxProperties"):
-        return Diagnostic("wrong_size", f"{what} has too few or too many entries", _head(node), help=description)
+        return Diagnostic("wrong_size", f"{subject} has too few or too many entries", _head(node), help=description)
     if keyword in ("oneOf", "anyOf"):
-        return Diagnostic("wrong_form", f"{what} has other keys than it can have", _head(node), help=_choices(part))
+        return Diagnostic("wrong_form", f"{subject} has other keys than it can have", _head(node), help=_choices(part))
     return Diagnostic("wrong_form", error.message, _head(node), help=description)
 
 
 def _choices(part: Schema) -> str:
-    """The help for a mapping that has one of some keys: what it is, and the keys."""
+    """The help for a mapping that must have one of some keys."""
     options = part.get("oneOf") or part.get("anyOf") or []
     keys = [key for option in options for key in option.get("required", [])]
     stated = f" State one of {', '.join(f'`{key}`' for key in dict.fromkeys(keys))}." if keys else ""
@@ -246,7 +246,7 @@ _FORMS = {
 }
 
 
-def _have(node: Node) -> str:
+def _kind_text(node: Node) -> str:
     """The kind of a node, for a finding that another kind is expected."""
     if isinstance(node, Scalar):
         return f'"{quoted(node.text)[1:-1]}"' if node.quoted else quoted(node.text) if node.text else "empty"
@@ -305,7 +305,7 @@ def _all_keys() -> frozenset[str]:
 
 
 def _comma(node: Mapping, key: str, known: Schema) -> str:
-    """What to do where a key within braces is the rest of a text with a comma; empty where it is none."""
+    """The help for a key within braces that is the rest of a text with a comma; empty for other keys."""
     value = node.values[key]
     keys = list(node.values)
     before = keys[keys.index(key) - 1] if key != keys[0] else ""
@@ -329,7 +329,7 @@ def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:
     return resolved(part) if isinstance(part, dict) else {}
 
 
-def _at(root: Node, path: list[str | int]) -> Node:
+def _node_at(root: Node, path: list[str | int]) -> Node:
     node = root
     for step in path:
         node = node.items[int(step)] if isinstance(node, Sequence) else node.values[str(step)]  # type: ignore[union-attr]

@@ -14,12 +14,12 @@ def used_records(protocol: Mapping, records: Sequence, messages: Sequence, devic
     """
     all_messages = protocol.values.get("messages")
     chosen = {identity(message) for message in messages.items}
-    others = [message for message in _items(all_messages) if identity(message) not in chosen]
+    other_messages = [message for message in _items(all_messages) if identity(message) not in chosen]
     by_name = {identity(record): record for record in records.items}
     sections = (own for key, own in protocol.values.items() if key not in ("messages", "records"))
     entries = {identity(record) for record in _items(device.values.get("records"))}
-    needed = _with_inner({*_names((*sections, *messages.items, device)), *entries}, by_name)
-    unneeded = _with_inner(_names(others), by_name) - needed
+    needed_names = _with_inner({*_names((*sections, *messages.items, device)), *entries}, by_name)
+    unneeded = _with_inner(_names(other_messages), by_name) - needed_names
     items = tuple(record for record in records.items if identity(record) not in unneeded)
     return Sequence(records.file, records.start, records.end, items)
 

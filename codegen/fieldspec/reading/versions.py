@@ -46,7 +46,7 @@ def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mappi
                 Diagnostic("missing_key", text, Span(tree.file, 0, 1), help="state which version the file describes")
             )
             continue
-        own = _text(head, "id")
+        own = _scalar_text(head, "id")
         if own != name:
             text = f"the id is {quoted(own)}, the file is `{name}`"
             result.findings.append(
@@ -98,7 +98,7 @@ def _ordered(overlays: Overlays, base: Mapping, declared: Table[str, Scalar]) ->
     waiting = {version: head for version, head in overlays.heads.items() if version not in declared}
     known = set(declared)
     ordered: dict[str, Mapping] = {}
-    while ready := [v for v, head in waiting.items() if {_text(head, "based_on"), _follows(head)} <= known]:
+    while ready := [v for v, head in waiting.items() if {_scalar_text(head, "based_on"), _follows(head)} <= known]:
         for version in ready:
             base, findings = _with_version(base, waiting.pop(version), ordered)
             overlays.findings += findings
@@ -106,38 +106,38 @@ def _ordered(overlays: Overlays, base: Mapping, declared: Table[str, Scalar]) ->
             ordered[version] = overlays.trees[version]
     for version, head in waiting.items():
         for key in ("based_on", "after"):
-            named = head.values.get(key)
-            if isinstance(named, Scalar) and named.text not in known | waiting.keys():
-                text = f"the device has no version {quoted(named.text)}"
-                hint = near(named.text, known | waiting.keys())
-                overlays.findings.append(Diagnostic("version_unknown", text, named.span, help=hint))
+            reference = head.values.get(key)
+            if isinstance(reference, Scalar) and reference.text not in known | waiting.keys():
+                text = f"the device has no version {quoted(reference.text)}"
+                hint = near(reference.text, known | waiting.keys())
+                overlays.findings.append(Diagnostic("version_unknown", text, reference.span, help=hint))
                 break
         else:
             text = f"the version `{version}` is based on itself, through others"
-            if _text(head, "based_on") == version:
+            if _scalar_text(head, "based_on") == version:
                 text = f"the version `{version}` is based on itself"
             span = head.values["based_on"].span
             overlays.findings.append(
                 Diagnostic("overlay_cycle", text, span, help="base it on a version that does not depend on it")
             )
-    bases = {version: _text(overlays.heads[version], "based_on") for version in ordered}
+    bases = {version: _scalar_text(overlays.heads[version], "based_on") for version in ordered}
     return Overlays(ordered, overlays.heads, bases, overlays.findings), base
 
 
 def _follows(head: Mapping) -> str:
-    return _text(head, "after") or _text(head, "based_on")
+    return _scalar_text(head, "after") or _scalar_text(head, "based_on")
 
 
-def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> tuple[Mapping, list[Diagnostic]]:
+def _with_version(base: Mapping, head: Mapping, earlier_heads: Table[str, Mapping]) -> tuple[Mapping, list[Diagnostic]]:
     """The base with a version on its line, after the one that it follows."""
     line = head.values["line"]
     assert isinstance(line, Scalar)
-    at = keys(base, f"versions/{line.text}/members")
-    if at is None:
+    members_keys = keys(base, f"versions/{line.text}/members")
+    if members_keys is None:
         known = [identity(version_node) or "" for version_node in mappings(base.values.get("versions"))]
         text = f"the device has no version line {quoted(line.text)}"
         return base, [Diagnostic("version_unknown", text, line.span, help=near(line.text, known))]
-    members = node_at(base, at)
+    members = node_at(base, members_keys)
     assert isinstance(members, Sequence)
     ids = [identity(item) for item in members.items]
     follows = _follows(head)
@@ -145,22 +145,22 @@ def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> 
         text = f"the line `{line.text}` has no version `{follows}` for this version to follow"
         help = "name the version of its own line that it follows, under `after`"
         return base, [Diagnostic("version_unknown", text, head.values["id"].span, help=help)]
-    behind = ids.index(follows) + 1
+    position = ids.index(follows) + 1
     findings = []
-    if behind < len(ids) and ids[behind] in others:
+    if position < len(ids) and ids[position] in earlier_heads:
         text = f"two versions of the line `{line.text}` follow `{follows}`"
-        label = Label(members.items[behind].span, "the other one")
+        label = Label(members.items[position].span, "the other one")
         help = "state under `after` which of them comes first"
         findings = [Diagnostic("version_twice", text, head.values["id"].span, (label,), help)]
     for key in _VERSION_KEYS:
         head = head.without(key)
-    items = (*members.items[:behind], head, *members.items[behind:])
-    result = put(base, at, Sequence(members.file, members.start, members.end, items))
+    items = (*members.items[:position], head, *members.items[position:])
+    result = put(base, members_keys, Sequence(members.file, members.start, members.end, items))
     assert isinstance(result, Mapping)
     return result, findings
 
 
-def _text(mapping: Mapping, key: str) -> str:
+def _scalar_text(mapping: Mapping, key: str) -> str:
     scalar = mapping.values.get(key)
     return scalar.text if isinstance(scalar, Scalar) else ""
 
@@ -186,10 +186,12 @@ class Lines:
             if isinstance(line, Mapping):
                 self._add(number, line)
         built = [identity(line) or "" for line in mappings(lines) if _true(line, "builds")]
-        for named in {id(scalar): scalar for scalar in self.alike.values()}.values():
-            if named.text not in built:
-                text = f"no version line with outputs has the name {quoted(named.text)}"
-                self.findings.append(Diagnostic("version_unknown", text, named.span, help=near(named.text, built)))
+        for line_name in {id(scalar): scalar for scalar in self.alike.values()}.values():
+            if line_name.text not in built:
+                text = f"no version line with outputs has the name {quoted(line_name.text)}"
+                self.findings.append(
+                    Diagnostic("version_unknown", text, line_name.span, help=near(line_name.text, built))
+                )
 
     def _add(self, number: int, line: Mapping) -> None:
         members = line.values.get("members")
@@ -223,8 +225,8 @@ class Lines:
         line, order = self.place[version]
         for key, wrong in (("since", 1), ("until", -1)):
             for bound in named(node.values.get(key)):
-                other, at = self.place.get(bound.text, (None, 0))
-                if other == line and (at - order) * wrong > 0:
+                other, bound_order = self.place.get(bound.text, (None, 0))
+                if other == line and (bound_order - order) * wrong > 0:
                     return False
         only = [bound.text for bound in named(node.values.get("only"))]
         same = [other for other in only if self.place.get(other, (None, 0))[0] == line]
@@ -270,10 +272,10 @@ class Lines:
             self._search(node, findings)
         return findings
 
-    def _search(self, node: Mapping | Sequence, findings: list[Diagnostic], around: tuple[Mapping, ...] = ()) -> bool:
+    def _search(self, node: Mapping | Sequence, findings: list[Diagnostic], holders: tuple[Mapping, ...] = ()) -> bool:
         """Adds the findings of a part of a tree, and notes whether it has no bounds, which versions then need not.
 
-        `around` are the facts with bounds that hold it.
+        `holders` are the facts with bounds that hold it.
         """
         free = True
         values: Iterable[Node]
@@ -282,29 +284,29 @@ class Lines:
             if not BOUNDS.isdisjoint(node.values):
                 free = False
                 findings += self._misnamed(node)
-                findings += self._never(node, around)
-                around = (*around, node)
+                findings += self._never(node, holders)
+                holders = (*holders, node)
             if not _FREE.isdisjoint(node.values):
                 free = False  # bounds in there are not searched here
                 values = [value for key, value in node.values.items() if key not in _FREE]
         else:
             values = node.items
         for item in values:
-            if not isinstance(item, Scalar) and not self._search(item, findings, around):
+            if not isinstance(item, Scalar) and not self._search(item, findings, holders):
                 free = False
         if free:
             self._unbounded[node] = True
         return free
 
-    def _never(self, node: Mapping, around: tuple[Mapping, ...]) -> Iterator[Diagnostic]:
+    def _never(self, node: Mapping, holders: tuple[Mapping, ...]) -> Iterator[Diagnostic]:
         """A finding where no version of a line that a fact names is within its bounds and those of what holds it."""
         bounds = [key for key in ("since", "until", "only") if key in node.values]
-        if len(bounds) + len(around) < 2:
+        if len(bounds) + len(holders) < 2:
             return
         own = {self.place.get(bound.text, (None,))[0] for key in bounds for bound in named(node.values[key])}
         for line in own - {None}:
             versions = [version for version, (other, _) in self.place.items() if other == line]
-            outer = [version for version in versions if self._all_hold(around, version)]
+            outer = [version for version in versions if self._all_hold(holders, version)]
             if outer and not any(self._holds(node, version) for version in outer):
                 text = f"no version is within {' and '.join(f'`{key}`' for key in bounds)}"
                 if any(self._holds(node, version) for version in versions):
@@ -319,8 +321,8 @@ class Lines:
     def unreached(self, overlay: Mapping, version: str, bases: Table[str, str]) -> list[Diagnostic]:
         """A finding for each fact that an overlay adds, and that neither its version nor one based on it has."""
         reached = {version}
-        while more := {other for other, base in bases.items() if base in reached} - reached:
-            reached |= more
+        while further := {other for other, base in bases.items() if base in reached} - reached:
+            reached |= further
         findings = []
         for entry in mappings(overlay.values.get("adds")):
             item = entry.values.get("item")

@@ -71,9 +71,9 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
         file = SourceFile(path, data.decode("utf-8", "replace"))
-        at = len(data[: error.start].decode("utf-8", "replace"))
+        offset = len(data[: error.start].decode("utf-8", "replace"))
         message = f"byte {data[error.start]:#04x} is not UTF-8"
-        return file, [Diagnostic("not_utf8", message, Span(file, at, at + 1), help="save the file as UTF-8")]
+        return file, [Diagnostic("not_utf8", message, Span(file, offset, offset + 1), help="save the file as UTF-8")]
     file = SourceFile(path, text)
     bad = _CONTROL.search(text)
     if bad is not None:
@@ -98,17 +98,17 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
         return builder.document()
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
-        at = min(mark.index if mark else 0, max(0, len(file.text) - 1))
+        offset = min(mark.index if mark else 0, max(0, len(file.text) - 1))
         labels: tuple[Label, ...] = ()
-        if error.context and error.context_mark and error.context_mark.index != at:
+        if error.context and error.context_mark and error.context_mark.index != offset:
             start = error.context_mark.index
             labels = (Label(Span(file, start, start + 1), error.context),)
         problem = error.problem or "not YAML"
-        help = syntax_help(problem, file.text, at)
-        finding = Diagnostic("yaml_syntax", problem, Span(file, at, at + 1), labels, help)
+        help = syntax_help(problem, file.text, offset)
+        finding = Diagnostic("yaml_syntax", problem, Span(file, offset, offset + 1), labels, help)
     except yaml.reader.ReaderError as error:
-        at = min(error.position, max(0, len(file.text) - 1))
-        finding = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))
+        offset = min(error.position, max(0, len(file.text) - 1))
+        finding = Diagnostic("yaml_syntax", error.reason, Span(file, offset, offset + 1))
     except (ValueError, OverflowError) as error:  # PyYAML's own, for an escape that names no character
         finding = Diagnostic("yaml_syntax", f"not YAML: {error}", Span(file, 0, 1))
     except _Refused as refused:
@@ -120,12 +120,12 @@ def _indenting_tab(file: SourceFile) -> int | None:
     """Where a line is indented with a tab: most parsers then say something that helps nobody."""
     if "\t" not in file.text:
         return None
-    at = 0
+    line_start = 0
     for line in file.text.split("\n"):
         indent = line[: len(line) - len(line.lstrip(" \t"))]
         if "\t" in indent and line.strip():
-            return at + indent.index("\t")
-        at += len(line) + 1
+            return line_start + indent.index("\t")
+        line_start += len(line) + 1
     return None
 
 
@@ -134,7 +134,7 @@ class _Refused(Exception):
 
 
 class _Builder:
-    """Builds nodes from parser events."""
+    """Builds the tree of nodes from the events of the YAML parser."""
 
     def __init__(self, file: SourceFile, parser: object) -> None:
         self.file = file
@@ -147,11 +147,11 @@ class _Builder:
     def document(self) -> tuple[Node | None, list[Diagnostic]]:
         """The first document; a second one is a finding."""
         root: Node | None = None
-        seen = 0
+        document_count = 0
         while not isinstance(event := self.get(), StreamEndEvent):
             if isinstance(event, DocumentStartEvent):
-                seen += 1
-                if seen > 1:
+                document_count += 1
+                if document_count > 1:
                     span = self._span(event)
                     text = "a second document starts here; a spec file is one document"
                     self.findings.append(Diagnostic("several_documents", text, span, help="move it to its own file"))
@@ -233,9 +233,9 @@ class _Builder:
 
     def _sequence(self, event: Event, depth: int) -> Sequence:
         items: list[Node] = []
-        most = LARGEST_TREE if depth < DEEPEST_TREE else 0
+        limit = LARGEST_TREE if depth < DEEPEST_TREE else 0
         while not isinstance(inner := self.get(), SequenceEndEvent):
-            if isinstance(inner, MappingStartEvent) and not (inner.tag or inner.anchor) and self.total < most:
+            if isinstance(inner, MappingStartEvent) and not (inner.tag or inner.anchor) and self.total < limit:
                 self.total += 1  # as in `_mapping`: most items are such
                 items.append(self._mapping(inner, depth + 1))
             else:
@@ -249,10 +249,10 @@ class _Builder:
         scalar, end = _SCALAR, _END
         values: dict[str, Node] = {}
         first: dict[str, Any] = {}
-        total, most = self.total, LARGEST_TREE if depth < DEEPEST_TREE else 0
+        total, limit = self.total, LARGEST_TREE if depth < DEEPEST_TREE else 0
         while (key := get()).__class__ is not end:
             name: str | None
-            if key.__class__ is scalar and key.implicit[0] and not (key.style or key.anchor) and total < most:
+            if key.__class__ is scalar and key.implicit[0] and not (key.style or key.anchor) and total < limit:
                 total += 1
                 name = intern(key.value)  # the same few words everywhere: a sixth of the memory
             else:
@@ -266,7 +266,7 @@ class _Builder:
                 event_of_value.__class__ is scalar
                 and event_of_value.implicit[0]
                 and not (event_of_value.style or event_of_value.anchor)
-                and total < most
+                and total < limit
             ):
                 total += 1
                 value = new(Scalar)

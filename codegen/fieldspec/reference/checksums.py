@@ -27,8 +27,8 @@ def _remainder(kind: Checksum, data: bytes, _order: str) -> int:
 
 
 def _terms(kind: Checksum, data: bytes, order: str) -> Iterator[int]:
-    for at in range(0, len(data), kind.unit_size):
-        unit = data[at : at + kind.unit_size].ljust(kind.unit_size, b"\0")
+    for offset in range(0, len(data), kind.unit_size):
+        unit = data[offset : offset + kind.unit_size].ljust(kind.unit_size, b"\0")
         yield int.from_bytes(unit if order == "big" else unit[::-1], "big")
 
 

@@ -40,25 +40,25 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
     result = bytearray()
     rest = data
     while rest:
-        at = offset + len(data) - len(rest)
+        place = offset + len(data) - len(rest)
         if escape.method == "replace":
             originals = {bytes(pair): byte for byte, *pair in escape.pairs}
             is_pair = any(rest[0] in (byte, first) for byte, first, _ in escape.pairs)
             if is_pair and rest[:2] not in originals:
-                raise CodecError("wrong_mark", "bytes are escaped that need not be, or are not", at)
+                raise CodecError("wrong_mark", "bytes are escaped that need not be, or are not", place)
             result.append(originals[rest[:2]] if is_pair else rest[0])
             rest = rest[2:] if is_pair else rest[1:]
         elif escape.method == "insert":
-            before, pattern, behind = rest.partition(escape.pattern)
+            before, pattern, following = rest.partition(escape.pattern)
             result += before + pattern
-            if pattern and behind[:1] != bytes((escape.inserted,)):
-                at += len(before) + len(pattern)
-                raise CodecError("wrong_mark", f"{escape.inserted:#04x} is missing behind the pattern", at)
-            rest = behind[1:]
+            if pattern and following[:1] != bytes((escape.inserted,)):
+                place += len(before) + len(pattern)
+                raise CodecError("wrong_mark", f"{escape.inserted:#04x} is missing behind the pattern", place)
+            rest = following[1:]
         else:
             block = rest[1 : rest[0]]
             if not rest[0] or len(block) < rest[0] - 1 or 0 in block:
-                raise CodecError("wrong_mark", f"the block of {rest[0]} bytes is not complete", at)
+                raise CodecError("wrong_mark", f"the block of {rest[0]} bytes is not complete", place)
             result += block
             is_zero = rest[0] < 0xFF and len(rest) > rest[0]
             result += b"\0" * is_zero

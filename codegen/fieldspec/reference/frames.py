@@ -62,9 +62,9 @@ class FrameCodec:
         inner = frame[len(shape.start) : len(frame) - len(shape.end)]
         if link.encoding == "binary":
             return inner
-        for at, char in enumerate(inner):
+        for index, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
-                raise CodecError("not_hex", f"byte {char:#04x} is no hexadecimal character", len(shape.start) + at)
+                raise CodecError("not_hex", f"byte {char:#04x} is no hexadecimal character", len(shape.start) + index)
         if len(inner) % 2:
             raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(shape.end))
         return bytes.fromhex(inner.decode("ascii"))
@@ -128,15 +128,15 @@ class FrameCodec:
         """The parts before they were escaped, after those around were compared with what was sent."""
         assert shape.escape is not None
         start, stop = shape.escape_start, len(data) if shape.escape_stop is None else len(data) + shape.escape_stop
-        sent = {
+        sent_parts = {
             part.name: part_construct(part).parse(data[part.at(len(data)) :])
             for part in shape.parts
             if not part.escaped
         }
         early = (part for part in shape.lengths if part in shape.digits and not part.before_escape)
-        self._check_digits(early, sent, data)
-        self._check_lengths(shape, sent, data, False)
-        self._check_sum(shape, sent, data, False)
+        self._check_digits(early, sent_parts, data)
+        self._check_lengths(shape, sent_parts, data, False)
+        self._check_sum(shape, sent_parts, data, False)
         offset = len(shape.start) + start
         result = data[:start] + unescaped(shape.escape, data[start:stop], offset) + data[stop:]
         _refuse_short(shape, result)
@@ -158,17 +158,17 @@ class FrameCodec:
             if announced != len(data):
                 text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
                 if announced != head[part.name]:
-                    many = f"for a frame of {announced} bytes, but there are {len(data)}"
-                    text = f"{part.name} is {head[part.name]}, {many}"
+                    comparison = f"for a frame of {announced} bytes, but there are {len(data)}"
+                    text = f"{part.name} is {head[part.name]}, {comparison}"
                 raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes, is_original: bool) -> None:
         for part in shape.checksums:
             if _is_sent(shape, part) == is_original:
                 continue
-            have, want = parts[part.name], checksum_of(part, data)
-            if have != want:
-                text = f"{part.name} is {checksum_text(have, part)}, not {checksum_text(want, part)}"
+            actual, want = parts[part.name], checksum_of(part, data)
+            if actual != want:
+                text = f"{part.name} is {checksum_text(actual, part)}, not {checksum_text(want, part)}"
                 raise CodecError("wrong_check", text, part.at(len(data)))
 
     def _body(
@@ -295,9 +295,9 @@ class FrameCodec:
         """The binary form of a frame with the checksums that are right for its other parts."""
         shape = self.link.frame(direction)
         for check in shape.checksums:
-            at = check.at(len(parts))
+            offset = check.at(len(parts))
             data = self._escaped(shape, parts) if _is_sent(shape, check) else parts
-            parts = parts[:at] + check.checksum(data) + parts[at + check.size :]
+            parts = parts[:offset] + check.checksum(data) + parts[offset + check.size :]
         return parts
 
     def joined_parts(self, direction: str, parts: bytes) -> bytes:
@@ -312,7 +312,7 @@ class FrameCodec:
 
     @staticmethod
     def _escaped(shape: FrameLayout, data: bytes) -> bytes:
-        """What is sent for the bytes of the parts."""
+        """The bytes that are sent for the bytes of the parts."""
         if shape.escape is None:
             return data
         start, stop = shape.escape_start, len(data) + (shape.escape_stop or 0)
@@ -360,9 +360,9 @@ class FrameCodec:
 
 def _refuse_short(shape: FrameLayout, data: bytes) -> None:
     """Raises CodecError for fewer bytes than the parts around the body have."""
-    least = shape.header_size + shape.trailer_size
-    if len(data) < least:
-        raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
+    minimum = shape.header_size + shape.trailer_size
+    if len(data) < minimum:
+        raise CodecError("incomplete", f"a frame has at least {minimum} bytes, not {len(data)}", len(data))
 
 
 def _is_sent(shape: FrameLayout, part: PartLayout) -> bool:
@@ -377,7 +377,7 @@ def _is_visible(part: PartLayout) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class DeviceCodec:
-    """A device's links as frame codecs."""
+    """The codecs of the frames of all links of a device."""
 
     layout: DeviceLayout
     links: dict[str, FrameCodec]
@@ -391,5 +391,5 @@ class DeviceCodec:
 
 
 def codec(layout: DeviceLayout) -> DeviceCodec:
-    """The codec of a layout."""
+    """The reference codec of a device, by its layout."""
     return DeviceCodec(layout, {name: FrameCodec(layout, link) for name, link in layout.links.items()})

@@ -31,8 +31,8 @@ class CodecError(ValueError):
     """
 
     def __init__(self, reason: str, detail: str, offset: int | None = None) -> None:
-        where = "" if offset is None else f" at byte {offset}"
-        super().__init__(f"{reason}{where}: {detail}")
+        place = "" if offset is None else f" at byte {offset}"
+        super().__init__(f"{reason}{place}: {detail}")
         self.reason, self.detail, self.offset = reason, detail, offset
 
 
@@ -46,10 +46,12 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
     """
     if record.selector is not None:
         _check_length(record, len(data), offset)
-        by = record.selector
+        selector = record.selector
         chosen = record.of_data(data)
         if chosen is None:
-            raise CodecError("unknown_value", f"{by.name} chooses nothing that may follow", offset + by.offset)
+            raise CodecError(
+                "unknown_value", f"{selector.name} chooses nothing that may follow", offset + selector.offset
+            )
         record = chosen
     if record.spans:
         return _decoded_image(record, data, device, offset)
@@ -77,8 +79,8 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
                 values[record.spans[span.count].name] = extent.stop - extent.start + span.plus
         return values
     except CodecError as error:
-        at = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
-        raise CodecError(error.reason, error.detail, at) from None
+        place = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
+        raise CodecError(error.reason, error.detail, place) from None
 
 
 def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, device: Device, offset: int) -> Values:
@@ -92,8 +94,8 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
         values = decoded(record.image, inner.image_of(data, extents), device)
         return {field.name: values[field.name] for field in record.sent_fields}
     except CodecError as error:
-        at = None if error.offset is None else offset + inner.place_in_data(extents, error.offset)
-        raise CodecError(error.reason, error.detail, at) from None
+        place = None if error.offset is None else offset + inner.place_in_data(extents, error.offset)
+        raise CodecError(error.reason, error.detail, place) from None
 
 
 def _width_text(record: RecordLayout, error: WidthError) -> str:
@@ -124,49 +126,51 @@ def _check_length(record: RecordLayout, length: int, offset: int) -> None:
 
 
 def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
-    at = offset + field.offset
+    start = offset + field.offset
     if field.is_list:
-        return [_decode_element(field, item, device, at + n * field.size) for n, item in enumerate(raw)]
-    return _decode_element(field, raw, device, at)
+        return [_decode_element(field, item, device, start + n * field.size) for n, item in enumerate(raw)]
+    return _decode_element(field, raw, device, start)
 
 
-def _decode_element(field: FieldLayout, raw: Any, device: Device, at: int) -> Any:
+def _decode_element(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
     if field.record is not None:
         last = field.record.fields[-1] if field.record.spans else None
         if last is not None and raw[last.name] is UNFIT:  # the image of a record comes before its fields
-            raise CodecError("unknown_value", f"{last.name} has a zero", at + last.offset)
-        return {f.name: _decoded_field(f, raw[f.name], device, at) for f in field.record.fields}
+            raise CodecError("unknown_value", f"{last.name} has a zero", offset + last.offset)
+        return {f.name: _decoded_field(f, raw[f.name], device, offset) for f in field.record.fields}
     if field.field.reserved:
         return raw
-    return decoded_value(field.name, field.value, raw, device, at)
+    return decoded_value(field.name, field.value, raw, device, offset)
 
 
-def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: int | None) -> Any:
+def decoded_value(name: str, value: Value | None, raw: Any, device: Device, offset: int | None) -> Any:
     """One raw value: booleans as such, text as a str; closed enums and constants are enforced. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
     if kind is Kind.BOOLEAN:
         if raw not in (0, 1):
-            raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", at)
+            raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", offset)
         return bool(raw)
     if kind is Kind.TEXT:
-        return _decoded_text(name, value, raw, at)
+        return _decoded_text(name, value, raw, offset)
     if kind is Kind.BYTES:
         return bytes(raw)
     if raw is None:
-        raise CodecError("unknown_value", f"{name} is not {digits_text(value)}", at)
+        raise CodecError("unknown_value", f"{name} is not {digits_text(value)}", offset)
     if value.const is not None and raw != value.const:
-        raise CodecError("wrong_const", f"{name} is {raw}, not {value.const}", at)
+        raise CodecError("wrong_const", f"{name} is {raw}, not {value.const}", offset)
     if value.enum and not _is_known(device, value, raw):
-        raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", at)
+        raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", offset)
     return raw
 
 
-def _decoded_text(name: str, value: Value, raw: str | bytes | None, at: int | None) -> str:
+def _decoded_text(name: str, value: Value, raw: str | bytes | None, offset: int | None) -> str:
     """The characters of a text, which the construct has read where it has a form of its own."""
     text = text_of_bytes(value, "big", raw) if isinstance(raw, bytes) else raw
     if text is None:
-        raise CodecError("unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", at)
+        raise CodecError(
+            "unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", offset
+        )
     return text
 
 
@@ -188,16 +192,16 @@ def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
             _check_bit_count(field, values, offset + field.offset)
 
 
-def _check_bit_count(field: FieldLayout, values: Mapping[str, Any], at: int | None) -> None:
+def _check_bit_count(field: FieldLayout, values: Mapping[str, Any], offset: int | None) -> None:
     """Refuses a number of bits that takes more or less bytes than there are."""
     number, size = values[field.name], len(values[field.bits_of])
     if packed_size(number) != size:
         text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
-        raise CodecError("wrong_measure", text, at)
+        raise CodecError("wrong_measure", text, offset)
 
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
-    """What a field that measures another one must hold."""
+    """The number that a field must have which measures another one."""
     measure = field.field.measures
     if measure is None:
         return None
@@ -214,10 +218,12 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
     if unknown:
         raise CodecError("unknown_field", f"{record.name} has no field {unknown[0]}")
     if record.selector is not None:
-        by = record.selector
-        chosen = record.of_number(_encoded_field(by, values, device))
+        selector = record.selector
+        chosen = record.of_number(_encoded_field(selector, values, device))
         if chosen is None:
-            raise CodecError("unknown_value", f"{by.name} is {values[by.name]}, which chooses nothing that may follow")
+            raise CodecError(
+                "unknown_value", f"{selector.name} is {values[selector.name]}, which chooses nothing that may follow"
+            )
         record = chosen
     raw = _encoded_fields(record, values, device)
     data: bytes = record_struct(record.image).build(raw)
@@ -263,7 +269,7 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
 
 
 def _implied(field: FieldLayout) -> Any:
-    """What a field holds that nobody gives a value: its constant, or zeros where it is reserved."""
+    """The value of a field that users do not set: its constant, or of a reserved field its default or zeros."""
     value = field.value
     implied: Any = None
     if value is not None and value.const is not None:

@@ -58,15 +58,15 @@ def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
         return record_struct(field.record)
     if not field.cases:
         return value_construct(field.value, field.order, field.swapped)
-    by = field.field.choice.by if field.field.choice else ""
+    selector_name = field.field.choice.by if field.field.choice else ""
     cases = {
         number: value_construct(case.value, case.order, case.swapped) for case in field.cases for number in case.numbers
     }
-    return construct.Switch(construct.this[by], cases, default=construct.Error)
+    return construct.Switch(construct.this[selector_name], cases, default=construct.Error)
 
 
 def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
-    """One value as a construct."""
+    """The construct that parses and builds one value."""
     assert value is not None
     kind, size = value.type.kind, value.size
     if value.text_form is not None:
@@ -141,4 +141,4 @@ class _VaryingText(construct.Adapter):  # type: ignore[misc]
 
 
 def _words_turned(data: bytes) -> bytes:
-    return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+    return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))

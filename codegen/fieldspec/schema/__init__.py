@@ -40,7 +40,7 @@ def resolved(part: Schema) -> Schema:
 
 
 def described(part: Schema) -> str:
-    """What a part of the schema says of itself, or else what it refers to."""
+    """The description of a part of the schema, or else that of the part to which it refers."""
     while "description" not in part and "$ref" in part:
         part = _referred(part["$ref"])
     return str(part.get("description", ""))

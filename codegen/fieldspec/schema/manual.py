@@ -29,7 +29,7 @@ _KINDS = {
 
 def manual() -> str:
     """The manual as Markdown. The template names the part of the schema for each table of keys."""
-    text = _INCLUDED.sub(lambda mark: _text(mark[1]).rstrip("\n"), _text("language.md"))
+    text = _INCLUDED.sub(lambda mark: _resource_text(mark[1]).rstrip("\n"), _resource_text("language.md"))
     text = text.replace(_UNITS, "\n".join(_units()))
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
 
@@ -46,7 +46,7 @@ def _units() -> Iterator[str]:
         yield f"| `{unit['symbol']}` | {also} | {unit['title']} | {quantity} | {factor} | {ucum} |"
 
 
-def _text(name: str) -> str:
+def _resource_text(name: str) -> str:
     return resources.files(__name__.rpartition(".")[0]).joinpath(name).read_text("utf-8")
 
 
@@ -82,15 +82,15 @@ def _section(name: str) -> Iterator[str]:
     yield described(part)
     yield from _words(part)
     own = {key: inner for key, inner in part.get("properties", {}).items() if not _shared_by(inner)}
-    needed = part.get("required", [])
+    required = part.get("required", [])
     if own:
         yield ""
         yield "| key | form | needed | what it is |"
         yield "|---|---|---|---|"
         for key, inner in own.items():
             path = key if name == ROOT else f"{name}.{key}"
-            yield f"| `{key}` | {_form(path, inner)} | {'yes' * (key in needed)} | {_cell(described(inner))} |"
-    yield from _also(part, needed)
+            yield f"| `{key}` | {_form(path, inner)} | {'yes' * (key in required)} | {_cell(described(inner))} |"
+    yield from _also(part, required)
 
 
 def _shared_by(part: Schema) -> str:
@@ -99,21 +99,21 @@ def _shared_by(part: Schema) -> str:
     return group if group in _SHARED else ""
 
 
-def _also(part: Schema, needed: list[str]) -> Iterator[str]:
+def _also(part: Schema, required: list[str]) -> Iterator[str]:
     """A sentence for each group of shared keys that a part takes."""
     for group, words in _SHARED.items():
         all_keys = list(schema()["$defs"][group]["properties"])
-        taken = [key for key, inner in part.get("properties", {}).items() if _shared_by(inner) == group]
-        if not taken:
+        shared_keys = [key for key, inner in part.get("properties", {}).items() if _shared_by(inner) == group]
+        if not shared_keys:
             continue
-        left_out = [key for key in all_keys if key not in taken]
-        few = len(taken) < len(left_out)
+        left_out = [key for key in all_keys if key not in shared_keys]
+        few = len(shared_keys) < len(left_out)
         text = f"It also takes {words}"
         if few:
-            text = f"It also takes {_enumeration(taken)}, as every [{group}](#{group}) does"
+            text = f"It also takes {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
         elif left_out:
             text += f" but {_enumeration(left_out)}"
-        must = [key for key in taken if key in needed]
+        must = [key for key in shared_keys if key in required]
         yield ""
         yield text + (f"; {_enumeration(must)} is needed." if must else ".")
 
@@ -143,14 +143,14 @@ def _form(path: str, part: Schema) -> str:
     if "enum" in part:
         return ", ".join(f"`{word}`" for word in part["enum"])
     if "items" in part and part["type"] == "array":
-        return f"list of {_many(path, part['items'])}"
+        return f"list of {_plural_form(path, part['items'])}"
     if part.get("type") == "object":
-        return f"mapping of {_many(path, part['additionalProperties'])}"
+        return f"mapping of {_plural_form(path, part['additionalProperties'])}"
     kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
     return " or ".join(_KINDS[kind][0] for kind in kinds) + _bounds(part)
 
 
-def _many(path: str, part: Schema) -> str:
+def _plural_form(path: str, part: Schema) -> str:
     """The items of a list, or the values of a mapping."""
     if "$ref" in part or "properties" in part or "enum" in part:
         return _form(path, part).replace("[mapping]", "[mappings]")

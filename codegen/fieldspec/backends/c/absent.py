@@ -36,7 +36,7 @@ _INFINITY = {4: 0x7F800000, 8: 0x7FF0000000000000}
 
 @dataclass(frozen=True, slots=True)
 class AbsentValue:
-    """A value with sentinels: what it is to `Naming`, and its names."""
+    """A value with sentinels, the noun under which `Naming` has it, and the words of its names."""
 
     noun: Noun
     names: tuple[str, ...]

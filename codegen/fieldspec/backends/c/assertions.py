@@ -37,24 +37,24 @@ from fieldspec.model.value import Kind
 LENGTH = Identifier("length")
 
 
-def expect(test: Expression, what: str) -> Evaluation:
+def expect(test: Expression, description: str) -> Evaluation:
     """`expect(test, "what is tested");`"""
-    return Evaluation(Call("expect", (test, string(what))))
+    return Evaluation(Call("expect", (test, string(description))))
 
 
-def expect_equal(what: str, left: Expression, right: Expression) -> Expectation:
+def expect_equal(description: str, left: Expression, right: Expression) -> Expectation:
     """`expect(left == right, "what is tested");`"""
-    return Expectation(left, right, string(what))
+    return Expectation(left, right, string(description))
 
 
-def expect_bytes(what: str, memory: Expression, data: bytes) -> Evaluation:
+def expect_bytes(description: str, memory: Expression, data: bytes) -> Evaluation:
     """`expect(same_bytes(memory, "\\001\\002", 2u), "what is tested");`"""
-    return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), what)
+    return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), description)
 
 
-def same_array(memory: Identifier, wanted: Identifier) -> Expression:
+def same_array(memory: Identifier, expected: Identifier) -> Expression:
     """`length == sizeof wanted && same_bytes(memory, wanted, length)`"""
-    return all_of([equal(LENGTH, SizeOf(wanted)), Call("same_bytes", (memory, wanted, LENGTH))])
+    return all_of([equal(LENGTH, SizeOf(expected)), Call("same_bytes", (memory, expected, LENGTH))])
 
 
 def clear_variable(variable: Expression) -> Evaluation:
@@ -85,7 +85,7 @@ def set_member(naming: Naming, form: RecordForm, field: FieldLayout, value: Any,
 
 
 def expect_members(
-    naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression, what: str
+    naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression, description: str
 ) -> list[Statement]:
     """`expect(out.speed == 100u, "...");`: compares members with values; members that have none are left out."""
     statements: list[Statement] = []
@@ -95,12 +95,12 @@ def expect_members(
         value = values[field.name]
         if field.field.repeat is not None:
             count = Member(struct, form.count_name(field))
-            statements.append(expect_equal(f"{what}: {field.name} count", count, unsigned(len(value))))
+            statements.append(expect_equal(f"{description}: {field.name} count", count, unsigned(len(value))))
         for target, item in _elements(form, field, struct, value):
             if field.record is not None:
-                statements += expect_members(naming, form_of_values(field.record, item), item, target, what)
+                statements += expect_members(naming, form_of_values(field.record, item), item, target, description)
             else:
-                statements += _expect_member(naming, field, target, item, f"{what}: {field.name}")
+                statements += _expect_member(naming, field, target, item, f"{description}: {field.name}")
     return statements
 
 
@@ -112,8 +112,8 @@ def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: A
     if not field.is_list:
         yield target, value
         return
-    for at, item in enumerate(value):
-        yield Element(target, decimal(at)), item
+    for index, item in enumerate(value):
+        yield Element(target, decimal(index)), item
 
 
 def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
@@ -127,15 +127,17 @@ def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: A
     return [Assignment(target, _literal(field, item))]
 
 
-def _expect_member(naming: Naming, field: FieldLayout, target: Expression, item: Any, what: str) -> list[Statement]:
+def _expect_member(
+    naming: Naming, field: FieldLayout, target: Expression, item: Any, description: str
+) -> list[Statement]:
     kind = field.primitive.kind
     if kind in (Kind.TEXT, Kind.BYTES):
         data = _data(item)
-        return [expect_bytes(what, target, data)] if data else []
+        return [expect_bytes(description, target, data)] if data else []
     if kind is Kind.FLOAT:
         _, bits_of = real_functions(field.size)
-        return [expect_equal(what, Call(naming.own(bits_of), (target,)), _real_bits(field, item))]
-    return [expect_equal(what, target, _literal(field, item))]
+        return [expect_equal(description, Call(naming.own(bits_of), (target,)), _real_bits(field, item))]
+    return [expect_equal(description, target, _literal(field, item))]
 
 
 def _data(item: Any) -> bytes:

@@ -56,12 +56,12 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
 
 
 def shared() -> dict[str, str]:
-    """No file belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 
 def header(layout: DeviceLayout, naming: Naming) -> str:
-    """The header of a version. It settles the names, so whoever uses it must have the same naming."""
+    """The header of a version. It decides the names: other files of the version need the same naming."""
     device = layout.device
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     algorithms = {part.algorithm for part in checksum_parts(layout)}
@@ -140,7 +140,7 @@ def _claimed_names(layout: DeviceLayout) -> Naming:
 
 
 def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
-    """The texts of all sections."""
+    """The C text of all sections, each under its heading."""
     printer = Printer()
     for name, blocks in _sections(naming, layout):
         texts = [_print_block(printer, block) for block in blocks if block]
@@ -166,7 +166,7 @@ def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
 
 
 def _absent_values(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
-    """What tells absent values from quantities; then the conversions of those with a scale, which refuse them."""
+    """The functions that tell sentinels from quantities, then the conversions that refuse sentinels."""
     yield from (declare_absent(naming, absent) for absent in absent_values(layout))
     fixed = fixed_values(layout)
     if fixed:
@@ -179,15 +179,17 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
     """For each message its code and number, then the data of its request and of its response."""
     for layout_of_message in layout.messages.values():
         message = layout_of_message.message
-        beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
+        companions = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         sender = "" if message.is_requested else "Only the device sends it, of its own accord."
-        about = " ".join(text for text in (message.title and f"{message.title}.", links, beside, sender) if text)
+        description = " ".join(
+            text for text in (message.title and f"{message.title}.", links, companions, sender) if text
+        )
         subcodes = subcodes_of(layout, layout_of_message)
         subcode = subcodes[0][0] if len(subcodes) == 1 and subcodes[0][0] == subcodes[0][1] else None
         codes = (("code", message.code), ("response_code", message.response_code))
         numbers = (*codes, ("subcode", subcode), ("number", message.number))
-        comment_of_message = describe_fact(message, about)
+        comment_of_message = describe_fact(message, description)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []
         block += [
             Define(naming.macro("message", layout_of_message.name, name), unsigned(number))
@@ -195,8 +197,8 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
             if number is not None
         ]
         if subcodes and subcode is None:
-            what = comment("Whether an opened frame with the code and this subcode is of the message.")
-            block += [what, has_subcode(naming, layout_of_message.name, subcodes)]
+            explanation = comment("Whether an opened frame with the code and this subcode is of the message.")
+            block += [explanation, has_subcode(naming, layout_of_message.name, subcodes)]
         access = message.accesses
         if access is not None and access.set is not None:
             block += [
@@ -212,8 +214,8 @@ def _code_texts(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
     tables = code_tables(layout.device)
     if tables:
         yield [Directive("ifdef", naming.own_macro("with_texts")), copy_runtime(naming, "code_text.h")]
-        *others, last = tables
-        yield from (declare_code_texts(naming, enum) for enum in others)
+        *leading, last = tables
+        yield from (declare_code_texts(naming, enum) for enum in leading)
         yield [*declare_code_texts(naming, last), Directive("endif")]
 
 
@@ -236,7 +238,7 @@ def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conver
         ("without_double", "leaves out the conversions, which need double", conversions),
         ("wide_crc_table", "takes a table of 512 bytes for a faster CRC", "crc16_modbus" in algorithms),
     )
-    lines = [f" *   {naming.own_macro(name)} {what}\n" for name, what, used in known if used]
+    lines = [f" *   {naming.own_macro(name)} {effect}\n" for name, effect, used in known if used]
     return "".join([" *\n * Define before you include it:\n", *lines] if lines else [])
 
 

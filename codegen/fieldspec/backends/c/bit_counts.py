@@ -22,6 +22,6 @@ def check_bit_count(naming: Naming, record: RecordLayout, struct: Expression) ->
             number = PointerMember(struct, member(field.name))
             rest = Group(add(Operation("%", (number, unsigned(8))), unsigned(7)))
             size = add(Operation("/", (number, unsigned(8))), Operation("/", (rest, unsigned(8))))
-            there = PointerMember(struct, count_member(record, packed))
-            body = (*body, *refuse(naming, different(size, there), "err_wrong_measure"))
+            actual_size = PointerMember(struct, count_member(record, packed))
+            body = (*body, *refuse(naming, different(size, actual_size), "err_wrong_measure"))
     return body

@@ -90,7 +90,7 @@ def _suffix_words(kind: Checksum) -> dict[str, str]:
     return {"INDEX": index, "SIZE": f"size + {len(kind.suffix)}u", "BYTE": _BYTE_OR_SUFFIX}
 
 
-def _number(number: int, bits: int) -> str:
+def _hexadecimal_number(number: int, bits: int) -> str:
     """`0x1021u`, or `((uint64_t)0x42F0E1EBu << 32 | 0xA9EA3693u)`: C++98 has no literals of 64 bits."""
     if not number >> 32:
         return f"0x{number:0{min(bits, 32) // 4}X}u"
@@ -109,22 +109,22 @@ def _crc_words(kind: Checksum, bits: int) -> tuple[str, dict[str, str]]:
                 register = register >> 1 ^ (reflected(kind.polynomial, kind.width) if register & 1 else 0)
             else:
                 register = (register << 1 & mask) ^ (kind.polynomial << up if register >> bits - 1 else 0)
-        terms.append(_number(register, bits))
-    each = {8: 8, 16: 8, 32: 4, 64: 2}[bits]
-    rows = [f"        {', '.join(terms[at : at + each])}," for at in range(0, 16, each)]
+        terms.append(_hexadecimal_number(register, bits))
+    row_length = {8: 8, 16: 8, 32: 4, 64: 2}[bits]
+    rows = [f"        {', '.join(terms[index : index + row_length])}," for index in range(0, 16, row_length)]
     crc = "crc" if kind.reflect_in or not up else f"(crc >> {up})"
     if kind.reflect_in != kind.reflect_out:
         crc = f"device_reversed({crc}, {kind.width}u)"
-    final = f" ^ {_number(kind.final_xor, bits)}" if kind.final_xor else ""
+    final = f" ^ {_hexadecimal_number(kind.final_xor, bits)}" if kind.final_xor else ""
     start = reflected(kind.initial, kind.width) if kind.reflect_in else kind.initial << up
     order = ", reflected" if kind.reflect_in else ""
-    about = f"CRC-{kind.width}, polynomial 0x{kind.polynomial:X}{order}, start value 0x{kind.initial:X}"
-    about += f", final xor 0x{kind.final_xor:X}." if kind.final_xor else "."
+    description = f"CRC-{kind.width}, polynomial 0x{kind.polynomial:X}{order}, start value 0x{kind.initial:X}"
+    description += f", final xor 0x{kind.final_xor:X}." if kind.final_xor else "."
     return ("reflected" if kind.reflect_in else "forward"), {
-        "ABOUT": about,
+        "ABOUT": description,
         "REGISTER": f"uint{bits}_t",
         "TABLE": "\n".join(rows),
-        "START": _number(start, bits),
+        "START": _hexadecimal_number(start, bits),
         "FINISH": f"return (uint{bits}_t)({crc}{final});" if final or crc != "crc" else "return crc;",
         "BYTE_SHIFT": str(bits - 8),
         "DIGIT_SHIFT": str(bits - 4),
@@ -137,14 +137,14 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
     bits = 64 if half > 16 else 32
     result = _bits(kind.width)
     size, total = kind.unit_size, f"size + {len(kind.suffix)}u" if kind.suffix else "size"
-    taken = f"numbers of {size} bytes" if size > 1 else "all bytes"
-    modulo = f"& {_number(kind.modulus - 1, bits)}" if kind.modulus == 1 << half else f"% {kind.modulus}u"
+    operands = f"numbers of {size} bytes" if size > 1 else "all bytes"
+    modulo = f"& {_hexadecimal_number(kind.modulus - 1, bits)}" if kind.modulus == 1 << half else f"% {kind.modulus}u"
     step, complete = f"upper = (upper + lower) {modulo};", f"at % {size}u == {size - 1}u || at + 1u == {total}"
     return {
-        "ABOUT": f"The Fletcher checksum of {taken}, {kind.width} bits, modulo {kind.modulus}.",
+        "ABOUT": f"The Fletcher checksum of {operands}, {kind.width} bits, modulo {kind.modulus}.",
         "REGISTER": f"uint{bits}_t",
-        "UPPER_START": _number(kind.initial >> half, bits),
-        "LOWER_START": _number(kind.initial & (1 << half) - 1, bits),
+        "UPPER_START": _hexadecimal_number(kind.initial >> half, bits),
+        "LOWER_START": _hexadecimal_number(kind.initial & (1 << half) - 1, bits),
         "TERM": _term(kind, order, f"uint{bits}_t"),
         "MODULO": modulo,
         "STEP": f"if ({complete}) {{\n            {step}\n        }}" if size > 1 else step,
@@ -153,7 +153,7 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
 
 
 def _term(kind: Checksum, order: str, register: str) -> str:
-    """What one byte adds to a sum: itself, or the part that it has of a number of several bytes."""
+    """The number that a byte adds to a sum: the byte, or the part of a number of several bytes that it is."""
     byte = _BYTE_OR_SUFFIX if kind.suffix else "in[at]"
     if kind.unit_size == 1:
         return byte
@@ -167,16 +167,16 @@ def _total_words(kind: Checksum, order: str) -> dict[str, str]:
     bits = 64 if max(kind.width, 8 * kind.unit_size) > 32 else 32
     register = f"uint{bits}_t"
     number = {"": "number", "ones": "~number", "twos": "0u - number"}[kind.complement]
-    taken = f"numbers of {kind.unit_size} bytes" if kind.unit_size > 1 else "all bytes"
-    what = "sum" if kind.method == "sum" else "exclusive or"
+    operands = f"numbers of {kind.unit_size} bytes" if kind.unit_size > 1 else "all bytes"
+    operation = "sum" if kind.method == "sum" else "exclusive or"
     complement = f"The {kind.complement[:-1]}'s complement of the" if kind.complement else "The"
     return {
-        "ABOUT": f"{complement} {what} of {taken}, {kind.width} bits.",
+        "ABOUT": f"{complement} {operation} of {operands}, {kind.width} bits.",
         "REGISTER": register,
-        "START": _number(kind.initial, bits),
+        "START": _hexadecimal_number(kind.initial, bits),
         "OPERATOR": "+" if kind.method == "sum" else "^",
         "TERM": _term(kind, order, register),
-        "FINISH": f"return (uint{_bits(kind.width)}_t)(({number}) & {_number(kind.mask, bits)});",
+        "FINISH": f"return (uint{_bits(kind.width)}_t)(({number}) & {_hexadecimal_number(kind.mask, bits)});",
     }
 
 

@@ -59,7 +59,7 @@ def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -
     """The functions from a count to a quantity and back."""
     full_scale = f"{conversion.full_scale}.0"
     formula = f"reference * (1 - raw / {full_scale})" if conversion.complement else f"reference * raw / {full_scale}"
-    about = [
+    paragraphs = [
         f"{conversion.title or conversion.name} = {formula}",
         f"Printed: {conversion.printed}" if conversion.printed else "",
         f"Signals: {', '.join(conversion.signals)}." if conversion.signals else "",
@@ -71,7 +71,7 @@ def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -
     if conversion.complement:
         share = subtract(whole_double(1), share)
     return [
-        describe_fact(conversion, *about),
+        describe_fact(conversion, *paragraphs),
         Function(
             _DOUBLE,
             naming.function("conversion", conversion.name, "from_raw"),
@@ -124,8 +124,8 @@ def count_of_share(
     name, size, signed = f"{'' if kind.signed else 'u'}int{8 * kind.container}_t", kind.container, kind.signed
     zero, unit, two = (integer(number, size, signed) for number in (0, 1, 2))
     # Beyond 53 bits a double has no halves: there the bound itself is the last number that fits.
-    least = at_least(COUNT, whole_double(low)) if -low > 2**52 else greater(COUNT, _half(2 * low - 1))
-    most = less(COUNT, whole_double(high + 1)) if high > 2**52 else less(COUNT, _half(2 * high + 1))
+    lower_test = at_least(COUNT, whole_double(low)) if -low > 2**52 else greater(COUNT, _half(2 * low - 1))
+    upper_test = less(COUNT, whole_double(high + 1)) if high > 2**52 else less(COUNT, _half(2 * high + 1))
     odd = different(Operation("%", (_WHOLE, two)), zero)
     above = any_of([greater(_REST, double(0.5)), Group(all_of([at_least(_REST, double(0.5)), odd]))])
     below = any_of([less(_REST, double(-0.5)), Group(all_of([at_most(_REST, double(-0.5)), odd]))])
@@ -134,7 +134,7 @@ def count_of_share(
         Variables(_DOUBLE, ("count", "rest")),
         Variable(Type(name), "whole"),
         *unrounded,
-        *refuse(naming, negate(all_of([least, most])), "err_out_of_range"),
+        *refuse(naming, negate(all_of([lower_test, upper_test])), "err_out_of_range"),
         assign(_WHOLE, Cast(name, COUNT)),
         assign(_REST, subtract(COUNT, Cast("double", _WHOLE))),
         If(above, (assign(_WHOLE, Cast(name, add(_WHOLE, unit))),), (round_down,) if signed else ()),

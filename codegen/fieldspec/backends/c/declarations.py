@@ -151,14 +151,14 @@ def comment(*paragraphs: str) -> Comment:
     return Comment(tuple([line for text in paragraphs if text for line in wrap_comment(text)]))
 
 
-def describe_fact(fact: Fact, *more: str) -> Comment:
-    """The comment of a fact: what it is, what the manual calls it, and where it stands."""
+def describe_fact(fact: Fact, *paragraphs: str) -> Comment:
+    """The comment of a fact: its documentation, the text that the manual prints for it, notes, and its sources."""
     printed = " ".join(text for text in (fact.printed_name, fact.label) if text)
     sources = "; ".join([citation.text() for citation in fact.sources])
     return comment(
         fact.doc,
         f"Printed as {printed}." if printed else "",
-        *more,
+        *paragraphs,
         *[f"Note: {note}" for note in fact.notes],
         f"Source: {sources}" if sources else "",
     )

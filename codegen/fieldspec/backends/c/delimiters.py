@@ -89,8 +89,8 @@ def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Dec
 
 def _wrong_delimiters(start: bytes, end: bytes) -> list[Expression]:
     """`frame[0] != 0x3Au`, `frame[size - 1u] != 0x0Au`"""
-    first = [different(Element(_FRAME, decimal(at)), hexadecimal(byte, 1)) for at, byte in enumerate(start)]
-    places = [subtract(_SIZE, unsigned(len(end) - at)) for at in range(len(end))]
+    first = [different(Element(_FRAME, decimal(index)), hexadecimal(byte, 1)) for index, byte in enumerate(start)]
+    places = [subtract(_SIZE, unsigned(len(end) - index)) for index in range(len(end))]
     last = [different(Element(_FRAME, place), hexadecimal(byte, 1)) for place, byte in zip(places, end, strict=True)]
     return [*first, *last]
 
@@ -131,6 +131,9 @@ def wrap_frame(naming: Naming, link: LinkLayout, direction: str) -> Body:
         moved = (assign(Element(OUT, add(unsigned(len(start)), INDEX)), Element(OUT, INDEX)),)
     return (
         CountDown(INDEX, _TOTAL, moved),
-        *(assign(Element(OUT, decimal(at)), hexadecimal_digits(byte, 2)) for at, byte in enumerate(start)),
-        *(assign(Element(OUT, add(size, unsigned(at))), hexadecimal_digits(byte, 2)) for at, byte in enumerate(end)),
+        *(assign(Element(OUT, decimal(index)), hexadecimal_digits(byte, 2)) for index, byte in enumerate(start)),
+        *(
+            assign(Element(OUT, add(size, unsigned(index))), hexadecimal_digits(byte, 2))
+            for index, byte in enumerate(end)
+        ),
     )

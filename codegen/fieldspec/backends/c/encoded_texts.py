@@ -45,7 +45,10 @@ def store_text(naming: Naming, value: Value, order: str, source: Expression, tar
 
 
 def _form(value: Value, order: str) -> tuple[Expression, ...]:
-    """`12u, 3u, 0x20u, false, 0x80u`: the bytes, the encoding, what fills a text up, its side, and what ends it."""
+    """The form of a text: `12u, 3u, 0x20u, false, 0x80u`
+
+    These are its bytes, its encoding, its padding, whether the padding comes first, and its terminator.
+    """
     form = value.text_form
     assert form is not None
     encoding = _ENCODINGS[form.encoding] + (form.encoding == UTF_16 and order != "big") + _TURNED * form.is_turned

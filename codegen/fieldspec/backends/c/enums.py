@@ -63,7 +63,7 @@ def code_tables(device: Device) -> list[Enum]:
 
 
 def available_members(enum: Enum) -> list[Member]:
-    """The members that a value may be."""
+    """The members of an enum without those that the device does not have."""
     return [member for member in enum.members if not member.unavailable]
 
 
@@ -171,11 +171,13 @@ def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
     wide = _is_wide(enum)
     tests: list[Expression] = []
     for low, high in _runs(sorted({member.value for member in available_members(enum)})):
-        least, most = integer(low, 8, not wide), integer(high, 8, not wide)
+        minimum, maximum = integer(low, 8, not wide), integer(high, 8, not wide)
         if low == 0 and high > 0 and wide:
-            tests.append(at_most(VALUE, most))
+            tests.append(at_most(VALUE, maximum))
         else:
-            tests.append(equal(VALUE, least) if low == high else all_of([at_least(VALUE, least), at_most(VALUE, most)]))
+            tests.append(
+                equal(VALUE, minimum) if low == high else all_of([at_least(VALUE, minimum), at_most(VALUE, maximum)])
+            )
     body: list[Statement] = [If(test, (Return(TRUE),)) for test in tests[:-1]]
     if tests:
         body.append(Return(Call(naming.own_macro("likely"), (tests[-1],))))
@@ -183,9 +185,9 @@ def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
         body += [discard("value"), Return(FALSE)]
     parameter = Variable(Type("uint64_t" if wide else "int64_t"), "value")
     # The name of the type is claimed before that of the function.
-    about = f"Whether a value is one of {escape_comment(naming.type('enum', enum.name))}."
+    description = f"Whether a value is one of {escape_comment(naming.type('enum', enum.name))}."
     function = Function(Type("bool"), naming.function("enum", enum.name, "known"), (parameter,), tuple(body))
-    return [Comment((about,)), function]
+    return [Comment((description,)), function]
 
 
 def _runs(values: list[int]) -> list[tuple[int, int]]:
@@ -225,7 +227,7 @@ def enum_implies_range(device: Device, value: Value) -> bool:
 def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
     struct = naming.own("code_text")
-    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL if the code is unknown."
+    description = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL if the code is unknown."
     members = [member for member in enum.members if member.value <= _LARGEST_CODE]
     texts, code = Identifier("texts"), Identifier("code")
     row = Element(texts, INDEX)
@@ -247,7 +249,7 @@ def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
         (Variable(Type("int64_t"), "code"),),
         body,
     )
-    return [Comment((about,)), function]
+    return [Comment((description,)), function]
 
 
 def _code_text(member: Member) -> Initializer:

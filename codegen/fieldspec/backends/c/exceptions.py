@@ -40,9 +40,9 @@ def read_mark(mark: ExceptionResponse, frame: FrameLayout, code: Expression, err
         part = next(part for part in frame.header if part.name == mark.part)
         assert part.value is not None
         value = replace(part.value, ranges=mark.permitted(part.value, True), sentinels=(), write_ranges=None)
-        outside = out_of_range_test(value, PointerMember(OUT, frame_member(part)))
-        assert outside is not None, "a check sees to it that the part has other numbers too"
-        return (assign(error, negate(Group(outside))),)
+        out_of_range = out_of_range_test(value, PointerMember(OUT, frame_member(part)))
+        assert out_of_range is not None, "a check sees to it that the part has other numbers too"
+        return (assign(error, negate(Group(out_of_range))),)
     if mark.code is not None:
         return (assign(error, equal(code, unsigned(mark.code))),)
     flag = unsigned(mark.flag)
@@ -70,5 +70,5 @@ def check_mark(naming: Naming, link: LinkLayout, frame: FrameLayout, is_exceptio
     part = next(part for part in frame.header if part.name == mark.part)
     assert part.value is not None
     value = replace(part.value, ranges=mark.permitted(part.value, is_exception), sentinels=(), write_ranges=None)
-    outside = out_of_range_test(value, Identifier(argument(part)))
-    return refuse(naming, outside, "err_out_of_range") if outside is not None else ()
+    out_of_range = out_of_range_test(value, Identifier(argument(part)))
+    return refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()

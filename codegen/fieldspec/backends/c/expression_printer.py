@@ -58,7 +58,7 @@ class ExpressionPrinter:
             Initializer: self._initializer,
         }
 
-    def _text(self, expression: Expression) -> str:
+    def _expression_text(self, expression: Expression) -> str:
         return self._expressions[expression.__class__](expression)
 
     def _local(self, node: Local) -> str:
@@ -70,13 +70,13 @@ class ExpressionPrinter:
         return f"{node.function}({', '.join([texts[argument.__class__](argument) for argument in node.arguments])})"
 
     def _member(self, node: Member) -> str:
-        return f"{self._text(node.structure)}.{node.name}"
+        return f"{self._expression_text(node.structure)}.{node.name}"
 
     def _pointer_member(self, node: PointerMember) -> str:
-        return f"{self._text(node.pointer)}->{node.name}"
+        return f"{self._expression_text(node.pointer)}->{node.name}"
 
     def _element(self, node: Element) -> str:
-        return f"{self._text(node.array)}[{self._text(node.index)}]"
+        return f"{self._expression_text(node.array)}[{self._expression_text(node.index)}]"
 
     def _unary(self, node: Unary) -> str:
         return f"{node.operator}{self._operand(node.operand, _UNARY)}"
@@ -88,10 +88,10 @@ class ExpressionPrinter:
         return f"sizeof {self._operand(node.operand, _UNARY)}"
 
     def _group(self, node: Group) -> str:
-        return f"({self._text(node.content)})"
+        return f"({self._expression_text(node.content)})"
 
     def _initializer(self, node: Initializer) -> str:
-        return f"{{{', '.join([self._text(value) for value in node.values])}}}"
+        return f"{{{', '.join([self._expression_text(value) for value in node.values])}}}"
 
     def _operation(self, node: Operation) -> str:
         operator, texts = node.operator, self._expressions
@@ -110,7 +110,7 @@ class ExpressionPrinter:
 
     def _conditional(self, node: Conditional) -> str:
         test = self._operand(node.test, _CONDITIONAL + 1)
-        return f"{test} ? {self._text(node.positive)} : {self._text(node.negative)}"
+        return f"{test} ? {self._expression_text(node.positive)} : {self._expression_text(node.negative)}"
 
     def _operand(self, node: Expression, strength: int) -> str:
         """An operand, in parentheses where it binds less than `strength`."""

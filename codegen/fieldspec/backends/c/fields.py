@@ -154,8 +154,8 @@ def _declare_union(field: FieldLayout, count: int | None) -> Iterator[Union]:
     inner: list[Comment | Variable] = []
     for case in field.cases:
         if name := case_member(case):
-            when = f"While {field.field.choice.by if field.field.choice else ''} is {' or '.join(case.case.when)}."
-            inner.append(describe_fact(case.case, when, describe_value(case.value)))
+            condition = f"While {field.field.choice.by if field.field.choice else ''} is {' or '.join(case.case.when)}."
+            inner.append(describe_fact(case.case, condition, describe_value(case.value)))
             inner.append(declare_value(field_value(case), name, count))
     if inner:
         yield Union(tuple(inner), member(field.name))

@@ -44,23 +44,25 @@ _WORD = Identifier("word")
 
 def named_bits(word: Flags) -> list[tuple[str, Bit]]:
     """The bits that have a meaning, by names that differ: bits of one name under several conditions are numbered."""
-    named: dict[str, Bit] = {}
+    bits_by_name: dict[str, Bit] = {}
     for bit in word.bits:
-        if bit.reserved or any(other.mask == bit.mask and other.name == bit.name for other in named.values()):
+        if bit.reserved or any(other.mask == bit.mask and other.name == bit.name for other in bits_by_name.values()):
             continue
         name, number = bit.name, 1
-        while name in named:
+        while name in bits_by_name:
             number += 1
             name = f"{bit.name}_{number}"
-        named[name] = bit
-    return list(named.items())
+        bits_by_name[name] = bit
+    return list(bits_by_name.items())
 
 
 def declare_flags(naming: Naming, word: Flags, enums: Mapping[str, Enum]) -> list[Declaration]:
     """Masks, shifts, and a function for each bit or bit field; then the states."""
     kind = Type(f"uint{8 * word.type.container}_t")
-    needed = [escape_comment(f"Set {each.bit.name}: its {each.reason}.") for each in needed_bits(word, enums)]
-    declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.", *needed)]
+    requirements = [
+        escape_comment(f"Set {required.bit.name}: its {required.reason}.") for required in needed_bits(word, enums)
+    ]
+    declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.", *requirements)]
     declarations.append(Typedef(kind, naming.type("word", word.name)))
     if any(bit.default is not None for bit in word.bits):
         initial = naming.macro("word", word.name, "initial")
@@ -109,8 +111,8 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     if bit.ranges is not None:
         size = max(word.type.size, 4) if bit.signed else word.type.size
         declarations += [
-            Define(naming.macro("bit", word.name, name, which), integer(bound, size, bit.signed))
-            for which, bound in (("min", bit.ranges.low), ("max", bit.ranges.high))
+            Define(naming.macro("bit", word.name, name, limit), integer(bound, size, bit.signed))
+            for limit, bound in (("min", bit.ranges.low), ("max", bit.ranges.high))
         ]
     if bit.width == 1:
         return [*declarations, Function(Type("bool"), get, (parameter,), (Return(different(masked, ZERO)),))]

@@ -90,11 +90,11 @@ def _describe_form(link: LinkLayout) -> str:
     if link.link.has_common_delimiters:
         delimiters = _describe_delimiters(link.request)
         return (f"{text}; they {delimiters}" if delimiters else text) + escaped
-    each = (
+    descriptions = (
         f"{direction}s {_describe_delimiters(link.frame(direction)) or 'have no delimiters'}"
         for direction in DIRECTIONS
     )
-    return f"{text}; {', '.join(each)}{escaped}"
+    return f"{text}; {', '.join(descriptions)}{escaped}"
 
 
 def _describe_delimiters(frame: FrameLayout) -> str:
@@ -107,21 +107,23 @@ def _describe_delimiters(frame: FrameLayout) -> str:
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
     """The struct of an opened frame."""
     frame = link.frame(direction)
-    inside: list[Comment | Variable] = []
+    struct_members: list[Comment | Variable] = []
     for part in header_parts(frame):
-        inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part))]
+        struct_members += [describe_fact(part.part), declare_value(part_value(part), frame_member(part))]
     if frame.role("code") is not None:
-        inside += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
+        struct_members += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
     if shared_codes(link, direction):
-        about = comment("What tells messages with this code apart; 0 for other codes and for exception responses.")
-        inside += [about, Variable(CODE_TYPE, "subcode")]
+        description = comment(
+            "What tells messages with this code apart; 0 for other codes and for exception responses."
+        )
+        struct_members += [description, Variable(CODE_TYPE, "subcode")]
     if direction == "response" and link.link.exception_response is not None:
-        about = comment("The frame is an exception response; its body is the record of the exception.")
-        inside += [about, Variable(Type("bool"), "error")]
-    inside += [Variable(INPUT_BYTES, "body"), Variable(SIZE_TYPE, "body_length")]
+        description = comment("The frame is an exception response; its body is the record of the exception.")
+        struct_members += [description, Variable(Type("bool"), "error")]
+    struct_members += [Variable(INPUT_BYTES, "body"), Variable(SIZE_TYPE, "body_length")]
     return [
         comment(f"An opened {direction}: its header, and where its body is."),
-        Struct(naming.type("link", link.name, direction, "frame"), tuple(inside)),
+        Struct(naming.type("link", link.name, direction, "frame"), tuple(struct_members)),
     ]
 
 
@@ -134,11 +136,11 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     `codec_status rtu_request_open(const uint8_t *frame, size_t size, rtu_request_frame *out)`
     """
     frame = link.frame(direction)
-    about = ["Checks a frame and finds its body."]
+    paragraphs = ["Checks a frame and finds its body."]
     parameters = [Variable(INPUT_BYTES, "frame"), Variable(SIZE_TYPE, "size")]
     body: list[Statement] = []
     if is_wrapped(link):
-        about.append("`buffer` receives the bytes of the frame, and the body points into it.")
+        paragraphs.append("`buffer` receives the bytes of the frame, and the body points into it.")
         parameters += [Variable(OUTPUT_BYTES, "buffer"), Variable(SIZE_TYPE, "capacity")]
         received = Identifier("frame"), Identifier("size"), Identifier("buffer"), CAPACITY, address_of(LENGTH)
         body += [
@@ -153,13 +155,13 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
             Variable(SIZE_TYPE, "length", value=Identifier("size")),
         ]
     parameters.append(Variable(Type(naming.type("link", link.name, direction, "frame"), pointer=True), "out"))
-    around = frame.header_size + frame.trailer_size
-    if around:
-        body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete")
+    parts_size = frame.header_size + frame.trailer_size
+    if parts_size:
+        body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete")
     if frame.escape is not None:
         body += _check_frame(naming, frame, False)
         body += return_error(naming, escape_call(naming, link, frame, Identifier("buffer"), address_of(LENGTH)))
-        body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete") if around else ()
+        body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete") if parts_size else ()
     body += _check_frame(naming, frame, True)
     for part in header_parts(frame):
         number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
@@ -169,11 +171,11 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     if not isinstance(body[-1], Return):
         body += [
             assign(PointerMember(OUT, "body"), add_size(IN, frame.header_size)),
-            assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -around)),
+            assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -parts_size)),
             return_ok(naming),
         ]
     name = naming.function("link", link.name, direction, "open")
-    return [comment(*about), Function(status_type(naming), name, tuple(parameters), tuple(body))]
+    return [comment(*paragraphs), Function(status_type(naming), name, tuple(parameters), tuple(body))]
 
 
 def _is_sent(frame: FrameLayout, part: PartLayout) -> bool:
@@ -254,15 +256,15 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
     width = 2 if link.link.encoding == "hex_ascii" else 1
     delimiters = len(frame.start) + len(frame.end)
-    around = frame.header_size + frame.trailer_size
+    parts_size = frame.header_size + frame.trailer_size
     body: list[Statement] = [
-        Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, around), storage="" if frame.escape else "const"),
+        Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, parts_size), storage="" if frame.escape else "const"),
     ]
     if frame.escape is not None:
         body.append(Variable(status_type(naming), "status"))
     if is_wrapped(link):
         body.append(Variable(SIZE_TYPE, "at"))
-    body += _check_capacity(naming, width, around, delimiters)
+    body += _check_capacity(naming, width, parts_size, delimiters)
     sent_lengths = [part for part in frame.lengths if _is_sent(frame, part)]
     for part in frame.parts:
         if part.role != "checksum" and part not in sent_lengths:
@@ -300,14 +302,14 @@ OUTPUT_PARAMETERS = (Variable(OUTPUT_BYTES, "out"), Variable(SIZE_TYPE, "capacit
 """The parameters for what is written."""
 
 
-def _check_capacity(naming: Naming, width: int, around: int, delimiters: int) -> Body:
+def _check_capacity(naming: Naming, width: int, parts_size: int, delimiters: int) -> Body:
     """`if (capacity < 9u || body_length > (capacity - 9u) / 2u) { return ERR_CAPACITY; }`
 
     No sum is compared: it would wrap around for lengths that no buffer has.
     """
-    least = width * around + delimiters
-    room = add_size(CAPACITY, -least)
+    minimum = width * parts_size + delimiters
+    room = add_size(CAPACITY, -minimum)
     if width > 1:
         room = Operation("/", (room, unsigned(width)))
-    tests: list[Expression] = [less(CAPACITY, unsigned(least))] if least else []
+    tests: list[Expression] = [less(CAPACITY, unsigned(minimum))] if minimum else []
     return refuse(naming, any_of([*tests, greater(_BODY_LENGTH, room)]), "err_capacity")

@@ -73,7 +73,7 @@ _YES, _NO = decimal(1), decimal(0)
 
 
 def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
-    """The text of the target."""
+    """The C source of the fuzz target of a device."""
     directions = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
     frames = [Call(f"frame_{number}", (_DATA, _SIZE)) for number in range(2 * len(directions))]
     macros = [
@@ -92,7 +92,7 @@ def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
         )
     ]
     printer = Printer(longest_line=_LONGEST_LINE)
-    branches = tuple([((decimal(at),), (Evaluation(choice),)) for at, choice in enumerate(choices)])
+    branches = tuple([((decimal(index),), (Evaluation(choice),)) for index, choice in enumerate(choices)])
     return fill(
         "c/fuzz.c.j2",
         header=header,
@@ -256,7 +256,7 @@ def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: in
             code = Operation("|", (code, error))
         arguments.append(code)
     start, end = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else (_DATA, _SIZE)
-    inside = all_of([at_least(body_member, start), at_most(add(body_member, body_length), add(start, end))])
+    is_within_buffer = all_of([at_least(body_member, start), at_most(add(body_member, body_length), add(start, end))])
     tests: list[Expression] = [equal(_LENGTH, _SIZE)]
     if link.link.encoding != "hex_ascii":
         # Characters have two ways to write a digit; bytes have one.
@@ -271,7 +271,7 @@ def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: in
             *_declare_variables(naming, link, direction),
             _clear_opened(),
             If(different(_open_call(naming, link, direction, _DATA, _SIZE), ok), (Return(),)),
-            _hold(inside),
+            _hold(is_within_buffer),
             call("memcpy", add(_OUT, decimal(frame.header_size)), body_member, body_length),
             If(equal(closed, ok), (_hold(all_of(tests)),)),
         ],
@@ -285,8 +285,8 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
     names = [frame_member(part) for part in header_parts(frame)]
     has_code = frame.role("code") is not None
     flag = _flag_of(link, direction)
-    header = [Element(_DATA, decimal(at)) for at in range(len(names) + has_code)]
-    tests: list[Expression] = [equal(Member(_OPENED, name), header[at]) for at, name in enumerate(names)]
+    header = [Element(_DATA, decimal(index)) for index in range(len(names) + has_code)]
+    tests: list[Expression] = [equal(Member(_OPENED, name), header[index]) for index, name in enumerate(names)]
     if has_code:
         code: Expression = header[-1]
         if flag:

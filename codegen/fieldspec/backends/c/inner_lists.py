@@ -49,11 +49,11 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
     struct = naming.type("record", record.name) if members(record) else ""
     verbs = ("encode", "decode", "encode_image", "decode_image")
     tails = [
-        f"    static const {naming.own('inner_list')} {row.name}_tail = {_row(row.tail)};"
+        f"    static const {naming.own('inner_list')} {row.name}_tail = {_inner_list_row(row.tail)};"
         for row in inner.lists
         if row.tail
     ]
-    rows = ",\n".join(f"        {_row(row)}" for row in inner.lists)
+    rows = ",\n".join(f"        {_inner_list_row(row)}" for row in inner.lists)
     declared = f"    static const {naming.own('inner_list')} lists[] = {{\n{rows},\n    }};"
     return {
         **{verb: naming.function("record", record.name, verb) for verb in verbs},
@@ -72,7 +72,7 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
     }
 
 
-def _row(inner: InnerList) -> str:
+def _inner_list_row(inner: InnerList) -> str:
     """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)

@@ -81,8 +81,8 @@ def _declare_message(
     """
     function = naming.function("link", link.name, "encode", name, direction)
     codes = [unsigned(code)] if code is not None else []
-    about = comment(f"Writes the whole frame of the {direction} {data.name}.")
-    return [about, _encode_frame(naming, link, direction, data, function, [], codes, barred=barred)]
+    description = comment(f"Writes the whole frame of the {direction} {data.name}.")
+    return [description, _encode_frame(naming, link, direction, data, function, [], codes, barred=barred)]
 
 
 def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
@@ -92,14 +92,14 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     function = naming.function("link", link.name, "encode", "error")
     record = layout.records[error.record]
     if link.has_uncoded_exceptions:
-        about = comment("Writes the whole frame of an exception response.")
-        return [about, _encode_frame(naming, link, "response", record, function, [], (), True)]
+        description = comment("Writes the whole frame of an exception response.")
+        return [description, _encode_frame(naming, link, "response", record, function, [], (), True)]
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]
     parameters = [Variable(CODE_TYPE, "code")]
-    about = comment("Writes the whole frame of an exception response to a code.")
+    description = comment("Writes the whole frame of an exception response to a code.")
     if error.code is None and link.has_response_codes:
-        about = comment("Writes the whole frame of an exception response, by the code of the usual response.")
-    return [about, _encode_frame(naming, link, "response", record, function, parameters, code, True)]
+        description = comment("Writes the whole frame of an exception response, by the code of the usual response.")
+    return [description, _encode_frame(naming, link, "response", record, function, parameters, code, True)]
 
 
 def _encode_frame(

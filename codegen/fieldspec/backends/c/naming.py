@@ -44,7 +44,7 @@ _MEMBERS = C | _FRAME
 
 
 class Naming:
-    """The names of one device's header: each thing has one, and no two have the same.
+    """The names in the header of one device: each fact has one name, and no two names are equal.
 
     A thing is known by what it is and by the names of what it belongs to. Of two things whose words are the same
     joined, the one that is asked for first gets them; the other one has a number behind them.
@@ -97,7 +97,7 @@ class Naming:
         return name
 
     def _words(self, noun: Noun, parts: tuple[str, ...]) -> Name:
-        """The words of a thing. Those of what it belongs to are looked up, as that has many names."""
+        """The words of a name. Words of a holder that has many names are looked up, not parted again."""
         if not parts:
             return self.device + Name.of(_PREFIXES.get(noun, ""))
         key = noun, parts[:-1]

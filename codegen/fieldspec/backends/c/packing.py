@@ -44,7 +44,7 @@ from fieldspec.model.device import Device
 
 
 def is_packed(record: RecordLayout) -> bool:
-    """Whether a record has such functions: it is of one size, always has the same fields, and users set some."""
+    """Whether a record has functions that pack it: its size and its fields are fixed, and users set some of them."""
     inner = [field.record for field in record.fields if field.record is not None]
     return record.size is not None and record.selector is None and bool(members(record)) and all(map(is_packed, inner))
 

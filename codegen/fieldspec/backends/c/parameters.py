@@ -80,16 +80,18 @@ def _declare_sizes(
     assert field.value is not None
     assert field.value.parameter is not None
     assert field.value.parameter.sizes is not None
-    by = record.named(field.value.parameter.sizes.by)
-    assert by is not None
-    assert by.value is not None
+    selector_field = record.named(field.value.parameter.sizes.by)
+    assert selector_field is not None
+    assert selector_field.value is not None
     branches = []
     for size in dict.fromkeys(field.sizes.values()):
         numbers = [number for number, own in field.sizes.items() if own == size]
-        labels = tuple(integer(number, by.value.size, by.value.type.signed) for number in numbers)
+        labels = tuple(
+            integer(number, selector_field.value.size, selector_field.value.type.signed) for number in numbers
+        )
         branches.append((labels, (assign(dereference(OUT), unsigned(size)),)))
     kind = Type(naming.type("record", record.name), const=True, pointer=True)
-    selector = PointerMember(IN, member(by.name))
+    selector = PointerMember(IN, member(selector_field.name))
     body: Body = (
         Switch(Cast("int64_t", selector), tuple(branches), (Return(naming.status("err_unknown_value")),)),
         return_ok(naming),
@@ -100,8 +102,8 @@ def _declare_sizes(
         (Variable(kind, "in"), Variable(Type(SIZE_TYPE.name, pointer=True), "out")),
         body,
     )
-    about = f"How many bytes of {field.name} are the value, as {by.name} says. The value of a parameter has its SIZE."
-    return [comment(about), function]
+    description = f"How many bytes of {field.name} are the value, as {selector_field.name} says."
+    return [comment(f"{description} The value of a parameter has its SIZE."), function]
 
 
 def wire_number_type(parameters: ParameterSet) -> str:
@@ -110,7 +112,7 @@ def wire_number_type(parameters: ParameterSet) -> str:
     return "uint16_t" if parameters.base + parameters.numbers.high <= 0xFFFF else "uint32_t"
 
 
-def _number(parameters: ParameterSet, number: int) -> Literal:
+def _parameter_number(parameters: ParameterSet, number: int) -> Literal:
     """A number of the set as a constant: in hexadecimal where the manual writes it so."""
     if parameters.base or "x}" in parameters.printed_as.lower():
         return hexadecimal_digits(number, 4, "u")
@@ -118,8 +120,8 @@ def _number(parameters: ParameterSet, number: int) -> Literal:
 
 
 def _number_text(parameters: ParameterSet, number: int) -> str:
-    """The same for people, without the mark of its type."""
-    return _number(parameters, number).text.removesuffix("u")
+    """A number of the set in comments, without the suffix of its C type."""
+    return _parameter_number(parameters, number).text.removesuffix("u")
 
 
 def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
@@ -128,23 +130,26 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
     base = Identifier(naming.macro("parameter", parameters.name, "base"))
     declarations: list[Declaration] = [
         describe_fact(parameters, f"On the wire, {base_text} is added to the numbers of the set."),
-        Define(base.name, _number(parameters, parameters.base)),
+        Define(base.name, _parameter_number(parameters, parameters.base)),
     ]
     numbers = parameters.numbers
     if numbers is None:
         return declarations
     declarations += [
-        Define(naming.macro("parameter", parameters.name, "first"), _number(parameters, numbers.low)),
-        Define(naming.macro("parameter", parameters.name, "last"), _number(parameters, numbers.high)),
+        Define(naming.macro("parameter", parameters.name, "first"), _parameter_number(parameters, numbers.low)),
+        Define(naming.macro("parameter", parameters.name, "last"), _parameter_number(parameters, numbers.high)),
     ]
     example = f"{_number_text(parameters, parameters.base + numbers.low)} for {parameters.number_text(numbers.low)}"
-    inside: list[Expression] = []
+    interval_tests: list[Expression] = []
     for low, high in numbers.intervals:
-        least, most = at_least(NUMBER, _number(parameters, low)), at_most(NUMBER, _number(parameters, high))
-        inside.append(most if low == 0 else Group(all_of([least, most])))
+        lower_test, upper_test = (
+            at_least(NUMBER, _parameter_number(parameters, low)),
+            at_most(NUMBER, _parameter_number(parameters, high)),
+        )
+        interval_tests.append(upper_test if low == 0 else Group(all_of([lower_test, upper_test])))
     kind = wire_number_type(parameters)
     body: Body = (
-        *refuse(naming, negate(any_of(inside)), "err_out_of_range"),
+        *refuse(naming, negate(any_of(interval_tests)), "err_out_of_range"),
         assign(dereference(OUT), Cast(kind, add(base, NUMBER))),
         return_ok(naming),
     )
@@ -154,8 +159,8 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
         (Variable(Type("uint32_t"), "number"), Variable(Type(kind, pointer=True), "out")),
         body,
     )
-    about = f"A number of the set as it is on the wire: {example}. Other numbers are refused."
-    return [*declarations, comment(about), function]
+    description = f"A number of the set as it is on the wire: {example}. Other numbers are refused."
+    return [*declarations, comment(description), function]
 
 
 def _declare_parameter(
@@ -171,7 +176,7 @@ def _declare_parameter(
         f"For {', '.join(parameter.applies_to)} only." if parameter.applies_to else "",
         f"With {', '.join(parameter.messages)}." if parameter.messages else "",
     )
-    constants = [("number", _number(parameters, parameters.base + parameter.number))]
+    constants = [("number", _parameter_number(parameters, parameters.base + parameter.number))]
     if parameter.count > 1:
         constants.append(("count", unsigned(parameter.count)))
     if parameter.elements is not None:

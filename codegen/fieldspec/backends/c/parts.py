@@ -48,7 +48,7 @@ CODE, TOTAL = Identifier("code"), Identifier("total")
 
 
 def part_value(part: PartLayout) -> WireValue:
-    """The value of a part that has one."""
+    """The value of a part, which must have one, with its order on the wire."""
     assert part.value is not None
     return WireValue(part.value, part.order, False)
 
@@ -68,12 +68,12 @@ def check_digits(naming: Naming, parts: Iterable[PartLayout]) -> Body:
 
 
 def length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
-    """What a length part has in a frame of `total` bytes, and the tests of which each finds that no number says it.
+    """The number of a length part in a frame of `total` bytes, and the tests for lengths that it cannot express.
 
     Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
     """
-    around = frame.header_size + frame.trailer_size
-    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
+    parts_size = frame.header_size + frame.trailer_size
+    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > parts_size else []
     number = add_size(total, -part.base)
     if part.unit_size > 1:
         unit = unsigned(part.unit_size)
@@ -102,12 +102,12 @@ def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: Fr
         return store_constant(naming, wire, part.constant, target)
     value = Identifier(argument(part))
     unknown = unknown_value_test(naming, layout.device, wire.value, value)
-    outside = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
-    if outside is None and not enum_implies_range(layout.device, wire.value):
-        outside = out_of_range_test(wire.value, value)
+    out_of_range = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
+    if out_of_range is None and not enum_implies_range(layout.device, wire.value):
+        out_of_range = out_of_range_test(wire.value, value)
     return (
         *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
-        *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
+        *(refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()),
         _store_part(naming, wire, target, value),
     )
 
@@ -124,11 +124,11 @@ def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -
     addresses = link.link.unit_addresses
     if addresses is None or addresses.ranges is None:
         return None
-    inside: list[Expression] = []
+    tests: list[Expression] = []
     for low, high in addresses.ranges.intervals:
         bounds: list[Expression] = [at_least(address, decimal(low))] if low > wire.value.type.low else []
         bounds += [at_most(address, decimal(high))] if high < wire.value.type.high else []
-        inside.append(Group(all_of(bounds) if bounds else decimal(1)))
+        tests.append(Group(all_of(bounds) if bounds else decimal(1)))
     if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
-        inside.append(Group(equal(address, decimal(addresses.broadcast))))
-    return negate(Group(inside[0]) if len(inside) == 1 else any_of(inside))
+        tests.append(Group(equal(address, decimal(addresses.broadcast))))
+    return negate(Group(tests[0]) if len(tests) == 1 else any_of(tests))

@@ -44,7 +44,7 @@ _CONTINUATION = "        "
 
 
 class Printer(ExpressionPrinter):
-    """Writes trees as lines. It notes which local variables a function uses, so that only these are declared.
+    """Writes trees of C as lines. It notes which local variables a function uses, so that only those are declared.
 
     Heads of functions and conditions that are longer than `longest_line` go on in further lines.
     """
@@ -83,7 +83,7 @@ class Printer(ExpressionPrinter):
         }
 
     def print_declarations(self, declarations: Iterable[Declaration]) -> list[str]:
-        """The lines of declarations."""
+        """The lines of declarations as C writes them."""
         self.lines = []
         for declaration in declarations:
             self._declarations[declaration.__class__](declaration)
@@ -123,7 +123,7 @@ class Printer(ExpressionPrinter):
             self.lines.append(f"{indent} */")
 
     def _define(self, node: Define) -> None:
-        self.lines.append(f"#define {node.name} {self._text(node.value)}{_remark_text(node.remark)}")
+        self.lines.append(f"#define {node.name} {self._expression_text(node.value)}{_remark_text(node.remark)}")
 
     def _struct(self, node: Struct) -> None:
         self.lines.append(f"typedef struct {node.name} {{")
@@ -146,7 +146,9 @@ class Printer(ExpressionPrinter):
         last = len(node.enumerators) - 1
         for number, member in enumerate(node.enumerators):
             comma = "," if number < last else ""
-            self.lines.append(f"{_STEP}{member.name} = {self._text(member.value)}{comma}{_remark_text(member.remark)}")
+            self.lines.append(
+                f"{_STEP}{member.name} = {self._expression_text(member.value)}{comma}{_remark_text(member.remark)}"
+            )
         attribute = f"{node.attribute} " if node.attribute else ""
         self.lines.append(f"}} {attribute}{node.name};")
 
@@ -176,14 +178,14 @@ class Printer(ExpressionPrinter):
         self.lines.append(f"{indent}expect({test}, {node.what.text});")
 
     def _evaluation(self, node: Evaluation, indent: str) -> None:
-        self.lines.append(f"{indent}{self._text(node.expression)};")
+        self.lines.append(f"{indent}{self._expression_text(node.expression)};")
 
     def _return(self, node: Return, indent: str) -> None:
         value = node.value
-        self.lines.append(f"{indent}return;" if value is None else f"{indent}return {self._text(value)};")
+        self.lines.append(f"{indent}return;" if value is None else f"{indent}return {self._expression_text(value)};")
 
     def _if(self, node: If, indent: str, before: str = "") -> None:
-        line = f"{indent}{before}if ({self._text(node.test)}) {{"
+        line = f"{indent}{before}if ({self._expression_text(node.test)}) {{"
         if len(line) > self._longest_line:
             self.lines += _fold(line.lstrip(), indent, self._longest_line)
         else:
@@ -202,22 +204,22 @@ class Printer(ExpressionPrinter):
         self.lines.append(f"{indent}break;")
 
     def _count_up(self, node: CountUp, indent: str) -> None:
-        index = self._text(node.index)
-        self.lines.append(f"{indent}for ({index} = 0; {index} < {self._text(node.limit)}; {index}++) {{")
+        index = self._expression_text(node.index)
+        self.lines.append(f"{indent}for ({index} = 0; {index} < {self._expression_text(node.limit)}; {index}++) {{")
         self._body(node.body, indent + _STEP)
         self.lines.append(f"{indent}}}")
 
     def _count_down(self, node: CountDown, indent: str) -> None:
-        index = self._text(node.index)
-        self.lines.append(f"{indent}for ({index} = {self._text(node.start)}; {index}-- > 0;) {{")
+        index = self._expression_text(node.index)
+        self.lines.append(f"{indent}for ({index} = {self._expression_text(node.start)}; {index}-- > 0;) {{")
         self._body(node.body, indent + _STEP)
         self.lines.append(f"{indent}}}")
 
     def _switch(self, node: Switch, indent: str) -> None:
-        self.lines.append(f"{indent}switch ({self._text(node.value)}) {{")
+        self.lines.append(f"{indent}switch ({self._expression_text(node.value)}) {{")
         for labels, body in node.branches:
             if labels:
-                self.lines += [f"{indent}case {self._text(label)}:" for label in labels]
+                self.lines += [f"{indent}case {self._expression_text(label)}:" for label in labels]
                 self._body((*body, Break()), indent + _STEP)
         self.lines.append(f"{indent}default:")
         self._body(node.default, indent + _STEP)
@@ -230,11 +232,11 @@ class Printer(ExpressionPrinter):
         self.lines.append(f"{indent}{_declarator(node.type, ', '.join(node.names))};")
 
     def _constant(self, node: Constant, indent: str) -> None:
-        self.lines.append(f"{indent}enum {{ {node.name} = {self._text(node.value)} }};")
+        self.lines.append(f"{indent}enum {{ {node.name} = {self._expression_text(node.value)} }};")
 
     def _table(self, node: Table, indent: str) -> None:
         self.lines.append(f"{indent}static const {_declarator(node.type, node.name)}[] = {{")
-        self.lines += [f"{indent}{_STEP}{self._text(row)}," for row in node.rows]
+        self.lines += [f"{indent}{_STEP}{self._expression_text(row)}," for row in node.rows]
         self.lines.append(f"{indent}}};")
 
     def _block(self, node: Block, indent: str) -> None:
@@ -256,8 +258,8 @@ class Printer(ExpressionPrinter):
         if node.storage:
             line = f"{node.storage} {line}"
         for dimension in node.dimensions:
-            line += "[]" if dimension is None else f"[{self._text(dimension)}]"
-        return line if node.value is None else f"{line} = {self._text(node.value)}"
+            line += "[]" if dimension is None else f"[{self._expression_text(dimension)}]"
+        return line if node.value is None else f"{line} = {self._expression_text(node.value)}"
 
 
 def _declarator(kind: Type, name: str) -> str:

@@ -46,7 +46,7 @@ EXACT_BYTES = 6
 
 @dataclass(frozen=True, slots=True)
 class ScaledValue:
-    """A value whose scale is elsewhere: what it is to `Naming`, its names, and its exponent."""
+    """A value whose exponent is in another field or register, with the noun and the words of its names."""
 
     noun: Noun
     names: tuple[str, ...]
@@ -197,13 +197,13 @@ def _times(number: Expression, ratio: Fraction) -> Expression:
     return product if ratio.denominator == 1 else Operation("/", (product, whole_double(ratio.denominator)))
 
 
-def _plus(number: Expression, more: Fraction) -> Expression:
+def _plus(number: Expression, addend: Fraction) -> Expression:
     """`number + 1.0 / 2.0`"""
-    if not more:
+    if not addend:
         return number
-    whole = whole_double(abs(more.numerator))
-    term = whole if more.denominator == 1 else Operation("/", (whole, whole_double(more.denominator)))
-    return add(number, term) if more > 0 else subtract(number, term)
+    whole = whole_double(abs(addend.numerator))
+    term = whole if addend.denominator == 1 else Operation("/", (whole, whole_double(addend.denominator)))
+    return add(number, term) if addend > 0 else subtract(number, term)
 
 
 def _writable(value: Value) -> Ranges:
@@ -211,7 +211,7 @@ def _writable(value: Value) -> Ranges:
 
 
 def _is_in(value: Value, ranges: Ranges | None, number: Expression) -> Expression:
-    """Whether a number is in ranges, whose bounds are narrower than those of its type."""
+    """The test whether a number is in ranges that are narrower than its type."""
     size, signed = value.type.container, value.type.signed
     tests = []
     for low, high in ranges.intervals if ranges is not None else ():

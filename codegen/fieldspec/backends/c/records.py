@@ -81,7 +81,7 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, tail_
 from fieldspec.model.device import Device
 
 
-def declare_record(naming: Naming, device: Device, record: RecordLayout, about: Comment) -> list[Declaration]:
+def declare_record(naming: Naming, device: Device, record: RecordLayout, description: Comment) -> list[Declaration]:
     """The struct of a record, if it has members, and its functions."""
     name = naming.type("record", record.name)
     fields = members(record)
@@ -90,8 +90,8 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
     assert record.most is not None
     declarations: list[Declaration] = [Define(naming.macro("record", record.name, "size"), unsigned(record.most))]
     if fields:
-        inside = [part for field in fields for part in declare_member(naming, record, field)]
-        declarations += [about, Struct(name, tuple(inside))]
+        struct_members = [part for field in fields for part in declare_member(naming, record, field)]
+        declarations += [description, Struct(name, tuple(struct_members))]
     else:
         declarations.append(comment("It has no values, so it needs no struct."))
     checks: Body = ()
@@ -259,8 +259,8 @@ def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, tar
     wire = field_value(field)
     measured = measured_size(record, field, IN)
     highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
-    most = _greatest_measure(record, field)
-    fits = (most is not None and most <= highest) or highest >= 2**31
+    greatest = _greatest_measure(record, field)
+    fits = (greatest is not None and greatest <= highest) or highest >= 2**31
     checks = () if fits else refuse(naming, greater(measured, unsigned(highest)), "err_out_of_range")
     number = Cast(f"uint{8 * wire.value.type.container}_t", Group(measured))
     return (*checks, store(naming, wire.access, target, number))
@@ -284,13 +284,13 @@ def _greatest_measure(record: RecordLayout, field: FieldLayout) -> int | None:
 
 def _check_length(naming: Naming, record: RecordLayout) -> Body:
     """`if (length != 28u) { return length < 28u ? ERR_INCOMPLETE : ERR_WRONG_LENGTH; }`"""
-    least, most = unsigned(record.least), unsigned(record.most or 0)
+    minimum, maximum = unsigned(record.least), unsigned(record.most or 0)
     if record.least and record.least == record.most:
         # One comparison where all is well.
         incomplete, wrong = naming.status("err_incomplete"), naming.status("err_wrong_length")
-        return (return_if(different(LENGTH, least), Conditional(less(LENGTH, least), incomplete, wrong)),)
-    shorter = refuse(naming, less(LENGTH, least), "err_incomplete") if record.least else ()
-    return (*shorter, *refuse(naming, greater(LENGTH, most), "err_wrong_length"))
+        return (return_if(different(LENGTH, minimum), Conditional(less(LENGTH, minimum), incomplete, wrong)),)
+    shorter = refuse(naming, less(LENGTH, minimum), "err_incomplete") if record.least else ()
+    return (*shorter, *refuse(naming, greater(LENGTH, maximum), "err_wrong_length"))
 
 
 def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
@@ -305,10 +305,10 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
     low, high = (repeat.low, repeat.high) if repeat is not None else (last.count or 1, last.count or 1)
     body: Body = ()
     if last.cases:
-        least, most = (add(unsigned(last.offset), multiply(unsigned(bound), size)) for bound in (low, high))
+        minimum, maximum = (add(unsigned(last.offset), multiply(unsigned(bound), size)) for bound in (low, high))
         if low:
-            body += refuse(naming, less(LENGTH, least), "err_incomplete")
-        body += refuse(naming, greater(LENGTH, most), "err_wrong_length")
+            body += refuse(naming, less(LENGTH, minimum), "err_incomplete")
+        body += refuse(naming, greater(LENGTH, maximum), "err_wrong_length")
     if repeat is None:
         return body
     # Where the list begins with the record, `- 0u` stays, so that all records read alike.

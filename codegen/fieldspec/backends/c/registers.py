@@ -132,11 +132,11 @@ def access_functions(
     else:
         encode = encode_value(naming, device, wire, VALUE, OUT)
         outputs.insert(0, declare_value(wire, "value", const=wire.is_array))
-    padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
+    padding = [assign(Element(OUT, decimal(index)), ZERO) for index in range(wire.size, size)]
     source, target = "", ""
     if noun == "register":
-        what = f"{size} bytes of its words" if unit == "words" else f"{size} byte{'s' * (size > 1)}"
-        source, target = f" from the {what}", f" into the {what}"
+        bytes_text = f"{size} bytes of its words" if unit == "words" else f"{size} byte{'s' * (size > 1)}"
+        source, target = f" from the {bytes_text}", f" into the {bytes_text}"
     reason = integer_reason(device, value)
     answer_reason = integer_reason(device, answer.value)
     if value.enum and value.const is None and answer.value.enum != value.enum and not device.enums[value.enum].open:
@@ -203,8 +203,8 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
     if device.several_spaces:
         access = f"In the address space {device.space_name(table.space)}. {access}".strip()
     read_only = f"Read only: {', '.join(layout.read_only)}." if layout.read_only else ""
-    most = f"The register {table.count_by} has how many there are, at most so many." if table.count_by else ""
-    where = f"The register {table.base_by} has the address of the first one." if table.base_by else ""
+    count_text = f"The register {table.count_by} has how many there are, at most so many." if table.count_by else ""
+    base_text = f"The register {table.base_by} has the address of the first one." if table.base_by else ""
     constants = [
         ("usual_address" if table.base_by else "address", hexadecimal(table.base, 2)),
         ("words", unsigned(layout.words)),
@@ -214,7 +214,12 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
     ]
     return [
         describe_fact(
-            table, f"Its elements are {naming.type('record', layout.record.name)}.", most, where, access, read_only
+            table,
+            f"Its elements are {naming.type('record', layout.record.name)}.",
+            count_text,
+            base_text,
+            access,
+            read_only,
         ),
         *(Define(naming.macro("table", layout.name, name), number) for name, number in constants),
         BLANK,
@@ -225,7 +230,7 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
 
 
 def _address_function(
-    naming: Naming, noun: Noun, name: str, what: str, moving: TableLayout | None = None
+    naming: Naming, noun: Noun, name: str, subject: str, moving: TableLayout | None = None
 ) -> list[Declaration]:
     """`codec_status table_points_at(uint32_t number, uint16_t *address)`
 
@@ -250,7 +255,7 @@ def _address_function(
     )
     start = " The first one is at `base`, behind which all must fit." if moving is not None else ""
     return [
-        comment(f"The address of {what}; other numbers are refused.{start}"),
+        comment(f"The address of {subject}; other numbers are refused.{start}"),
         Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),
     ]
 

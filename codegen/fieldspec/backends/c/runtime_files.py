@@ -89,8 +89,8 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
     inner = any(record.inner_lists is not None for record in all_records(layout))
     odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
-    more = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
-    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + more
+    additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
+    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
 
 
 def _accesses(layout: DeviceLayout) -> list[str]:
@@ -104,7 +104,7 @@ def _accesses(layout: DeviceLayout) -> list[str]:
 
 
 def _odd_accesses(layout: DeviceLayout) -> list[str]:
-    """The same of numbers with another width than those of machines, and the functions for their signs."""
+    """The functions that load and store numbers of odd sizes or in BCD, and those that extend their signs."""
     odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
     used = {wire.access for wire in _wire_values(layout) if wire.value.type.is_odd or wire.value.digits == BCD}
     parts = [part for part in _parts_of_frames(layout) if part.value is not None and part.value.type.is_odd]

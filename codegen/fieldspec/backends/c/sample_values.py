@@ -92,9 +92,9 @@ def high_value(device: Device, value: Value) -> Any:
     if value.text_form is not None:
         return text_sample(value)
     if value.type.kind is Kind.TEXT:
-        return "".join(chr(0x41 + at % 26) for at in range(value.size))
+        return "".join(chr(0x41 + index % 26) for index in range(value.size))
     if value.type.kind is Kind.BYTES:
-        return bytes((0xA1 + at) & 0xFF for at in range(value.size))
+        return bytes((0xA1 + index) & 0xFF for index in range(value.size))
     if value.type.kind is Kind.FLOAT:
         return -1.5 if value.ranges is None else float(value.ranges.high)
     return legal_numbers(device, value)[-1]
@@ -113,8 +113,8 @@ def legal_numbers(device: Device, value: Value) -> list[int]:
     ranges = value.writable_ranges
     if value.enum and not device.enums[value.enum].open:
         numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
-        inside = [number for number in numbers if ranges is None or number in ranges]
-        return inside or numbers
+        permitted = [number for number in numbers if ranges is None or number in ranges]
+        return permitted or numbers
     numbers = [0, value.type.low, value.type.high]
     if ranges is not None:
         numbers = [bound for pair in ranges.intervals for bound in pair]
@@ -165,7 +165,7 @@ def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
 
 
 def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
-    """The bytes of a record."""
+    """The bytes of a record on the wire for some values of its fields."""
     data = b""
     for field in record.fields:
         if field.field.measures is not None:
@@ -185,7 +185,7 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
 
 
 def _fixed_value(field: FieldLayout) -> Any:
-    """What a field has that no user sets."""
+    """The value of a field that users do not set."""
     if field.record is not None:
         return [{}] * (field.count or 1) if field.is_list else {}
     assert field.value is not None
@@ -211,7 +211,7 @@ def _element_bytes(field: FieldLayout, item: Any) -> bytes:
 
 
 def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
-    """The bytes of a value in an order."""
+    """The bytes of a value on the wire, in an order of bytes and of words."""
     kind = value.type.kind
     if value.text_form is not None and isinstance(item, str):
         return text_bytes(value, order, item)
@@ -221,11 +221,11 @@ def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
     if value.digits:
         data = digits_bytes(value, int(item))
         data = data[::-1] if (order == "little") != swapped else data
-        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2)) if swapped else data
+        return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2)) if swapped else data
     is_float = kind is Kind.FLOAT
     number = int.from_bytes(struct.pack(f">{value.type.letter}", item), "big") if is_float else int(item)
     words_little = (order == "little") != swapped
     data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
     if swapped:
-        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+        return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
     return data

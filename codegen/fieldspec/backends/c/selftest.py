@@ -114,9 +114,9 @@ def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stateme
                     for place, own in enumerate(fields):
                         if values[own.name] != low_values[own.name] or place == number:
                             settings[place] = set_member(naming, form, own, values[own.name], _IN)
-                what = ".".join([record.name, *([form.case] if form.case else []), field.name])
+                description = ".".join([record.name, *([form.case] if form.case else []), field.name])
                 if record_bytes(form.record, values):  # C has no array of no bytes to compare
-                    yield _test_member(naming, form, values, [*chain.from_iterable(settings)], what)
+                    yield _test_member(naming, form, values, [*chain.from_iterable(settings)], description)
         if record.selector in members(record):
             yield from _test_unknown_selector(naming, record)
 
@@ -126,7 +126,7 @@ def _record_call(naming: Naming, record: RecordLayout, verb: str, *arguments: Ex
 
 
 def _test_member(
-    naming: Naming, form: RecordForm, values: dict[str, Any], settings: list[Statement], what: str
+    naming: Naming, form: RecordForm, values: dict[str, Any], settings: list[Statement], description: str
 ) -> list[Statement]:
     """Encodes values and compares bytes, decodes the bytes and compares members; too few bytes are refused."""
     record = form.struct
@@ -144,12 +144,12 @@ def _test_member(
         *_CLEAR,
         *settings,
         _COPY,
-        expect_equal(f"{what} encodes", encoded, ok),
-        expect(_SAME_BYTES, f"{what} bytes"),
-        expect_equal(f"{what} decodes", decoded, ok),
-        *expect_members(naming, form, values, _OUT, what),
-        expect_equal(f"{what} short", short, naming.status("err_capacity")),
-        *([expect(different(cut, ok), f"{what} cut")] if _is_cut_short(form.record) else []),
+        expect_equal(f"{description} encodes", encoded, ok),
+        expect(_SAME_BYTES, f"{description} bytes"),
+        expect_equal(f"{description} decodes", decoded, ok),
+        *expect_members(naming, form, values, _OUT, description),
+        expect_equal(f"{description} short", short, naming.status("err_capacity")),
+        *([expect(different(cut, ok), f"{description} cut")] if _is_cut_short(form.record) else []),
     ]
 
 

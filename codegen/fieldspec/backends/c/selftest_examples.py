@@ -69,7 +69,7 @@ _ENCODE_ARGUMENTS = _AGAIN, SizeOf(_AGAIN), address_of(LENGTH)
 def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list[Statement]:
     """Opens a frame, decodes its body, compares every member, and writes the frame again."""
     link = layout.links[example.link]
-    what = f"example {example.id}"
+    description = f"example {example.id}"
     body: list[Statement] = [
         Variable(_BYTE, "frame", (None,), byte_initializer(example.frame), "static const"),
         _RECEIVED_VARIABLE,
@@ -95,16 +95,16 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     body += [Variable(_BYTE, "again", (room,)), _LENGTH_VARIABLE]
     if has_struct:
         body += _CLEAR_STRUCTS
-    body += [*_RECEIVE, expect_equal(f"{what} opens", opened, naming.status("ok"))]
-    body += _expect_header(link, example, values, what)
+    body += [*_RECEIVE, expect_equal(f"{description} opens", opened, naming.status("ok"))]
+    body += _expect_header(link, example, values, description)
     struct = (_OUT_POINTER,) if has_struct else ()
     decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
-    body.append(expect_equal(f"{what} decodes", decoded, naming.status("ok")))
-    body += expect_members(naming, form, struct_values, _OUT, what)
+    body.append(expect_equal(f"{description} decodes", decoded, naming.status("ok")))
+    body += expect_members(naming, form, struct_values, _OUT, description)
     body += set_members(naming, form, _complete(layout.device, form.record, struct_values), _IN)
     encoded = Call(*_encode_frame(layout, naming, example, values, record))
-    body.append(expect_equal(f"{what} encodes", encoded, naming.status("ok")))
-    body.append(expect(_SAME_FRAME, f"{what} bytes"))
+    body.append(expect_equal(f"{description} encodes", encoded, naming.status("ok")))
+    body.append(expect(_SAME_FRAME, f"{description} bytes"))
     return body
 
 
@@ -115,18 +115,20 @@ def _complete(device: Device, record: RecordLayout, values: dict[str, Any]) -> d
     )
 
 
-def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], what: str) -> list[Statement]:
+def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], description: str) -> list[Statement]:
     """Compares the parts before the body."""
     frame = link.frame(example.direction)
     body: list[Statement] = []
     for part in header_parts(frame):
         number = _header_number(part, int(values[part.name]))
-        body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part)), number))
+        body.append(expect_equal(f"{description}: {part.name}", Member(_OPENED, frame_member(part)), number))
     if frame.role("code") is not None:
-        body.append(expect_equal(f"{what}: code", Member(_OPENED, "code"), _code(link, example)))
+        body.append(expect_equal(f"{description}: code", Member(_OPENED, "code"), _code(link, example)))
     if example.direction == "response" and link.link.exception_response is not None:
         body.append(
-            expect_equal(f"{what}: error", Member(_OPENED, "error"), TRUE if example.exception_response else FALSE)
+            expect_equal(
+                f"{description}: error", Member(_OPENED, "error"), TRUE if example.exception_response else FALSE
+            )
         )
     return body
 
@@ -149,7 +151,7 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     start, end = len(shape.start), len(example.frame) - len(shape.end)
     data, part = example.frame[start:end], shape.role("code")
     if link.link.encoding == "hex_ascii":
-        pairs = [data[at : at + 2] for at in range(0, len(data), 2)]
+        pairs = [data[offset : offset + 2] for offset in range(0, len(data), 2)]
         data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
     shape = link.frame(example.direction)
     if shape.escape is not None:
@@ -186,10 +188,10 @@ def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None
 def _expect_refusal(layout: DeviceLayout, naming: Naming, example: Example, opened: Call) -> list[Statement]:
     """The frame, or the body in it, is refused for the reason of the example."""
     error = naming.status(f"err_{example.refused}")
-    what = f"example {example.id}"
+    description = f"example {example.id}"
     record = _refused_body(layout, example)
     if record is None:
-        return [*_RECEIVE, expect_equal(what, opened, error)]
+        return [*_RECEIVE, expect_equal(description, opened, error)]
     has_struct = bool(members(record))
     struct = (_OUT_POINTER,) if has_struct else ()
     decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
@@ -200,7 +202,7 @@ def _expect_refusal(layout: DeviceLayout, naming: Naming, example: Example, open
         *([clear_variable(_OUT_POINTER)] if has_struct else []),
         assign(_STATUS, opened),
         If(equal(_STATUS, naming.status("ok")), (assign(_STATUS, decoded),)),
-        expect_equal(what, _STATUS, error),
+        expect_equal(description, _STATUS, error),
     ]
 
 

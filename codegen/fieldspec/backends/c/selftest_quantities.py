@@ -47,11 +47,11 @@ def test_quantities(layout: DeviceLayout, naming: Naming) -> Iterator[list[State
 
 
 def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
-    """Each sentinel is told apart, and what is next to it is not; no sentinel becomes a quantity."""
+    """Tests that each sentinel is absent, that its neighbours are not, and that no sentinel becomes a quantity."""
     for absent in absent_values(layout):
         value, function = absent.value, absent.function(naming)
         numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
-        near = sorted({number + step for number in (0, *numbers) for step in (-1, 0, 1)} - set(numbers))
+        neighbours = sorted({number + step for number in (0, *numbers) for step in (-1, 0, 1)} - set(numbers))
         is_float = value.type.kind is Kind.FLOAT
         yield [
             *(
@@ -61,7 +61,7 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
             ),
             *(
                 expect_equal(f"{function} {number}", Call(function, (literal,)), FALSE)
-                for number in near
+                for number in neighbours
                 if (abs(number) < _WHOLE_FLOATS if is_float else value.type.low <= number <= value.type.high)
                 if (literal := real(number, value.size) if is_float else _literal(value, number))
             ),
@@ -84,23 +84,23 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
     small = {number: quantity for number, quantity in quantities.items() if abs(quantity) <= _GREATEST}
     if goes_back and small:
         yield Variable(Type(type_name(value)), "raw", value=ZERO)
-    for number, wanted in small.items():
-        what = f"{absent.title} {number}"
+    for number, expected in small.items():
+        description = f"{absent.title} {number}"
         reading = Call(from_raw, (_literal(value, number), address_of(_QUANTITY)))
         writing = Call(to_raw, (_QUANTITY, address_of(_RAW)))
         if value.sentinel(number) is not None:
-            yield expect_equal(what, reading, out_of_range)
+            yield expect_equal(description, reading, out_of_range)
             if goes_back:
-                yield assign(_QUANTITY, double(wanted))
-                yield expect_equal(f"{what} back", writing, out_of_range)
+                yield assign(_QUANTITY, double(expected))
+                yield expect_equal(f"{description} back", writing, out_of_range)
             continue
-        near = abs(wanted) * 1e-12
-        yield expect_equal(what, reading, ok)
-        yield expect(at_least(_QUANTITY, double(wanted - near)), what)
-        yield expect(at_most(_QUANTITY, double(wanted + near)), what)
+        tolerance = abs(expected) * 1e-12
+        yield expect_equal(description, reading, ok)
+        yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
+        yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
         if goes_back:
-            yield expect_equal(f"{what} back", writing, ok)
-            yield expect_equal(f"{what} back", _RAW, _literal(value, number))
+            yield expect_equal(f"{description} back", writing, ok)
+            yield expect_equal(f"{description} back", _RAW, _literal(value, number))
 
 
 def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterator[Statement]:
@@ -114,25 +114,25 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
     exact = value.type.size <= EXACT_BYTES
     for power in sorted({ranges.intervals[0][0], ranges.intervals[-1][1], 0} & _whole(exponent.value)):
         for number in numbers:
-            what, wanted = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))
+            description, expected = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))
             reading = Call(from_raw, (_literal(value, number), _literal(exponent.value, power), address_of(_QUANTITY)))
             if value.sentinel(number) is not None:
-                yield expect_equal(what, reading, out_of_range)
+                yield expect_equal(description, reading, out_of_range)
                 continue
-            if abs(wanted) > _GREATEST:
+            if abs(expected) > _GREATEST:
                 continue
-            near = abs(wanted) * 1e-12
-            yield expect_equal(what, reading, ok)
-            yield expect(at_least(_QUANTITY, double(wanted - near)), what)
-            yield expect(at_most(_QUANTITY, double(wanted + near)), what)
+            tolerance = abs(expected) * 1e-12
+            yield expect_equal(description, reading, ok)
+            yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
+            yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
             if exact:
                 arguments = (_QUANTITY, _literal(exponent.value, power), address_of(_RAW))
-                yield expect_equal(f"{what} back", Call(to_raw, arguments), ok)
-                yield expect_equal(f"{what} back", _RAW, _literal(value, number))
-    beyond = ranges.high + 1
-    if beyond <= exponent.value.type.high:
-        refused: tuple[Expression, ...] = (whole_double(0), _literal(exponent.value, beyond), address_of(_RAW))
-        yield expect_equal(f"{name} by {beyond}", Call(to_raw, refused), out_of_range)
+                yield expect_equal(f"{description} back", Call(to_raw, arguments), ok)
+                yield expect_equal(f"{description} back", _RAW, _literal(value, number))
+    excessive = ranges.high + 1
+    if excessive <= exponent.value.type.high:
+        refused: tuple[Expression, ...] = (whole_double(0), _literal(exponent.value, excessive), address_of(_RAW))
+        yield expect_equal(f"{name} by {excessive}", Call(to_raw, refused), out_of_range)
     high = float(value.scaled_by(ranges.low).in_unit(4 * value.high + 4))
     if high < _GREATEST:
         refused = (double(high), _literal(exponent.value, ranges.low), address_of(_RAW))
@@ -140,7 +140,7 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
 
 
 def _whole(exponent: Value) -> set[int]:
-    """All exponents of a range."""
+    """All whole numbers that an exponent may be."""
     intervals = exponent.ranges.intervals if exponent.ranges is not None else ()
     return {number for low, high in intervals for number in range(low, high + 1)}
 

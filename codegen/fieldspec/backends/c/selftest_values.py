@@ -75,18 +75,18 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
     for name, bit in named_bits(word):
         ones = hexadecimal(sum(1 << number for number in range(bit.first, bit.last + 1)), size)
         mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
-        others = Cast(f"uint{8 * word.type.container}_t", Unary("~", ones))
+        other_bits = Cast(f"uint{8 * word.type.container}_t", Unary("~", ones))
         wide = bit.width > 1
         yield _expect_constant(mask, ones)
-        every = integer(-1, max(size, 4)) if bit.signed else integer((1 << bit.width) - 1, size, False)
-        yield expect_equal(get, Call(get, (ones,)), every if wide else TRUE)
-        yield expect_equal(get, Call(get, (others,)), ZERO if wide else FALSE)
+        all_ones = integer(-1, max(size, 4)) if bit.signed else integer((1 << bit.width) - 1, size, False)
+        yield expect_equal(get, Call(get, (ones,)), all_ones if wide else TRUE)
+        yield expect_equal(get, Call(get, (other_bits,)), ZERO if wide else FALSE)
     if word.states:
         yield from _test_states(naming, word)
 
 
 def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
-    """What the word shows with exactly the bits of each state, with none, and with all."""
+    """Tests the state of a word with exactly the bits of each state, with no bit, and with all bits."""
     bits = {bit.name: bit.mask for bit in word.bits}
     words = [sum(bits[name] for name in state.set) for state in word.states]
     function = naming.function("word", word.name, "state_of")
@@ -107,7 +107,7 @@ def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
 
 
 def _test_enum(naming: Naming, enum: Enum) -> Iterator[Statement]:
-    """Which values a closed enum knows."""
+    """Compares the numbers that the function of a closed enum knows with those of its members."""
     members = available_members(enum)
     largest = max((member.value for member in members), default=0)
     wide = largest >= 2**63
@@ -166,7 +166,7 @@ def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statemen
 
 
 def _test_last(
-    naming: Naming, function: str, kind: str, result: str, last: int, wanted: int, before: tuple[Expression, ...] = ()
+    naming: Naming, function: str, kind: str, result: str, last: int, expected: int, before: tuple[Expression, ...] = ()
 ) -> Block:
     """What a function from numbers to addresses gives for the last number, and that it refuses the one behind it."""
     variable = Identifier(result)
@@ -178,7 +178,7 @@ def _test_last(
         (
             Variable(Type(kind), result, value=ZERO),
             expect_equal(f"{function} last", result_of(last), naming.status("ok")),
-            expect_equal(f"{function} last {result}", variable, unsigned(wanted)),
+            expect_equal(f"{function} last {result}", variable, unsigned(expected)),
             expect_equal(f"{function} beyond", result_of(last + 1), naming.status("err_out_of_range")),
             discard(result),
         )
@@ -257,19 +257,19 @@ def _test_value(
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in numbers:
         data = value_bytes(value, *order, number).ljust(size, b"\0")
-        what = f"{label} {number}"
+        description = f"{label} {number}"
         body += [
             assign(_IN, encoded_constants[number]),
-            expect_equal(what, encoded, ok),
-            expect_bytes(f"{what} bytes", _BYTES, data),
-            expect_equal(what, decoded, ok),
-            expect_equal(what, _OUT, decoded_constants[number]),
+            expect_equal(description, encoded, ok),
+            expect_bytes(f"{description} bytes", _BYTES, data),
+            expect_equal(description, decoded, ok),
+            expect_equal(description, _OUT, decoded_constants[number]),
         ]
     yield body
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:
-    """How C writes numbers of a value: by the names of its enum where they have its type."""
+    """Numbers of a value as C constants: the names of its enum where they have its type."""
     enum = enum_type(device, value)
     if enum is None:
         return {number: integer(number, value.type.size, value.type.signed) for number in numbers}
@@ -294,35 +294,35 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
     body: list[Statement] = [Variable(Type(count_type(conversion)), "raw", value=ZERO)]
     counts = {low, 0, 1, conversion.full_scale, high}
     for number in sorted(count for count in counts if low <= count <= high):
-        literal, what = integer(number, size, signed), f"{conversion.name} {number}"
-        wanted = float(conversion.quantity(number, Fraction(_REFERENCE)))
-        near = max(abs(wanted) * 1e-12, 1e-12)
+        literal, description = integer(number, size, signed), f"{conversion.name} {number}"
+        expected = float(conversion.quantity(number, Fraction(_REFERENCE)))
+        tolerance = max(abs(expected) * 1e-12, 1e-12)
         quantity = Call(from_raw, (literal, reference))
         body += [
-            expect(at_least(quantity, double(wanted - near)), what),
-            expect(at_most(quantity, double(wanted + near)), what),
+            expect(at_least(quantity, double(expected - tolerance)), description),
+            expect(at_most(quantity, double(expected + tolerance)), description),
         ]
         if size <= EXACT_BYTES:
             body += [
-                expect_equal(f"{what} back", Call(to_raw, (quantity, reference, raw)), ok),
-                expect_equal(f"{what} back", _RAW, literal),
+                expect_equal(f"{description} back", Call(to_raw, (quantity, reference, raw)), ok),
+                expect_equal(f"{description} back", _RAW, literal),
             ]
     if conversion.full_scale & (conversion.full_scale - 1) == 0 and low <= 0 and high > 2:
         # A reference as large as the full scale makes halves of counts exact.
         exact = Fraction(conversion.full_scale)
         for doubled, even in ((1, 0), (3, 2), (5, 2)):
             half = float(conversion.quantity(doubled, exact / 2) + (exact / 2 if conversion.complement else 0))
-            what = f"{conversion.name} {doubled}/2"
+            description = f"{conversion.name} {doubled}/2"
             arguments: tuple[Expression, ...] = (double(half), double(float(exact)), raw)
             body += [
-                expect_equal(what, Call(to_raw, arguments), ok),
-                expect_equal(what, _RAW, integer(even, size, signed)),
+                expect_equal(description, Call(to_raw, arguments), ok),
+                expect_equal(description, _RAW, integer(even, size, signed)),
             ]
-    beyond = double(float(conversion.quantity(2 * high + 2 - low, Fraction(1))))
+    excessive = double(float(conversion.quantity(2 * high + 2 - low, Fraction(1))))
     unit = whole_double(1)
     return [
         *body,
-        expect_equal(f"{conversion.name} beyond", Call(to_raw, (beyond, unit, raw)), out_of_range),
+        expect_equal(f"{conversion.name} beyond", Call(to_raw, (excessive, unit, raw)), out_of_range),
         expect_equal(f"{conversion.name} of nothing", Call(to_raw, (unit, whole_double(0), raw)), out_of_range),
         discard("raw"),
     ]

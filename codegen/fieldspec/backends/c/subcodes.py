@@ -37,22 +37,22 @@ from fieldspec.layout.subcodes import Subcode
 
 
 def shared_codes(link: LinkLayout, direction: str) -> dict[int, Subcode]:
-    """What tells the messages apart that share a code, by this code."""
+    """The subcodes of messages that share a code, by this code."""
     return link.subcodes(direction) if link.frame(direction).role("code") is not None else {}
 
 
 def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode, guard: list[Expression]) -> Statement:
-    """Reads what tells the messages with a code apart, and refuses what none of them has.
+    """Reads the subcode of messages that share a code, and refuses a number that none of them has.
 
     `if (out->code == 8u) { if (length < 6u) { return ERR_INCOMPLETE; } out->subcode = load_u16(in + 2); ... }`
     """
     member = PointerMember(OUT, "subcode")
-    around = frame.header_size + frame.trailer_size
+    parts_size = frame.header_size + frame.trailer_size
     place = add(IN, decimal(frame.header_size + subcode.offset))
     return If(
         all_of([*guard, equal(PointerMember(OUT, "code"), unsigned(code))]),
         (
-            *refuse(naming, less(LENGTH, unsigned(around + subcode.end)), "err_incomplete"),
+            *refuse(naming, less(LENGTH, unsigned(parts_size + subcode.end)), "err_incomplete"),
             assign(member, Call(naming.own(f"load_{access_name(subcode.size, subcode.order, False)}"), (place,))),
             *refuse(naming, all_of(list(_differences(member, subcode))), "err_unknown_code"),
         ),
@@ -73,7 +73,7 @@ def _differences(member: Expression, subcode: Subcode) -> Iterator[Expression]:
 
 
 def subcodes_of(layout: DeviceLayout, message: MessageLayout) -> tuple[tuple[int, int], ...]:
-    """What tells a message from others with its code, as intervals with both ends.
+    """The subcodes of a message as intervals with both ends.
 
     There are none where nothing has to, and where it depends on the link.
     """
@@ -95,9 +95,9 @@ def has_subcode(naming: Naming, message: str, intervals: Sequence[tuple[int, int
     number = Identifier("subcode")
     tests: list[Expression] = []
     for low, high in intervals:
-        most = at_most(number, unsigned(high))
-        both = most if low == 0 else all_of([at_least(number, unsigned(low)), most])
-        both = Group(both) if len(intervals) > 1 and low else both
-        tests.append(equal(number, unsigned(low)) if low == high else both)
+        upper_test = at_most(number, unsigned(high))
+        interval_test = upper_test if low == 0 else all_of([at_least(number, unsigned(low)), upper_test])
+        interval_test = Group(interval_test) if len(intervals) > 1 and low else interval_test
+        tests.append(equal(number, unsigned(low)) if low == high else interval_test)
     name = naming.function("message", message, "has_subcode")
     return Function(Type("bool"), name, (Variable(Type("uint32_t"), "subcode"),), (Return(any_of(tests)),))

@@ -36,7 +36,7 @@ class _Usages:
     naming: Naming
 
     def rows(self) -> Iterator[Usage]:
-        """The code for all facts."""
+        """The code that reads or writes each fact, for all facts of the version."""
         for register in self.layout.registers:
             if not register.register.reserved and not is_bit(register):
                 unit = "words" if register.register.unit_size > 1 else "bytes"
@@ -127,8 +127,8 @@ class _Usages:
 
     def _longest(self, link: LinkLayout) -> int:
         """The bytes of the longest request of a link that the code needs."""
-        most = max(message.request.most or 0 for message in link.messages.values())
-        parts = link.request.header_size + link.request.trailer_size + most
+        longest_body = max(message.request.most or 0 for message in link.messages.values())
+        parts = link.request.header_size + link.request.trailer_size + longest_body
         return (
             (2 if link.link.encoding == "hex_ascii" or link.request.escape else 1) * parts
             + len(link.request.start)

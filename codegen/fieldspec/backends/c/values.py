@@ -68,12 +68,12 @@ class WireValue:
 
     @property
     def kind(self) -> Kind:
-        """What it is: an integer, a float, a text..."""
+        """The kind of its type: an integer, a float, a text..."""
         return self.value.type.kind
 
     @property
     def size(self) -> int:
-        """Its bytes."""
+        """The number of its bytes on the wire."""
         return self.value.size
 
     @property
@@ -83,7 +83,7 @@ class WireValue:
 
     @property
     def access(self) -> str:
-        """What the functions that load and store it are called after."""
+        """The end of the names of functions that load and store it."""
         return access_name(self.size, self.order, self.swapped)
 
 
@@ -118,7 +118,7 @@ def accessed_type(naming: Naming, device: Device, value: Value) -> str:
 
 
 def access_name(size: int, order: str, swapped: bool) -> str:
-    """What the functions that load and store such a number are called after: `u32_be`, `u32_be_words_le`."""
+    """The end of the names of functions that load and store a number: `u32_be`, `u32_be_words_le`"""
     if size == 1:
         return "u8"
     first = "be" if order == "big" else "le"
@@ -157,7 +157,7 @@ def clear_bytes(naming: Naming, target: Expression, size: Expression) -> Evaluat
 
 
 def status_type(naming: Naming) -> Type:
-    """The type of the status."""
+    """The C type that functions return as their status."""
     return naming.status_variable().type
 
 
@@ -187,15 +187,15 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
         return _float_out_of_range_test(value, ranges, number)
     tests: list[Expression] = []
     for low, high in sorted(ranges.intervals):
-        least, most = integer(low, kind.size, kind.signed), integer(high, kind.size, kind.signed)
+        minimum, maximum = integer(low, kind.size, kind.signed), integer(high, kind.size, kind.signed)
         if low == high:
-            tests.append(equal(number, least))
+            tests.append(equal(number, minimum))
             continue
         bounds: list[Expression] = []
         if low > kind.low or (kind.is_odd and kind.signed):
-            bounds.append(at_least(number, least))
+            bounds.append(at_least(number, minimum))
         if high < kind.high or kind.is_odd:
-            bounds.append(at_most(number, most))
+            bounds.append(at_most(number, maximum))
         if not bounds:
             return None
         tests.append(all_of(bounds))
@@ -307,8 +307,8 @@ def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expres
 
 
 def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
-    outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
-    return refuse(naming, outside, "err_out_of_range") if outside is not None else ()
+    out_of_range = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
+    return refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()
 
 
 def _check_bits(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:

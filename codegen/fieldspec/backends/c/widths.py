@@ -49,7 +49,7 @@ def decode_widths(naming: Naming, record: RecordLayout) -> Source:
 def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
     """The names and numbers in both functions."""
     struct = naming.type("record", record.name) if members(record) else ""
-    rows = ",\n".join(f"        {_row(record, number)}" for number in range(len(record.spans)))
+    rows = ",\n".join(f"        {_span_row(record, number)}" for number in range(len(record.spans)))
     functions = {
         verb: naming.function("record", record.name, verb)
         for verb in ("encode", "decode", "encode_image", "decode_image")
@@ -70,7 +70,7 @@ def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
     }
 
 
-def _row(record: RecordLayout, number: int) -> str:
+def _span_row(record: RecordLayout, number: int) -> str:
     """`{9u, 8u, 0x2Cu, 0x00u, 2u, true, 0u, 0u, 0u, 0u, false}`: see the struct."""
     span = record.spans[number]
     value, partner = span.value, _partner(record, number)
@@ -90,7 +90,7 @@ def _partner(record: RecordLayout, number: int) -> str:
         return "0u, 0u, 0u, 0u, false"
     text, count = pair
     other = text if number == count else count
-    at = sum(span.size for span in record.spans[:other])
+    offset = sum(span.size for span in record.spans[:other])
     is_little = "true" if record.spans[text].order == "little" else "false"
     sizes = f"{record.spans[other].size}u, {record.spans[count].size}u"
-    return f"{at}u, {sizes}, {record.spans[text].plus}u, {is_little}"
+    return f"{offset}u, {sizes}, {record.spans[text].plus}u, {is_little}"

@@ -66,10 +66,12 @@ class Step:
 
     def counts(self) -> str:
         """`2 on the wire, 1 in behaviour`"""
-        some = (
+        effect_counts = (
             (sum(change.change.effect is effect for change in self.changes), MEANINGS[effect][0]) for effect in Effect
         )
-        return ", ".join(f"{count} {title[:1].lower()}{title[1:]}" for count, title in some if count) or "nothing"
+        return (
+            ", ".join(f"{count} {title[:1].lower()}{title[1:]}" for count, title in effect_counts if count) or "nothing"
+        )
 
 
 def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
@@ -127,7 +129,7 @@ def _anchor(version: str) -> str:
 
 
 def link(version: str, ending: str) -> str:
-    """Where the page says what has changed with a version."""
+    """The link to the section of a page with the changes of a version."""
     return f"{NAME}{ending}#{_anchor(version)}"
 
 
@@ -159,7 +161,7 @@ def _head(step: Step, pages: _Pages) -> Iterator[Block]:
 
 
 def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
-    rows = [_row(change, pages) for change in step.changes if change.change.effect is effect]
+    rows = [_change_row(change, pages) for change in step.changes if change.change.effect is effect]
     if not rows:
         return None
     title, meaning = MEANINGS[effect]
@@ -170,7 +172,7 @@ def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
     )
 
 
-def _row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
+def _change_row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
     change = judged_change.change
     remarks: list[Line] = []
     if change.outputs:
@@ -191,7 +193,7 @@ class _Pages:
     anchors: dict[str, frozenset[str]]
 
     def page(self, layout: DeviceLayout) -> str:
-        """The page of a version."""
+        """The file name of the page of a version."""
         return f"{page_name(layout.device.version)}{self.ending}"
 
     def fact(self, change: Change) -> str:

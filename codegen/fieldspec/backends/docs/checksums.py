@@ -47,9 +47,9 @@ def _algorithm_text(algorithm: str) -> str:
         start = f", start value {kind.initial:X}h{final}, of all bytes"
         return f"CRC-{kind.width} with polynomial {kind.polynomial:X}h{reflected}{start}"
     start = f", start value {kind.initial:X}h" if kind.initial else ""
-    taken = "all bytes" if kind.unit_size == 1 else f"all numbers of {kind.unit_size} bytes"
+    operands = "all bytes" if kind.unit_size == 1 else f"all numbers of {kind.unit_size} bytes"
     if kind.method == "fletcher":
-        return f"Fletcher checksum of {kind.width} bits, modulo {kind.modulus}{start}, of {taken}"
+        return f"Fletcher checksum of {kind.width} bits, modulo {kind.modulus}{start}, of {operands}"
     complement = {"ones": "one's complement of the ", "twos": "two's complement of the ", "": ""}[kind.complement]
-    what = "sum" if kind.method == "sum" else "exclusive or"
-    return f"low {kind.width} bits of the {complement}{what}{start}, of {taken}"
+    operation = "sum" if kind.method == "sum" else "exclusive or"
+    return f"low {kind.width} bits of the {complement}{operation}{start}, of {operands}"

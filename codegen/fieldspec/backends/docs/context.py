@@ -41,11 +41,11 @@ class Holding:
                 for fact in facts:
                     self._by_path.setdefault(fact.place.path, []).append(device.version)
 
-    def section(self, anchor: str, of: object, make: Callable[[], Section]) -> Section:
-        """A section that is made of something; the one of the version before, where it was made of the same."""
+    def section(self, anchor: str, subject: object, make: Callable[[], Section]) -> Section:
+        """A section built from `subject`; the section of the version before, where it was built from an equal one."""
         before = self._made.get(anchor)
-        if before is None or before[0] != of:
-            before = self._made[anchor] = of, make()
+        if before is None or before[0] != subject:
+            before = self._made[anchor] = subject, make()
         return before[1]
 
     def same(self, section: Section) -> Section:
@@ -62,7 +62,7 @@ class Holding:
         return tuple(self._by_path.get(path, ()))
 
     def badges(self, path: str) -> tuple[Line, ...]:
-        """What is said of a fact that not all versions have; nothing of the others."""
+        """The badges of a fact that not all versions have; none for other facts."""
         versions = self.of(path)
         return () if versions == self.all else ((styled(f"only {', '.join(versions)}", "badge"),),)
 
@@ -82,7 +82,7 @@ _ENDURANCE = {
 
 
 def handled(handling: Handling) -> Iterator[Line]:
-    """A line for each thing that is said; none for most values."""
+    """The lines on the handling of a value; none for most values."""
     if handling == UNSPECIFIED:
         return
     if handling.clears_on_read:
@@ -119,7 +119,7 @@ class Context:
         return (text_piece(title), *_printed(fact))
 
     def about(self, fact: Fact) -> Iterator[Line]:
-        """What is said of a fact beside its numbers: what it is, for which versions, notes, errata."""
+        """The lines about a fact: its documentation, the versions that have it, notes, errata."""
         if fact.doc:
             yield (text_piece(fact.doc),)
         if fact.unverified:
@@ -152,7 +152,7 @@ class Context:
         return joined((code(name, f"#{user}"),) for name, user in self._users.get(path, ()))
 
     def opening(self, fact: Fact) -> list[Block]:
-        """What a section on a fact begins with."""
+        """The blocks at the beginning of a section on a fact."""
         blocks: list[Block] = [Paragraph(line) for line in self.about(fact)]
         return blocks + [Paragraph(line, "note") for line in reasons(fact.inferred)]
 
@@ -196,19 +196,19 @@ def _note(text: str) -> Line:
     return (styled("Note: ", "strong"), text_piece(text))
 
 
-def names(fact: Fact, name: str, *more: Line, mark: Iterable[Piece] = ()) -> Cell:
+def names(fact: Fact, name: str, *lines: Line, mark: Iterable[Piece] = ()) -> Cell:
     """A cell with the name of a fact and what the manual prints for it."""
     first: Line = (code(name), *mark)
     printed = [(label(text),) for text in dict.fromkeys((fact.printed_name, fact.label)) if text]
-    return cell(first, *printed, *more)
+    return cell(first, *printed, *lines)
 
 
 def sources(fact: Fact) -> Cell:
     """A cell with the places of the manual that print a fact, and those that print it again."""
     own = [(text_piece(citation.text()),) for citation in fact.sources]
-    again = [citation.text() for claim in fact.restated for citation in claim.sources]
-    more = [(styled(f"again {'; '.join(dict.fromkeys(again))}", "quiet"),)] if again else []
-    return cell(*own, *more)
+    repeated = [citation.text() for claim in fact.restated for citation in claim.sources]
+    repeated_lines = [(styled(f"again {'; '.join(dict.fromkeys(repeated))}", "quiet"),)] if repeated else []
+    return cell(*own, *repeated_lines)
 
 
 def cited(citations: Iterable[Citation]) -> Line:

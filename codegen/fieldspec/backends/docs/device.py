@@ -85,11 +85,11 @@ def _detection(detection: Detection) -> Line:
 
 
 def _version(version: Version, present: str) -> TableRow:
-    here: Line = (text_piece(" "), styled("this page", "badge")) if version.id == present else ()
+    badge: Line = (text_piece(" "), styled("this page", "badge")) if version.id == present else ()
     doc: list[Line] = [(text_piece(text),) for text in (version.title, version.doc) if text]
     if version.inferred:
         doc.append((styled("inferred: ", "strong"), text_piece(version.inferred)))
     if version.detected_as:
         values = joined((code(str(item)),) for item in version.detected_as)
         doc.append((text_piece("Detected as "), *values))
-    return TableRow((cell((code(version.id), *here)), cell(*doc), cell(cited(version.sources))))
+    return TableRow((cell((code(version.id), *badge)), cell(*doc), cell(cited(version.sources))))

@@ -51,7 +51,7 @@ class Cell(NamedTuple):
 
     @property
     def empty(self) -> bool:
-        """Whether nothing stands in it."""
+        """Whether the cell has neither lines nor items."""
         return not self.items and not self.lines
 
 
@@ -79,7 +79,7 @@ class TableRow(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Footnote:
-    """What a mark in a table refers to."""
+    """The text below a table that a mark in its cells refers to."""
 
     mark: str
     anchor: str
@@ -190,8 +190,9 @@ Block: TypeAlias = DocumentTable | Paragraph | Facts | Bits | Strips | StateDraw
 
 @dataclass(frozen=True, slots=True)
 class RenderedSection:
-    """What a form has written of a section: `paths` are where its links within the page lead, and of these the form has
-    left out some, which are `lost`, and no others.
+    """The text of a section in one form.
+
+    `paths` are where its links within the page lead; `lost` are those of them that the form has left out.
     """
 
     text: str
@@ -231,7 +232,7 @@ def _piece(text: str, style: str, link: str) -> Piece:
 
 
 def text_piece(text: str, link: str = "") -> Piece:
-    """Text of ours."""
+    """A piece of running text that is no identifier, with a link if it has one."""
     return _piece(text, "", link)
 
 
@@ -269,8 +270,8 @@ def cell(*lines: Line | Piece | str, items: Sequence[Item] = ()) -> Cell:
 @lru_cache(maxsize=REUSED)
 def _cell(contents: tuple[Line | Piece | str, ...], items: tuple[Item, ...]) -> Cell:
     lines = tuple([line for line in map(_line, contents) if any(piece.text for piece in line)])
-    every = [*lines, *(line for item in items for line in (item.line, *item.inner))]
-    return Cell(lines, items, tuple([path for line in every for path in paths(line)]))
+    all_lines = [*lines, *(line for item in items for line in (item.line, *item.inner))]
+    return Cell(lines, items, tuple([path for line in all_lines for path in paths(line)]))
 
 
 def _line(content: Line | Piece | str) -> Line:
@@ -356,7 +357,7 @@ def paths_of(section: Section) -> frozenset[str]:
 
 
 class Anchors:
-    """The anchors of a page. Links lead to what encloses a fact, where the fact has no anchor of its own."""
+    """The anchors of a page. A link to a fact without an anchor leads to the fact that encloses it."""
 
     def __init__(self, sections: tuple[Section, ...]) -> None:
         self._known = frozenset(every(sections))

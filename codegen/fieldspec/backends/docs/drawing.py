@@ -42,17 +42,18 @@ def state_drawing(block: StateDrawing) -> Iterator[str]:
     for arrow in block.arrows:
         side = right if arrow.target > arrow.origin else left
         sign, edge = (1, before + box) if side is right else (-1, before)
-        out = edge + sign * side[arrow] * (right_lane if side is right else left_lane)
+        lane_x = edge + sign * side[arrow] * (right_lane if side is right else left_lane)
         start, end = (ports[arrow, place] for place in ("origin", "target"))
         style = "arrow assumed" if arrow.assumed else "arrow"
-        yield f'<path class="{style}" d="M{edge} {start}H{out}V{end}H{edge + sign * _TIP}"/>{_tip(edge, end, -sign, 0)}'
+        path = f"M{edge} {start}H{lane_x}V{end}H{edge + sign * _TIP}"
+        yield f'<path class="{style}" d="{path}"/>{_tip(edge, end, -sign, 0)}'
         between = _top(arrow.origin) + (_HEIGHT + _GAP // 2 if side is right else -(_GAP // 2))
-        yield f'<text class="number" x="{out}" y="{between + 5}">{escaped(arrow.text)}</text>\n'
+        yield f'<text class="number" x="{lane_x}" y="{between + 5}">{escaped(arrow.text)}</text>\n'
     yield "</svg>\n</div>\n"
 
 
 def _description(block: StateDrawing) -> str:
-    """What a screen reader says instead of the drawing."""
+    """The text that a screen reader reads instead of the drawing."""
     ways = [
         f"{block.states[arrow.origin]} to {block.states[arrow.target]}: {arrow.text}"
         + (", assumed" if arrow.assumed else "")
@@ -80,12 +81,14 @@ def _lanes(arrows: Iterable[Arrow], down: bool) -> dict[Arrow, int]:
     lanes: dict[Arrow, int] = {}
     for arrow in sorted(own, key=lambda arrow: (abs(arrow.target - arrow.origin), arrow.origin, arrow.target)):
         low, high = sorted((arrow.origin, arrow.target))
-        taken = [lanes[other] for other in lanes if max(low, min(other[:2])) <= min(high, max(other[:2]))]
+        occupied = [lanes[other] for other in lanes if max(low, min(other[:2])) <= min(high, max(other[:2]))]
         touching = [
             lanes[other] for other in lanes if high == min(other[:2]) or low == max(other[:2])
         ]  # arrows that only touch a state have ports of their own there
-        inside = [number for number in taken if number not in touching or taken.count(number) > touching.count(number)]
-        lanes[arrow] = max(inside, default=0) + 1
+        overlapping = [
+            number for number in occupied if number not in touching or occupied.count(number) > touching.count(number)
+        ]
+        lanes[arrow] = max(overlapping, default=0) + 1
     return lanes
 
 

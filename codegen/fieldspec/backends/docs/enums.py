@@ -50,7 +50,7 @@ def codes(context: Context) -> Section:
 
 
 def enums(context: Context) -> Section:
-    """The values of fields by name."""
+    """The section of all enums: their members with numbers, names and meanings."""
     inner = tuple(_enum(context, enum, VALUES, _value) for enum in context.device.enums.values() if enum.kind == "enum")
     return Section("enums", (text_piece("Enums"),), (), inner)
 
@@ -86,7 +86,7 @@ def _facts(context: Context, enum: Enum) -> list[tuple[str, tuple[Line, ...]]]:
     return facts
 
 
-def _number(member: Member) -> tuple[Line, ...]:
+def _member_number(member: Member) -> tuple[Line, ...]:
     """The number, in hexadecimal too where that reads otherwise."""
     if member.value <= 9:
         return ((code(str(member.value)),),)
@@ -104,7 +104,7 @@ def _remarks(member: Member) -> list[Line]:
 def _value(context: Context, member: Member, marks: Inferences) -> TableRow:
     return TableRow(
         (
-            cell(*_number(member)),
+            cell(*_member_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
             cell(*_remarks(member), *context.about(member)),
             sources(member),
@@ -119,7 +119,7 @@ def _code(context: Context, member: Member, marks: Inferences) -> TableRow:
     causes += [Item((text_piece(remedy),)) for remedy in member.remedies]
     return TableRow(
         (
-            cell(*_number(member)),
+            cell(*_member_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
             cell("" if member.number is None else str(member.number)),
             cell(*problem, *_remarks(member), *context.about(member)),
@@ -131,10 +131,10 @@ def _code(context: Context, member: Member, marks: Inferences) -> TableRow:
 
 
 def _cause(cause: Cause, member: Member) -> Item:
-    """A cause, with its place where it is not that of the code, and what to do about it below it."""
+    """A cause of a code with its remedies below it, and with its source where that is not the source of the code."""
     elsewhere = cause.sources and cause.sources != member.sources
-    where: Line = (styled(" (", "quiet"), *cited(cause.sources), styled(")", "quiet")) if elsewhere else ()
-    return Item((styled(cause.cause, "strong"), *where), tuple((text_piece(remedy),) for remedy in cause.remedies))
+    place: Line = (styled(" (", "quiet"), *cited(cause.sources), styled(")", "quiet")) if elsewhere else ()
+    return Item((styled(cause.cause, "strong"), *place), tuple((text_piece(remedy),) for remedy in cause.remedies))
 
 
 COLUMNS = (
@@ -160,7 +160,7 @@ UPRIGHT = 4
 
 
 def words(context: Context) -> Section:
-    """All words of flags."""
+    """The section of all words of flags, each with the layout and the table of its bits."""
     inner = tuple(_word(context, word) for word in context.device.flags.values())
     return Section("flags", (text_piece("Bit fields"),), (), inner)
 
@@ -179,7 +179,7 @@ def _word(context: Context, word: Flags) -> Section:
     blocks.append(Facts(tuple(facts)))
     blocks.append(drawn(word))
     marks = Inferences(path)
-    rows = [_row(context, word, bit, marks) for bit in word.bits]
+    rows = [_bit_row(context, word, bit, marks) for bit in word.bits]
     blocks.append(table(f"Bits of {word.name}", COLUMNS, rows, marks.footnotes(), heading=2))
     if word.states:
         rows = [_state(word, state) for state in word.states]
@@ -187,31 +187,31 @@ def _word(context: Context, word: Flags) -> Section:
     return Section(path, (code(word.name), *context.section_title("", word)[1:]), tuple(blocks))
 
 
-def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow:
-    more: list[Line] = []
+def _bit_row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow:
+    lines: list[Line] = []
     if bit.reserved:
-        more.append((styled("reserved", "badge"),))
+        lines.append((styled("reserved", "badge"),))
     if bit.edge:
         text = " The edge of the bit has the effect, not its level."
-        more.append((styled(f"{bit.edge} edge", "badge"), text_piece(text)))
+        lines.append((styled(f"{bit.edge} edge", "badge"), text_piece(text)))
     if bit.active == "low":
-        more.append((styled("active low", "badge"), text_piece(" It is 0 while what its name says is true.")))
+        lines.append((styled("active low", "badge"), text_piece(" It is 0 while what its name says is true.")))
     if bit.when:
-        more.append((styled("only when ", "strong"), text_piece(bit.when)))
+        lines.append((styled("only when ", "strong"), text_piece(bit.when)))
     if bit.signed:
-        more.append((styled("signed", "badge"), text_piece(" A number in two's complement.")))
+        lines.append((styled("signed", "badge"), text_piece(" A number in two's complement.")))
     if bit.is_number and (bit.unit or bit.as_value.scaled):
-        first, *others = unit_lines(bit.as_value)
-        more += [(styled("1 count: ", "quiet"), *first), *others]
+        first, *other_lines = unit_lines(bit.as_value)
+        lines += [(styled("1 count: ", "quiet"), *first), *other_lines]
     if bit.ranges is not None:
-        more.append((styled("Range: ", "quiet"), text_piece(range_in_unit(bit.as_value, bit.ranges))))
+        lines.append((styled("Range: ", "quiet"), text_piece(range_in_unit(bit.as_value, bit.ranges))))
     if bit.default is not None:
         initial = in_unit(bit.as_value, bit.default) or str(bit.default)
-        more.append((styled("Default: ", "quiet"), text_piece(initial)))
+        lines.append((styled("Default: ", "quiet"), text_piece(initial)))
     if reason := bit.reason_to_give(context.device.enums.get(bit.enum)):
-        more.append((styled("has to be given", "badge"), text_piece(f" Its {reason}.")))
+        lines.append((styled("has to be given", "badge"), text_piece(f" Its {reason}.")))
     if bit.enum:
-        more.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
+        lines.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
     return TableRow(
         (
             cell(bits_text(bit)),
@@ -219,7 +219,7 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow
             names(bit, bit.name, mark=marks.all_marks(bit.inferred)),
             cell(bit.zero),
             cell(bit.one),
-            cell(*more, *context.about(bit)),
+            cell(*lines, *context.about(bit)),
             sources(bit),
         ),
         bit.place.path,
@@ -259,12 +259,12 @@ def _boxes(word: Flags, high: int) -> BitRow:
     low = max(0, high - IN_A_ROW + 1)
     holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
     boxes: list[Box] = []
-    at = high
-    while at >= low:
-        bit = holders.get(at)
-        last = max(low, bit.first) if bit else at
-        boxes.append(_box(bit, at - last + 1))
-        at = last - 1
+    position = high
+    while position >= low:
+        bit = holders.get(position)
+        last = max(low, bit.first) if bit else position
+        boxes.append(_box(bit, position - last + 1))
+        position = last - 1
     return BitRow(f"Layout of {word.name}, bits {high} to {low}", tuple(range(high, low - 1, -1)), tuple(boxes))
 
 
@@ -276,23 +276,23 @@ def _box(bit: Bit | None, width: int) -> Box:
 
 def _characters(word: Flags, width: int) -> str:
     """Boxes of four characters a bit, and from each named bit a line down to its name."""
-    named = [bit for bit in word.bits if not bit.reserved]
-    named_numbers = {number for bit in named for number in range(bit.first, bit.last + 1)}
+    labelled = [bit for bit in word.bits if not bit.reserved]
+    named_numbers = {number for bit in labelled for number in range(bit.first, bit.last + 1)}
     numbers = range(width - 1, -1, -1)
     rule = "+---" * width + "+"
     boxes = "".join("| x " if number in named_numbers else "|   " for number in numbers) + "|"
     lines = ["".join(f"{number:>3} " for number in numbers).rstrip(), rule, boxes, rule]
-    lines += [_leader(named, at, width) for at in range(len(named))]
+    lines += [_leader(labelled, index, width) for index in range(len(labelled))]
     return "\n".join(lines)
 
 
-def _leader(named: list[Bit], at: int, width: int) -> str:
+def _leader(labelled: list[Bit], index: int, width: int) -> str:
     """The line to the name of one bit, past the lines of those above it."""
 
     def column(bit: Bit) -> int:
         return 4 * (width - 1 - bit.first) + 2
 
-    line = [" "] * (column(named[at]) + 1)
-    for later in named[at + 1 :]:
+    line = [" "] * (column(labelled[index]) + 1)
+    for later in labelled[index + 1 :]:
         line[column(later)] = "|"
-    return "".join(line[:-1]) + f"+- {bits_text(named[at])} {named[at].name}"
+    return "".join(line[:-1]) + f"+- {bits_text(labelled[index])} {labelled[index].name}"

@@ -59,7 +59,7 @@ INTRODUCTION = (
 
 
 def errata(context: Context) -> Section:
-    """All departures from the print."""
+    """The section of all errata: where the spec departs from what the manual prints."""
     device = context.device
     if not device.errata:
         return Section("errata", (text_piece("Errata"),))
@@ -85,12 +85,12 @@ def _counts(errata_of_device: Sequence[Erratum]) -> Iterator[TableRow]:
 
 def _of_effect(context: Context, effect: str) -> Section:
     title, meaning = EFFECTS[effect]
-    rows = [_row(context, erratum) for erratum in context.device.errata if erratum.effect == effect]
+    rows = [_erratum_row(context, erratum) for erratum in context.device.errata if erratum.effect == effect]
     blocks = (Paragraph((text_piece(meaning),)), table(title, COLUMNS, rows)) if rows else ()
     return Section(f"errata-{effect}", (text_piece(title),), blocks)
 
 
-def _row(context: Context, erratum: Erratum) -> TableRow:
+def _erratum_row(context: Context, erratum: Erratum) -> TableRow:
     holder = context.holders.get(erratum.fact)
     keys = list(erratum.printed)
     style = "open" if erratum.confidence == "open" else ""
@@ -126,10 +126,10 @@ def _printed(key: str, value: object) -> str:
         return "missing"
     if key in ("at", "base") and isinstance(value, int):
         return address(value)
-    return _text(value)
+    return _value_text(value)
 
 
-def _text(value: object) -> str:
+def _value_text(value: object) -> str:
     """Any value of a spec as text."""
     if value is None:
         return ""
@@ -142,9 +142,9 @@ def _text(value: object) -> str:
     if isinstance(value, bytes):
         return value.hex(" ").upper()
     if isinstance(value, Mapping):
-        return ", ".join(f"{key} {_text(inner)}" for key, inner in value.items())
+        return ", ".join(f"{key} {_value_text(inner)}" for key, inner in value.items())
     if isinstance(value, list | tuple):
-        return ", ".join(_text(inner) for inner in value)
+        return ", ".join(_value_text(inner) for inner in value)
     return str(value)
 
 
@@ -156,12 +156,12 @@ def _spec_value(holder: Holder | None, key: str) -> str:
         return _printed(key, holder.values.get(key))
     for kind, getters in GETTERS:
         if isinstance(holder, kind) and key in getters:
-            return _text(getters[key](holder))
+            return _value_text(getters[key](holder))
     value = getattr(holder, "value", None)
     if isinstance(value, Value) and key in OF_VALUES:
-        return _text(OF_VALUES[key](value))
+        return _value_text(OF_VALUES[key](value))
     attribute = getattr(holder, key, None)
-    return "" if callable(attribute) else _text(attribute)
+    return "" if callable(attribute) else _value_text(attribute)
 
 
 def _span(bounds: tuple[int, int] | None) -> str:

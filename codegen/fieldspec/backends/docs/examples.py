@@ -142,7 +142,7 @@ def _strips(example: Example, print_of: Printed, explanation: Explanation) -> It
 def _pairs(text: str) -> list[str]:
     """Hexadecimal bytes, two digits each."""
     digits = "".join(text.split()).upper()
-    return [digits[at : at + 2] for at in range(0, len(digits), 2)]
+    return [digits[index : index + 2] for index in range(0, len(digits), 2)]
 
 
 def _marked_differences(first: list[str], other: list[str]) -> Line:

@@ -31,7 +31,7 @@ def fact_file(layouts: Sequence[DeviceLayout], steps: Sequence[Step] = ()) -> st
     `steps` has for each step between versions their numbers, and rows of a path, an effect and a message.
     """
     newest_first = list(reversed(layouts))
-    every = (1 << len(layouts)) - 1
+    all_versions = (1 << len(layouts)) - 1
     masks: dict[tuple[str, int, tuple[str, ...]], int] = {}
     templates: dict[tuple[str, str], int] = {}
     variables: dict[str, list[dict[str, str]]] = {}
@@ -48,13 +48,13 @@ def fact_file(layouts: Sequence[DeviceLayout], steps: Sequence[Step] = ()) -> st
                 masks[key] = masks.get(key, 0) | 1 << number
     code: dict[str, list[Row]] = {}
     for (fact, template, arguments), mask in masks.items():
-        code.setdefault(fact, []).append([mask if mask != every else 0, template, *arguments])
+        code.setdefault(fact, []).append([mask if mask != all_versions else 0, template, *arguments])
     data = {
         "pages": [[page_name(layout.device.version), layout.device.version] for layout in newest_first],
         "variables": variables,
         "templates": list(templates),
         "code": code,
-        "values": _values(newest_first, every),
+        "values": _values(newest_first, all_versions),
         "steps": [_step(step, [layout.device.version for layout in newest_first]) for step in steps],
     }
     return f"{_CALL}{json.dumps(data, ensure_ascii=False, separators=(',', ':'))}{_END}"
@@ -66,12 +66,12 @@ def _step(step: Step, versions: Sequence[str]) -> list[object]:
 
 
 def parsed(text: str) -> dict[str, object]:
-    """The object of such a file."""
+    """The object in the text of an index file."""
     data: dict[str, object] = json.loads(text.removeprefix(_CALL).removesuffix(_END))
     return data
 
 
-def _values(newest_first: Sequence[DeviceLayout], every: int) -> dict[str, list[Row]]:
+def _values(newest_first: Sequence[DeviceLayout], all_versions: int) -> dict[str, list[Row]]:
     masks: dict[tuple[str, str, tuple[tuple[int, str], ...]], int] = {}
     for number, layout in enumerate(newest_first):
         for path, wire, quantities in _version_values(layout):
@@ -80,7 +80,7 @@ def _values(newest_first: Sequence[DeviceLayout], every: int) -> dict[str, list[
                 masks[key] = masks.get(key, 0) | 1 << number
     rows: dict[str, list[Row]] = {}
     for (path, wire, quantities), mask in masks.items():
-        rows.setdefault(path, []).append([mask if mask != every else 0, wire, *quantities])
+        rows.setdefault(path, []).append([mask if mask != all_versions else 0, wire, *quantities])
     return rows
 
 
@@ -118,7 +118,7 @@ def _wire(value: Value, order: str, swapped: bool) -> str:
     if order == "big":
         numbers.reverse()
     if swapped:
-        words = [numbers[at : at + 2] for at in range(0, value.size, 2)]
+        words = [numbers[index : index + 2] for index in range(0, value.size, 2)]
         numbers = [number for word in reversed(words) for number in word]
     return "".join(map(str, numbers))
 

@@ -38,7 +38,7 @@ _TAGS = {
 
 
 def page(document: Document, place: PagePlace) -> str:
-    """A whole page."""
+    """The text of a whole page in HTML."""
     writer = _Page(document)
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>\n' if document.subtitle else ""
     style = text("backends/page.css")
@@ -64,7 +64,7 @@ def _attribute(name: str, value: str) -> str:
 
 @lru_cache(maxsize=1)
 def _writer(language: str) -> _Writer:
-    """The writer of the last page, which remembers what was on it, where labels are in the same language."""
+    """The writer of pages whose labels are in a language; the last one is used again, with what it has stored."""
     return _Writer(language)
 
 
@@ -115,8 +115,8 @@ class _Page:
             f'<li><a href="#{escaped(part.anchor)}">{"".join(escaped(piece.text) for piece in part.title)}</a></li>\n'
             for part in section.sections
         ]
-        within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
-        return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{within}</li>\n'
+        nested = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
+        return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{nested}</li>\n'
 
     def section(self, section: Section, level: int) -> Iterator[str]:
         """A section, and those within it, under a heading of a level."""

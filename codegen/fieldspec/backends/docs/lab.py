@@ -63,7 +63,7 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
 
 
 def request_data(layout: DeviceLayout) -> dict[str, Data]:
-    """What the lab knows of requests before it sends them: those that only read, by link, and the hazards of facts."""
+    """The data with which the lab warns before it sends: requests that only read, by link, and hazards of facts."""
     reads: dict[str, Data] = {
         name: [message.name for message in link.messages.values() if only_reads(layout, link, message)]
         for name, link in layout.links.items()

@@ -79,7 +79,7 @@ class FrameTable:
     def _mark(self, name: str, place: str, mark: bytes) -> Iterator[TableRow]:
         if mark:
             delimiter = code(mark.hex(" ").upper()), text_piece(f", the {name} delimiter")
-            yield self._row(place, cell(name), cell(delimiter))
+            yield self._frame_row(place, cell(name), cell(delimiter))
 
     def _end(self, record: RecordLayout | None) -> str:
         """The place of the end mark, counted from the end where the size of the body is open."""
@@ -88,7 +88,7 @@ class FrameTable:
             return _from_end(size, size)
         return _span(self.start + (self.shape.header_size + record.size + self.shape.trailer_size) * self.width, size)
 
-    def _row(self, place: str, name: Cell, meaning: Cell) -> TableRow:
+    def _frame_row(self, place: str, name: Cell, meaning: Cell) -> TableRow:
         return TableRow((cell(code(place)), name, Cell(), Cell(), Cell(), meaning, Cell()))
 
     def _part(
@@ -109,7 +109,7 @@ class FrameTable:
         )
 
     def _role(self, part: PartLayout, record: RecordLayout | None, message_code: int | None) -> Iterator[Line]:
-        """What a part holds by its role."""
+        """What a part of a frame contains, in words, by its role."""
         if part.role == "code" and message_code is not None:
             in_decimal = () if part.form == "decimal" else (text_piece(f" ({message_code})"),)
             yield (code(part.number_text(message_code)), *in_decimal)
@@ -129,22 +129,22 @@ class FrameTable:
             yield (text_piece("the same as "), code(part.part.same_as), text_piece(" of the request"))
 
     def _length(self, part: PartLayout, record: RecordLayout | None) -> str:
-        around = self.shape.header_size + self.shape.trailer_size
+        parts_size = self.shape.header_size + self.shape.trailer_size
         if (part.unit_size, part.base) == (1, 0):
             return (
                 "the length of the frame in bytes"
                 if record is None
-                else f"the length of the frame: {length_text(around, record)}"
+                else f"the length of the frame: {length_text(parts_size, record)}"
             )
         unit = "words of two bytes" if part.unit_size > 1 else "bytes"
-        more = part.part.plus
-        added = f", {'plus' if more > 0 else 'minus'} {abs(more)}" if more else ""
-        number = part.number(around + record.size) if record is not None and record.size is not None else None
+        plus = part.part.plus
+        added = f", {'plus' if plus > 0 else 'minus'} {abs(plus)}" if plus else ""
+        number = part.number(parts_size + record.size) if record is not None and record.size is not None else None
         fixed = "" if number is None else f": {number}"
         return f"the number of {unit} {self._span_text(part)}{added}{fixed}"
 
     def _covered(self, part: PartLayout) -> str:
-        """Over what a check is worked out."""
+        """The parts over which a checksum is computed, in words."""
         return "before it" if (part.start, part.stop) == (0, part.offset) else self._span_text(part)
 
     def _span_text(self, part: PartLayout) -> str:
@@ -171,8 +171,8 @@ class FrameTable:
         for part in self.shape.trailer:
             row = self._part(part, Position(0), record, None)
             if fixed is None:
-                behind = -part.offset * self.width + len(self.shape.end)
-                place = _from_end(behind, part.size * self.width)
+                distance = -part.offset * self.width + len(self.shape.end)
+                place = _from_end(distance, part.size * self.width)
             else:
                 place = Position(fixed + self.shape.trailer_size + part.offset).text(part.size, self.start, self.width)
             yield TableRow((cell(code(place)), *row.cells[1:]), row.anchor)
@@ -197,13 +197,13 @@ def _span(first: int, length: int) -> str:
     return str(first) if length == 1 else f"{first}..{first + length - 1}"
 
 
-def _from_end(behind: int, length: int) -> str:
-    """The place of bytes that begin `behind` bytes before the end of a frame of n bytes."""
-    return f"n - {behind}" if length == 1 else f"n - {behind} .. n - {behind - length + 1}"
+def _from_end(distance: int, length: int) -> str:
+    """The place of bytes that begin `distance` bytes before the end of a frame of n bytes."""
+    return f"n - {distance}" if length == 1 else f"n - {distance} .. n - {distance - length + 1}"
 
 
 def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: str, letter: str) -> Iterator[TableRow]:
-    """The rows of a field: its own, or those of the record that it holds, once for all of its elements."""
+    """The row of a field; of a field that is a record, the rows of the record, once for all elements."""
     position = start.shifted(field.offset)
     elements = ""
     if field.is_list:
@@ -221,10 +221,10 @@ def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: st
 def field_cells(context: Context, field: FieldLayout, path: str, elements: str, marks: Inferences) -> tuple[Cell, ...]:
     """Name, type, unit, range, meaning and source of a field."""
     inferred = field.field.inferred
-    more: list[Line] = [(styled(elements, "quiet"),)] if elements else []
+    lines: list[Line] = [(styled(elements, "quiet"),)] if elements else []
     if field.field.reserved:
-        more.append((styled("reserved", "badge"),))
-    more += _relations(field)
+        lines.append((styled("reserved", "badge"),))
+    lines += _relations(field)
     if field.cases:
         cells = (cell(items=[_case(field, case) for case in field.cases]), Cell(), Cell())
     elif field.record is not None:
@@ -240,7 +240,7 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
     return (
         names(field.field, path, mark=marks.marks(inferred)),
         *cells,
-        meaning_cell(context, field.field, field.value, *more),
+        meaning_cell(context, field.field, field.value, *lines),
         sources(field.field),
     )
 
@@ -255,18 +255,20 @@ def _bytes_of(record: RecordLayout) -> str:
 
 
 def _case(field: FieldLayout, case: CaseLayout) -> Item:
-    """The type in one case, and for which values of the other field it is so."""
-    by = field.field.choice.by if field.field.choice else ""
-    when = f" where {by} is {', '.join(case.case.when)}"
-    return Item((code(case.value.type.name), text_piece(when)))
+    """The type of one case of a choice, with the members of the deciding field for which it holds."""
+    selector = field.field.choice.by if field.field.choice else ""
+    condition = f" where {selector} is {', '.join(case.case.when)}"
+    return Item((code(case.value.type.name), text_piece(condition)))
 
 
 def _relations(field: FieldLayout) -> Iterator[Line]:
-    """What a field has to do with other fields."""
+    """The relations of a field to other fields: what it measures, and what it repeats."""
     measures = field.field.measures
     if measures is not None:
-        more = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(measures.plus)
-        yield (text_piece(f"the number of {measures.of} of "), code(measures.field), *more)
+        adjustment = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(
+            measures.plus
+        )
+        yield (text_piece(f"the number of {measures.of} of "), code(measures.field), *adjustment)
     if field.field.same_as:
         yield (text_piece("the same as "), code(field.field.same_as), text_piece(" of the request"))
 
@@ -279,20 +281,20 @@ def elements_text(field: FieldLayout, letter: str) -> str:
     return f"{field.count} elements, {letter} = 0 to {(field.count or 1) - 1}"
 
 
-def length_text(around: int, record: RecordLayout) -> str:
+def length_text(framing_size: int, record: RecordLayout) -> str:
     """`8 bytes`, or `5 + 2n bytes, n = 1 to 3`: the length of a frame with a record in its body."""
     if record.size is not None:
-        return many(around + record.size, "byte")
+        return many(framing_size + record.size, "byte")
     if record.chosen:
-        most = f" to {around + record.most}" if record.most is not None else " or more"
-        return f"{around + record.least}{most} bytes"
+        upper_end = f" to {framing_size + record.most}" if record.most is not None else " or more"
+        return f"{framing_size + record.least}{upper_end} bytes"
     if record.spans:
-        return f"{around + record.least} to {around + (record.most or 0)} bytes"
+        return f"{framing_size + record.least} to {framing_size + (record.most or 0)} bytes"
     last = record.fields[-1]
     step = f"{last.size}n" if last.size > 1 else "n"
     repeat = last.field.repeat
     assert repeat is not None
-    return f"{around + last.offset} + {step} bytes, n = {spoken(repeat.text())}"
+    return f"{framing_size + last.offset} + {step} bytes, n = {spoken(repeat.text())}"
 
 
 ENCODINGS = {"binary": "bytes as they are", "hex_ascii": "each byte as two hexadecimal characters, the high one first"}
@@ -300,7 +302,7 @@ ORDERS = {"big": "the most significant first", "little": "the least significant 
 
 
 def links(context: Context) -> Section:
-    """All links of the device."""
+    """The section of all links: their frames, settings and times."""
     inner = tuple(_link(context, link_layout) for link_layout in context.layout.links.values())
     return Section("links", (text_piece("Links"),), (), inner)
 

@@ -48,7 +48,7 @@ STATEMENTS = (
 
 
 def lookups(context: Context) -> Section:
-    """All tables of pins, lamps, priorities and their like."""
+    """The section of all lookup tables: pins, lamps, priorities and the like."""
     inner = tuple(_lookup(context, lookup) for lookup in context.device.lookups)
     return Section("lookups", (text_piece("Pins, LEDs and other tables"),), (), inner)
 
@@ -77,8 +77,8 @@ def _lookup_row(context: Context, columns: tuple[LookupColumn, ...], row: Lookup
     notes: list[Line] = [(styled(f"only {', '.join(row.only)}", "badge"),)] if row.only else []
     notes += [(text_piece(row.notes),)] if row.notes else []
     cells = [_lookup_cell(context, column, value) for column, value in zip(columns, row.cells, strict=True)]
-    where = cell(cited(row.sources))
-    return TableRow((*cells, cell(*notes, *context.beside(row.place)), where), row.place.path)
+    source_cell = cell(cited(row.sources))
+    return TableRow((*cells, cell(*notes, *context.beside(row.place)), source_cell), row.place.path)
 
 
 def _lookup_cell(context: Context, column: LookupColumn, value: ScalarValue) -> Cell:
@@ -142,7 +142,7 @@ def _short(path: str) -> str:
 
 
 def notes(context: Context) -> Section:
-    """What a user must know and that belongs to no single fact."""
+    """The section of caveats that belong to no single fact."""
     inner = tuple(_note(context, note) for note in context.device.notes)
     return Section("notes", (text_piece("Notes"),), (), inner)
 

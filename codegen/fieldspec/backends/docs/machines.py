@@ -59,7 +59,7 @@ def _machine(machine: StateMachine) -> Section:
         blocks.append(Paragraph((styled("assumed: ", "strong"), text_piece(machine.assumed))))
     title = clean(" ".join(machine.name.split("_")))
     blocks.append(StateDrawing(f"State machine {title}", machine.states, tuple(_arrows(machine))))
-    rows = [_row(machine, number, transition) for number, transition in enumerate(machine.transitions, 1)]
+    rows = [_transition_row(machine, number, transition) for number, transition in enumerate(machine.transitions, 1)]
     blocks.append(table(f"Transitions of {title}", COLUMNS, rows))
     if machine.sources:
         blocks.append(Paragraph((text_piece("Source of the states: "), *cited(machine.sources))))
@@ -79,7 +79,7 @@ def _arrows(machine: StateMachine) -> Iterator[Arrow]:
         yield Arrow(origin, target, ", ".join(map(str, own)), assumed)
 
 
-def _row(machine: StateMachine, number: int, transition: Transition) -> TableRow:
+def _transition_row(machine: StateMachine, number: int, transition: Transition) -> TableRow:
     return TableRow(
         (
             cell(str(number)),
@@ -97,8 +97,8 @@ def _row(machine: StateMachine, number: int, transition: Transition) -> TableRow
 def _reasons(transition: Transition) -> Iterator[Line]:
     """The event and the conditions, each in a line."""
     if transition.event:
-        before, _, behind = _EVENTS[transition.event[0]].partition("{}")
-        yield (text_piece(before), code(transition.event[1]), text_piece(behind))
+        before, _, suffix = _EVENTS[transition.event[0]].partition("{}")
+        yield (text_piece(before), code(transition.event[1]), text_piece(suffix))
     for signal, values in transition.conditions:
         texts = joined(((code(value),) for value in values), " or ")
         yield (code(signal), text_piece(" is "), *texts)

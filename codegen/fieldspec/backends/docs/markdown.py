@@ -34,7 +34,7 @@ _BLOCK = re.compile(r"^(?:[#+\-=]|\d+(?=[.)](?:\s|$)))")
 
 
 def page(document: Document) -> str:
-    """A whole page."""
+    """The text of a whole page in Markdown."""
     subtitle = f"{escaped(document.subtitle)}\n\n" if document.subtitle else ""
     summary = "".join([f"- {line(pieces)}\n" for pieces in document.summary])
     return fill(

@@ -52,9 +52,9 @@ def _message(context: Context, message_layout: MessageLayout) -> Section:
     path = message.place.path
     blocks = context.opening(message)
     blocks.append(Facts(tuple(_facts(context, message_layout))))
-    sent = [link for link in context.layout.links.values() if message_layout.name in link.messages]
-    for number, link in enumerate(sent):
-        for direction in (way for way in DIRECTIONS if message.name in link.carried(way)):
+    carrying_links = [link for link in context.layout.links.values() if message_layout.name in link.messages]
+    for number, link in enumerate(carrying_links):
+        for direction in (candidate for candidate in DIRECTIONS if message.name in link.carried(candidate)):
             blocks.append(_frame(context, message_layout, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
     code_pieces: Line = () if message.code is None else (code(_code(context, message, message.code)), text_piece(" "))
@@ -92,17 +92,17 @@ def _frame(
 def _length(link: LinkLayout, direction: str, record: RecordLayout) -> str:
     """The length of a frame, as its table counts: with its delimiters, and without the identifier of a CAN frame."""
     shape, escape = link.frame(direction), link.link.escape
-    around, marks = shape.header_size + shape.trailer_size, len(shape.start) + len(shape.end)
+    parts_size, marks = shape.header_size + shape.trailer_size, len(shape.start) + len(shape.end)
     if link.link.encoding == "hex_ascii":
-        text = f"{length_text(around, record)}, as two characters each"
+        text = f"{length_text(parts_size, record)}, as two characters each"
         return f"{text}, and {many(marks, 'character')} as delimiters" if marks else text
     if escape is not None and link.link.is_can:
-        return f"{length_text(around - escape.fields_size, record)} of data"
-    return length_text(around + marks, record)
+        return f"{length_text(parts_size - escape.fields_size, record)} of data"
+    return length_text(parts_size + marks, record)
 
 
 def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    """What tells the message from others with its code, once for all links and directions where it is the same."""
+    """The subcodes of the message, once for all links and directions where they are equal."""
     texts = dict.fromkeys(
         text
         for link in context.layout.links.values()
@@ -116,7 +116,7 @@ def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple
 
 
 def _steps(context: Context, message: Message) -> Iterator[Piece]:
-    """What a message does with registers, one after the other."""
+    """The accesses of a message to registers, one after the other."""
     for number, step in enumerate(message.access_steps):
         verb = "changes bits of" if step.and_mask else f"{step.operation}s"
         yield text_piece(f"{', then ' if number else ''}{verb} ")
@@ -164,11 +164,14 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     if not message.is_requested:
         yield "Sent", ((text_piece("only by the device, of its own accord"),),)
     if message.answered_on is not None:
-        answered = ((code(name, f"#links/{name}"),) for name in message.answered_on)
-        yield "Answered", ((text_piece("on "), *joined(answered)) if message.answered_on else (text_piece("never"),),)
+        answering_links = ((code(name, f"#links/{name}"),) for name in message.answered_on)
+        yield (
+            "Answered",
+            ((text_piece("on "), *joined(answering_links)) if message.answered_on else (text_piece("never"),),),
+        )
     if message.supplements:
-        beside = joined((code(name, f"#messages/{name}"),) for name in message.supplements)
-        yield "Sent beside", ((*beside, text_piece(", never alone")),)
+        companions = joined((code(name, f"#messages/{name}"),) for name in message.supplements)
+        yield "Sent beside", ((*companions, text_piece(", never alone")),)
     if message.group:
         yield "Group", ((text_piece(" ".join(message.group.split("_"))),),)
     if message.code is not None:
@@ -210,9 +213,9 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Examples", (joined((text_piece(example.id, f"#{example.place.path}"),) for example in examples),)
     if message.sources:
         yield "Source", (cited(message.sources),)
-    again = [citation for claim in message.restated for citation in claim.sources]
-    if again:
-        yield "Printed again", (cited(again),)
+    repeated = [citation for claim in message.restated for citation in claim.sources]
+    if repeated:
+        yield "Printed again", (cited(repeated),)
 
 
 TELEGRAM_DIRECTIONS = ("request", "response")
@@ -257,8 +260,10 @@ def _table(link: LinkLayout) -> DocumentTable | None:
         for direction in TELEGRAM_DIRECTIONS:
             columns.append(TableColumn(_title(link, message, direction), unbroken=True))
             records.append(message.data(direction))
-    most = max((_words(record) or 0 for record in records), default=0)
-    rows = [TableRow((cell(str(word + 1)), *(_at(record, word) for record in records))) for word in range(most)]
+    word_count = max((_words(record) or 0 for record in records), default=0)
+    rows = [
+        TableRow((cell(str(word + 1)), *(_word_cell(record, word) for record in records))) for word in range(word_count)
+    ]
     return table(f"Words of {link.link.title or link.name}", columns, rows)
 
 
@@ -266,7 +271,7 @@ def _title(link: LinkLayout, message: MessageLayout, direction: str) -> str:
     return f"{message.message.number} {link.link.direction_name(direction)}"
 
 
-def _at(record: RecordLayout, word: int) -> Cell:
+def _word_cell(record: RecordLayout, word: int) -> Cell:
     """What lies in a word: the field that starts there, or that goes on there."""
     field = next(
         (candidate for candidate in record.fields if candidate.offset <= 2 * word < (candidate.end or 0)), None
@@ -277,10 +282,10 @@ def _at(record: RecordLayout, word: int) -> Cell:
         return cell(styled("goes on", "quiet"))
     if field.field.reserved:
         return cell(styled("reserved", "badge"))
-    return _named(field)
+    return _field_cell(field)
 
 
-def _named(field: FieldLayout) -> Cell:
+def _field_cell(field: FieldLayout) -> Cell:
     link = f"#{field.field.place.path}"
     printed = [(label(field.field.printed_name),)] if field.field.printed_name else []
     return cell((code(field.name, link),), *printed)
@@ -298,7 +303,7 @@ SIGNAL_DIRECTIONS = {"request": "to the device", "response": "from the device", 
 
 
 def signals(context: Context) -> Section:
-    """All signals in a table."""
+    """The section of all signals in one table."""
     device = context.device
     marks = Inferences("signals")
     rows = [_signal(context, signal, marks) for signal in device.signals.values()]

@@ -46,13 +46,13 @@ def overview(paths: Iterable[str], content: Callable[[str], str]) -> dict[str, s
 
 
 def _document(devices: Iterable[dict[str, Any]], labs: set[str], ending: str, index: str) -> Document:
-    rows = [_row(device, labs, ending, index) for device in devices]
+    rows = [_device_row(device, labs, ending, index) for device in devices]
     text = "Each page of a device has its registers, messages, parameters and codes, with the places in its manual."
     blocks = (Paragraph((text_piece(text),)), table("Devices", COLUMNS, rows))
     return Document("Devices", "", "", "", (), (Section("devices", (text_piece("All devices"),), blocks),))
 
 
-def _row(device: dict[str, Any], labs: set[str], ending: str, index: str) -> TableRow:
+def _device_row(device: dict[str, Any], labs: set[str], ending: str, index: str) -> TableRow:
     folder, pages = device["id"], device["pages"]
     versions = joined((text_piece(version, f"{folder}/{page}{ending}"),) for page, version, _ in pages)
     return TableRow(

@@ -48,7 +48,7 @@ COLUMNS = (
 
 
 def parameters(context: Context) -> Section:
-    """All sets of parameters."""
+    """The section of all sets of parameters."""
     inner = tuple(_set_section(context, parameter_set) for parameter_set in context.device.parameters.values())
     return Section("parameters", (text_piece("Parameters"),), (), inner)
 

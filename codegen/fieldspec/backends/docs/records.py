@@ -54,7 +54,7 @@ OF_RECORD = (TableColumn("Byte", "number", unbroken=True), TableColumn("Bytes", 
 
 
 def tables(context: Context) -> Section:
-    """All tables."""
+    """The section of all tables of records."""
     done: set[str] = set()
     inner = tuple(_table(context, table_layout, done) for table_layout in context.layout.tables.values())
     return Section("tables", (text_piece("Tables"),), (), inner)
@@ -170,7 +170,7 @@ def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
         access=narrowed(holder.access, field.field.access),
         restart=_restart(holder, field),
         offset=holder.offset + field.offset,
-        path=f"{holder.path}{_named(holder, field)}.",
+        path=f"{holder.path}{_indexed_name(holder, field)}.",
         steps=(*holder.steps, field.size) if field.is_list else holder.steps,
     )
     for own in field.record.fields:
@@ -187,18 +187,18 @@ def _letter(holder: _Holder) -> str:
     return chr(ord("k") + len(holder.steps))
 
 
-def _named(holder: _Holder, field: FieldLayout) -> str:
+def _indexed_name(holder: _Holder, field: FieldLayout) -> str:
     return f"{field.name}[{_letter(holder)}]" if field.is_list else field.name
 
 
 def _table_row(holder: _Holder, field: FieldLayout) -> TableRow:
     context, marks = holder.context, holder.marks
     inferred, value = field.field.inferred, field.value
-    many = elements_text(field, _letter(holder)) if field.is_list else ""
-    path = f"{holder.path}{_named(holder, field)}"
+    elements = elements_text(field, _letter(holder)) if field.is_list else ""
+    path = f"{holder.path}{_indexed_name(holder, field)}"
     access = narrowed(holder.access, field.field.access)
     restart = _restart(holder, field)
-    name, kind, unit, bounds, meaning, source = field_cells(context, field, path, many, marks)
+    name, kind, unit, bounds, meaning, source = field_cells(context, field, path, elements, marks)
     return TableRow(
         (
             cell(_word(holder, field)),
@@ -270,7 +270,7 @@ def _printed(element: PrintedElement) -> TableRow:
 
 
 def records(context: Context) -> Section:
-    """The records that no table shows."""
+    """The section of the records that no table shows."""
     in_tables = {table_layout.record.name for table_layout in context.layout.tables.values()}
     inner = tuple(
         _record(context, record_layout)
@@ -302,8 +302,8 @@ def _size(record_layout: RecordLayout) -> str:
 
 
 def _record_row(context: Context, field: FieldLayout, marks: Inferences) -> TableRow:
-    many = elements_text(field, "k") if field.is_list else ""
+    elements = elements_text(field, "k") if field.is_list else ""
     path = f"{field.name}[k]" if field.is_list else field.name
     step = f" + {field.size}k" if field.is_list else ""
-    cells = field_cells(context, field, path, many, marks)
+    cells = field_cells(context, field, path, elements, marks)
     return TableRow((cell(code(f"{field.offset}{step}")), cell(str(field.size)), *cells), field.field.place.path)

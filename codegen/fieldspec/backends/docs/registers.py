@@ -55,7 +55,7 @@ def _columns(unit: str) -> tuple[TableColumn, ...]:
 
 
 def registers(context: Context) -> Section:
-    """All groups of registers."""
+    """The section of all groups of registers."""
     inner = tuple(_group(context, group) for group in context.device.groups)
     return Section("registers", (text_piece("Registers"),), (), inner)
 
@@ -82,7 +82,7 @@ def _group(context: Context, group: RegisterGroup) -> Section:
 
 
 def _gaps(gaps: tuple[Gap, ...]) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    """The addresses that are left out, those with the same reason in one."""
+    """The gaps between registers as facts: one for each reason, with all its addresses."""
     for reason in dict.fromkeys(gap.reason for gap in gaps):
         bounds = [bound for gap in gaps if gap.reason == reason for bound in gap.addresses.intervals]
         spans = (address(low) if low == high else f"{address(low)}..{address(high)}" for low, high in bounds)
@@ -125,7 +125,7 @@ def _address(register: Register, first_number: int) -> Cell:
 
 
 def _special(register: Register) -> Iterator[Line]:
-    """What is special about reading and writing a register."""
+    """The hazards of reading and writing a register."""
     if register.count > 1:
         units = "bits" if register.value.type.name == BIT else "words" if register.unit_size > 1 else "bytes"
         apart = "" if register.stride == register.width else f", {register.stride} {units} apart"
@@ -147,14 +147,14 @@ def _special(register: Register) -> Iterator[Line]:
 def _element(register: Register, number: int, first_number: int) -> TableRow:
     """The row of one of several equal registers: where it lies, and what the manual calls it."""
     index = register.index_from + number
-    at = register.address + number * register.stride
+    element_address = register.address + number * register.stride
     printed = register.element_name.format(n=index) if register.element_name else ""
     source = register.element_sources[number : number + 1]
     blank = (Cell(),) * 7
     return TableRow(
         (
             Cell(),
-            cell(code(address(at)), styled(str(first_number + at), "quiet")),
+            cell(code(address(element_address)), styled(str(first_number + element_address), "quiet")),
             Cell(),
             cell((code(f"{register.name}[{index}]"),), (label(printed),)),
             *blank,
@@ -178,7 +178,7 @@ _SPACE_COLUMNS = (
 
 
 def spaces(context: Context) -> Section:
-    """All address spaces in one table."""
+    """The section of all address spaces in one table."""
     address_spaces = context.device.spaces
     marks = Inferences("spaces")
     rows = [_space_row(context, space, marks) for space in address_spaces.values()]

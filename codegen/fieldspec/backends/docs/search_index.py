@@ -63,12 +63,12 @@ def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -
     for number, layout in enumerate(reversed(layouts)):
         for entry in _entries(pages[layout.device.version], _table_keys(layout)):
             versions[entry] = versions.get(entry, 0) | 1 << number
-    every = (1 << len(layouts)) - 1
+    all_versions = (1 << len(layouts)) - 1
     groups: dict[tuple[str, str, str], list[list[object]]] = {}
     for entry in sorted(versions, key=lambda entry: _order(entry.kind)):
         start = entry.anchor.rpartition("/")[0]
         group = groups.setdefault((entry.kind, entry.section, start), [])
-        group.append(_row(entry, versions[entry] if versions[entry] != every else 0))
+        group.append(_entry_row(entry, versions[entry] if versions[entry] != all_versions else 0))
     data = {
         "id": newest.id,
         "name": pages[newest.version].title if len(layouts) == 1 else newest.name,
@@ -84,7 +84,7 @@ def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -
 
 
 def parsed(text: str) -> dict[str, object]:
-    """The object of such a file."""
+    """The object in the text of an index file."""
     data: dict[str, object] = json.loads(text.removeprefix(_CALL).removesuffix(_END))
     return data
 
@@ -103,7 +103,7 @@ def _order(kind: str) -> int:
     return _FIRST.index(kind) if kind in _FIRST else len(_FIRST)
 
 
-def _row(entry: Entry, versions: int) -> list[object]:
+def _entry_row(entry: Entry, versions: int) -> list[object]:
     """An entry of the file, without what is empty at its end."""
     end = entry.anchor.rpartition("/")[2]
     row: list[object] = [
@@ -128,12 +128,12 @@ def _entries(document: Document, table_keys: Mapping[str, str]) -> Iterator[Entr
 
 def _of_section(kind: str, section: Section, table_keys: Mapping[str, str]) -> Iterator[Entry]:
     terms = {term: _texts(lines) for block in section.blocks if isinstance(block, Facts) for term, lines in block.rows}
-    title = _text(section.title)
+    title = _line_text(section.title)
     keys = [word for term in _NUMBER_TERMS for text in terms.get(term, ()) for word in text.split() if word[0] != "("]
     titles = [piece for piece in _pieces(section.title) if piece not in keys]
     names = dict.fromkeys([*terms.get(_NAME_TERM, ()), *titles])
     lines = [block.line for block in section.blocks if isinstance(block, Paragraph) and not block.style]
-    paragraphs = [_text(line) for line in lines if line[0].text not in _LEADS]
+    paragraphs = [_line_text(line) for line in lines if line[0].text not in _LEADS]
     yield Entry(kind, title, section.anchor, tuple(names) or (title,), tuple(dict.fromkeys(keys)), " ".join(paragraphs))
     for block in section.blocks:
         if isinstance(block, DocumentTable):
@@ -197,7 +197,7 @@ def _table_keys(layout: DeviceLayout) -> dict[str, str]:
 
 
 def _texts(lines: Iterable[Line]) -> list[str]:
-    return [_text(line) for line in lines]
+    return [_line_text(line) for line in lines]
 
 
 def _cell_texts(cell: Cell) -> list[str]:
@@ -205,7 +205,7 @@ def _cell_texts(cell: Cell) -> list[str]:
     return [*_texts(lines), *(text for item in cell.items for text in _texts((item.line, *item.inner)))]
 
 
-def _text(line: Line) -> str:
+def _line_text(line: Line) -> str:
     return "".join([piece.text for piece in line if piece.style != "mark"]).strip()
 
 

@@ -15,7 +15,7 @@ SCRIPTS = ("search.js", "tables.js", "facts.js", "compare.js")
 
 @dataclass(frozen=True, slots=True)
 class PagePlace:
-    """Where a page stands: the way from it to the top folder, what its search reads, and its name there.
+    """The place of a page: its path to the top folder, the index of its search, and its name in that index.
 
     `page` is the name of a version's page, else empty. `parents` are the links above it, by their texts. `versions` are
     all versions of the device on the page of one, the newest first.

@@ -17,7 +17,7 @@ Holder: TypeAlias = Fact | Claim | Example | Note | Statement | UnitAddresses | 
 
 
 def holders(device: Device) -> dict[str, Holder]:
-    """What a device says, by path, in the order of the spec's sections."""
+    """The facts of a device by path, in the order of the spec's sections."""
     return {holder.place.path: holder for holder in _all_holders(device)}
 
 

@@ -46,7 +46,7 @@ INTRODUCTION = (
 
 
 def tasks(context: Context) -> Section:
-    """All tasks of the device."""
+    """The section of all tasks of the device."""
     all_tasks = context.device.tasks
     if not all_tasks:
         return Section("tasks", (text_piece("Tasks"),))
@@ -109,12 +109,12 @@ def _targets(step: Step, task: Task, operands: Operands) -> Iterator[Line]:
     """What a step acts on: the role, and the fact that has it, in each message that differs."""
     if "/" not in step.target:
         yield (text_piece(step.target),)
-    seen: set[Piece] = set()
+    targets: set[Piece] = set()
     for message in task.messages or ("",):
         for operand in operands.target(step.target, message):
             target = code(_short(operand.path, message), f"#{operand.fact.place.path}")
-            if target not in seen:
-                seen.add(target)
+            if target not in targets:
+                targets.add(target)
                 yield (target,)
 
 

@@ -19,14 +19,14 @@ COLUMNS = (
 
 
 def units(context: Context) -> Section:
-    """All declared units in one table."""
+    """The section of all declared units in one table."""
     marks = Inferences("units")
-    rows = [_row(context, unit, marks) for unit in context.device.units.values()]
+    rows = [_unit_row(context, unit, marks) for unit in context.device.units.values()]
     blocks = (table("Units", COLUMNS, rows, marks.footnotes()),) if rows else ()
     return Section("units", (text_piece("Units"),), blocks)
 
 
-def _row(context: Context, unit: DeclaredUnit, marks: Inferences) -> TableRow:
+def _unit_row(context: Context, unit: DeclaredUnit, marks: Inferences) -> TableRow:
     return TableRow(
         (
             cell(unit.symbol),

@@ -40,7 +40,7 @@ RESTART = {True: "yes", False: "no"}
 
 
 def value_cells(value: Value, inferred: Mapping[str, str], marks: Inferences) -> tuple[Cell, Cell, Cell]:
-    """The cells below VALUE_COLUMNS."""
+    """The cells of a value, in the order of VALUE_COLUMNS."""
     return (
         _with(type_lines(value), marks.marks(inferred, "type")),
         _with(unit_lines(value), marks.marks(inferred, "unit")),
@@ -59,8 +59,8 @@ def _with(lines: list[Line], marks: Line) -> Cell:
 def type_lines(value: Value) -> list[Line]:
     """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
     kind = value.type.kind
-    most = "at most " if value.width else ""
-    size = f" of {most}{many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
+    qualifier = "at most " if value.width else ""
+    size = f" of {qualifier}{many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))
@@ -71,11 +71,11 @@ def type_lines(value: Value) -> list[Line]:
     if value.byte_order:
         lines.append((text_piece(f"{value.byte_order} endian"),))
     if value.const is not None:
-        lines.append((text_piece("always "), code(_number(value, value.const))))
+        lines.append((text_piece("always "), code(_constant_text(value, value.const))))
     return lines
 
 
-def _number(value: Value, number: int) -> str:
+def _constant_text(value: Value, number: int) -> str:
     """A constant: in hexadecimal digits, as many as it has bytes, where it is a pattern rather than a number."""
     return f"0x{number:0{2 * value.size}X}" if number > 9 else str(number)
 
@@ -137,12 +137,12 @@ def restart_cell(restart: bool | None, inferred: Mapping[str, str], marks: Infer
     return cell((*known, *marks.marks(inferred, "restart")))
 
 
-def meaning_cell(context: Context, fact: Fact, value: Value | None, *more: Line) -> Cell:
-    """What a fact is, what its numbers mean, and what else is said about it."""
-    about = list(context.about(fact))
+def meaning_cell(context: Context, fact: Fact, value: Value | None, *lines: Line) -> Cell:
+    """The cell with the documentation of a fact, the meanings of its numbers, and notes."""
+    remarks = list(context.about(fact))
     if value is None:
-        return cell(*more, *about)
-    return cell(*more, *about, *_named_by(context, value), items=tuple(_meanings(context, value)))
+        return cell(*lines, *remarks)
+    return cell(*lines, *remarks, *_named_by(context, value), items=tuple(_meanings(context, value)))
 
 
 def _named_by(context: Context, value: Value) -> Iterator[Line]:
@@ -159,11 +159,11 @@ def _named_by(context: Context, value: Value) -> Iterator[Line]:
         yield (styled(PARTS[value.parameter.part], "quiet"), *joined((link,) for link in links))
         sizes = value.parameter.sizes
         if sizes is not None:
-            by = [
+            case_lines = [
                 (text_piece(f"{case.bytes} where it is "), *joined((code(name),) for name in case.when))
                 for case in sizes.cases
             ]
-            yield (styled("Bytes that count, by ", "quiet"), code(sizes.by), text_piece(": "), *joined(by))
+            yield (styled("Bytes that count, by ", "quiet"), code(sizes.by), text_piece(": "), *joined(case_lines))
 
 
 def _meanings(context: Context, value: Value) -> Iterator[Item]:
@@ -188,6 +188,6 @@ def _short(enum: Enum) -> bool:
 
 
 def _member(member: Member) -> Line:
-    gone: Line = (text_piece(" "), styled("not available", "badge")) if member.unavailable else ()
-    beside: Line = (text_piece(" "), label(member.label)) if member.label else ()
-    return (code(str(member.value)), text_piece(" "), code(member.name), *beside, *gone)
+    badge: Line = (text_piece(" "), styled("not available", "badge")) if member.unavailable else ()
+    label_line: Line = (text_piece(" "), label(member.label)) if member.label else ()
+    return (code(str(member.value)), text_piece(" "), code(member.name), *label_line, *badge)

@@ -49,7 +49,7 @@ def _workbooks(culture: str | None, text_lists: Sequence[TextList]) -> Iterator[
 
 
 def shared() -> dict[str, str | Workbook]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 

@@ -40,7 +40,7 @@ def _cause(member: Member) -> str:
 
 
 def _remedy(member: Member) -> str:
-    """What to do, numbered as the causes are; what helps whatever the cause is stands last."""
+    """The remedies in one text, numbered like the causes; a remedy for all causes comes last."""
     remedies = [" ".join(cause.remedies) for cause in member.causes]
     general = " ".join(member.remedies)
     if not any(remedies):
@@ -73,7 +73,7 @@ COLUMNS = (
 
 
 def rows(layout: DeviceLayout) -> Iterator[tuple[Cell, ...]]:
-    """The rows below the heading."""
+    """The rows of the list, one for each code, without the heading."""
     for _, codes in lists(layout.device):
         for code in codes:
             member = code.member

@@ -25,7 +25,7 @@ from fieldspec.plc.structured.program import about, newest
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A device for such a compiler: what is declared, its routines, and how they are spelled.
+    """The declarations and routines of a device, and the spelling of the compiler that they are for.
 
     `missing` are the tasks without a block, with the reasons.
     """
@@ -50,7 +50,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
 
 
 def shared() -> dict[str, str]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 
@@ -64,7 +64,7 @@ def source(layout: DeviceLayout) -> Source:
 
 
 def text(iec_source: Source) -> str:
-    """Types, each behind those that it uses, then functions, each behind those that it calls."""
+    """The text of types, each behind those that it uses, then of functions, each behind those that it calls."""
     lines = _remarks([*about(iec_source.declared), "", *_guide(iec_source)])
     declared: set[str] = set()
     for struct in iec_source.declared.structs:

@@ -9,11 +9,11 @@ from fieldspec.plc.structs import Struct
 
 
 def struct_lines(struct: Struct, spelling: Spelling) -> list[str]:
-    """A struct of values."""
+    """The declaration of a STRUCT of values in Structured Text."""
     lines = [*comment(struct.title, form=spelling.comment), "TYPE", f"    {struct.name} : STRUCT"]
     for member in struct.members:
-        beside = f" {spelling.comment.format(comment_text(member.remark))}" if comment_text(member.remark) else ""
-        lines.append(f"        {member.name} : {type_text(member.type, spelling)};{beside}")
+        remark = f" {spelling.comment.format(comment_text(member.remark))}" if comment_text(member.remark) else ""
+        lines.append(f"        {member.name} : {type_text(member.type, spelling)};{remark}")
     if not struct.members:
         lines.append(f"        byNothing : BYTE; {spelling.comment.format('a struct must have a member')}")
     return [*lines, "    END_STRUCT;", "END_TYPE"]

@@ -8,15 +8,15 @@ from fieldspec.backends.js.values import throw_wrong_number
 from fieldspec.layout.record import FieldLayout
 
 
-def bit_count_check(field: FieldLayout, names: Names, size: str, at: str) -> list[str]:
+def bit_count_check(field: FieldLayout, names: Names, size: str, position: str) -> list[str]:
     """The statement that refuses a number of bits in the bytes `b` which takes other than `size` bytes.
 
-    `size` and `at`, the place of the number or null, are expressions. Other fields have none.
+    `size` and `position`, the place of the number or null, are expressions. Other fields have none.
     """
     if not field.bits_of:
         return []
     number = slot_of(field, names).number("o", field.offset)
     takes = f"Math.ceil({number} / 8)"
     detail = f"`which takes ${{{takes}}} bytes, but {field.bits_of} has ${{{size}}}`"
-    wrong = throw_wrong_number("wrong_measure", field.name, number, detail, at)
+    wrong = throw_wrong_number("wrong_measure", field.name, number, detail, position)
     return [f"if ({takes} !== {size}) {wrong}"]

@@ -37,8 +37,8 @@ def declare_enum(enum: Enum, name: str) -> Declaration:
     code += [f"  {key}: {member.value}," for key, member in members]
     code += [f"  {alias}: {member.value}," for alias, _, member in aliases]
     code += ["});", ""]
-    others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
-    types = comment(described(enum.title or Name.of(enum.name).title(), enum, others))
+    remark = "Other values are passed on as numbers." if enum.open else "Other values are refused."
+    types = comment(described(enum.title or Name.of(enum.name).title(), enum, remark))
     types += [f"export declare const {name}: {{"]
     for key, member in members:
         causes = [
@@ -74,13 +74,14 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
     code.append("  }),")
     arguments = f"{literal(flags.name)}, BITS_OF_{name}, bits, raw, {8 * flags.type.size}"
     keys = {id(bit): key for key, bit in bits}
-    needed = [
+    required = [
         (keys[id(own.bit)], own.reason, [keys[id(other)] for other in own.bits]) for own in needed_bits(flags, enums)
     ]
     initial = f"{flags.initial}{'n' * wide}"
-    if needed:
+    if required:
         rows = ", ".join(
-            f"[{literal(key)}, {literal(why)}, [{', '.join(map(literal, others))}]]" for key, why, others in needed
+            f"[{literal(key)}, {literal(reason)}, [{', '.join(map(literal, other_keys))}]]"
+            for key, reason, other_keys in required
         )
         initial = f"initialWord({literal(flags.name)}, bits, {initial}, [{rows}])"
     code.append(f"  raw: (bits, raw = {initial}) => setBits({arguments}),")
@@ -107,7 +108,7 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
         types.append(f"  readonly {key}: {'boolean' if bit.width == 1 else 'number'};")
     rows = " ".join(f"readonly {key}: Unit;" for key in units)
     with_units = f" & {{ readonly units: {{ {rows} }} }}" if units else ""
-    single = " | ".join(literal(key) for key, _, others in needed if len(others) == 1)
+    single = " | ".join(literal(key) for key, _, other_keys in required if len(other_keys) == 1)
     parameters = f"{name}, {'bigint' if wide else 'number'}{f', {single}' if single else ''}"
     types += ["}", f"export declare const {name}: Flags<{parameters}>{with_units};", ""]
     return Declaration(code, types)

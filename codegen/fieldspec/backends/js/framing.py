@@ -53,31 +53,35 @@ def framer(
     if frame.escape is not None and (length is None or length.before_escape):
         return None
     if length is not None:
-        return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"
+        return f"lengthFramer({{ {', '.join([*rows, f'length: {_part_number(length)}'])} }})"
     data = ((message.name, message.message.code_of(direction), message.data(direction)) for message in carried)
     extents = frame_extents(link, direction, data if code is not None else (), refused)
     if frame.end and (code is None or extents.has(OPEN)):
         rows.append(f"decode: {spoken}.decode{direction.capitalize()}")
-        needed = code is None or link.ambiguous_codes(direction)
-        messages = ", ".join(names.messages[message.name] for message in carried) if needed else "undefined"
+        needs_messages = code is None or link.ambiguous_codes(direction)
+        messages = ", ".join(names.messages[message.name] for message in carried) if needs_messages else "undefined"
         rows.append(f"messages: [{messages}]")
-        begins = (f"[{place}, [{', '.join(map(str, known))}]]" for place, known in first_bytes(link, direction).items())
-        rows.append(f"begins: [{', '.join(begins)}]")
+        beginnings = (
+            f"[{place}, [{', '.join(map(str, known))}]]" for place, known in first_bytes(link, direction).items()
+        )
+        rows.append(f"begins: [{', '.join(beginnings)}]")
         return f"endFramer({{ {', '.join(rows)} }})"
     if code is None:
         return None
-    rows += [f"code: {_number(code)}", f"extents: {_table(extents.by_code)}"]
+    rows += [f"code: {_part_number(code)}", f"extents: {_table(extents.by_code)}"]
     rows += [f"subcodes: {_subcodes(extents, frame)}"] if extents.by_subcode else []
     if extents.refusal is not None and refusal is not None:
-        rows += [f"flag: {refusal.flag}", f"refusal: {_row(extents.refusal)}"]
+        rows += [f"flag: {refusal.flag}", f"refusal: {_extent_row(extents.refusal)}"]
     else:
         rows += ["flag: 0", "refusal: undefined"]
     return f"codeFramer({{ {', '.join(rows)} }})"
 
 
 def _table(extents: Mapping[int, FrameExtent]) -> str:
-    """An object of extents."""
-    return f"{{ __proto__: null, {', '.join(f'{number}: {_row(extent)}' for number, extent in extents.items())} }}"
+    """A JavaScript object with the extents of frames by their keys."""
+    return (
+        f"{{ __proto__: null, {', '.join(f'{number}: {_extent_row(extent)}' for number, extent in extents.items())} }}"
+    )
 
 
 def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
@@ -90,7 +94,7 @@ def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
     return f"{{ __proto__: null, {members} }}"
 
 
-def _row(extent: FrameExtent) -> str:
+def _extent_row(extent: FrameExtent) -> str:
     """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
     if extent.kind != BY_COUNT:
         return f"{{ length: {extent.length}, size: { ({DELIMITED: -2, OPEN: -1}.get(extent.kind, 0)) } }}"
@@ -98,7 +102,7 @@ def _row(extent: FrameExtent) -> str:
     return f"{{ length: {extent.length}, {place}, unit: {extent.unit}{', isTurned: true' * extent.is_turned} }}"
 
 
-def _number(part: PartLayout) -> str:
+def _part_number(part: PartLayout) -> str:
     row = {
         "offset": str(part.offset),
         "size": str(part.size),
@@ -111,12 +115,12 @@ def _number(part: PartLayout) -> str:
 
 
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
-    least = min(record.least for record in bodies)
-    most = max(record.most if record.most is not None else LONGEST for record in bodies)
+    smallest = min(record.least for record in bodies)
+    largest = max(record.most if record.most is not None else LONGEST for record in bodies)
     width = 2 if link.link.encoding == "hex_ascii" else 1
-    around = frame.header_size + frame.trailer_size
+    parts_size = frame.header_size + frame.trailer_size
     marks = len(frame.start) + len(frame.end)
-    shortest, longest = (marks + width * (around + size) for size in (least, most))
+    shortest, longest = (marks + width * (parts_size + size) for size in (smallest, largest))
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
         longest = frame.escape.most(longest)
     return [f"shortest: {shortest}", f"longest: {longest}"]
@@ -128,6 +132,6 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
         return "addresses: null"
     intervals = addresses.intervals(direction)
     if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
-        return f"address: {_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
+        return f"address: {_part_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
     numbers = [n for low, high in intervals for n in range(low, high + 1)]
-    return f"address: {_number(part)}, addresses: new Set({numbers})"
+    return f"address: {_part_number(part)}, addresses: new Set({numbers})"

@@ -60,11 +60,11 @@ def _code(device: Device, modules: Mapping[str, str]) -> list[str]:
         code += ["", *comment(["The value of the device that tells its version."])]
         code += [f"export const DETECTED_BY = {literal(detection.fact)};"]
     if detection is not None and reads:
-        named = ", ".join(
+        entries = ", ".join(
             f"[{literal(value) if isinstance(value, str) else value}, {literal(name)}]"
             for value, name in detection.named
         )
-        code += [f"const DETECTED_AS = new Map([{named}]);"]
+        code += [f"const DETECTED_AS = new Map([{entries}]);"]
         version = f"versionIn(LINES, firmware, {literal(detection.form)}, {detection.places}, DETECTED_AS)"
     return [
         *code,

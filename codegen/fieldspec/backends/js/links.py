@@ -43,12 +43,12 @@ def declare_message(message: MessageLayout, names: Names) -> Declaration:
         number = f"{number or ', undefined'}, 0x{own.response_code:02X}"
     code = "null" if own.code is None else f"0x{own.code:02X}"
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
-    asked, answered = (data if data != "null" else "never" for data in (request, response))
+    request_type, response_type = (data if data != "null" else "never" for data in (request, response))
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ message({arguments});", ""],
         [
             *comment(described(own.title or Name.of(message.name).title(), own)),
-            f"export declare const {name}: Message<{literal(message.name)}, {asked}, {answered}>;",
+            f"export declare const {name}: Message<{literal(message.name)}, {request_type}, {response_type}>;",
             "",
         ],
     )
@@ -92,10 +92,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
     subcodes = _subcodes(link, names)
     barred = [names.messages[message.name] for message in carried if message.name in link.barred_messages]
-    more = f", [{', '.join(unanswered)}]" if unanswered or subcodes or barred else ""
-    more += f", {subcodes or '{}'}" if subcodes or barred else ""
-    more += f", [{', '.join(barred)}]" if barred else ""
-    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{more});", ""]
+    options = f", [{', '.join(unanswered)}]" if unanswered or subcodes or barred else ""
+    options += f", {subcodes or '{}'}" if subcodes or barred else ""
+    options += f", [{', '.join(barred)}]" if barred else ""
+    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{options});", ""]
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
     messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
@@ -105,8 +105,8 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         "",
     ]
     for direction in ("request", "response"):
-        sent = [message for message in carried if message.name in link.carried(direction)]
-        row = framer(link, direction, sent, names, frames, name)
+        sent_messages = [message for message in carried if message.name in link.carried(direction)]
+        row = framer(link, direction, sent_messages, names, frames, name)
         if row is not None:
             own = names.scope.take(f"{Name.of(link.name).camel()}{direction.capitalize()}Framer")
             code += [f"export const {own} = () => {row};", ""]
@@ -119,7 +119,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
 
 
 def _subcodes(link: LinkLayout, names: Names) -> str:
-    """What tells messages with one code apart, by direction and code; empty where no two have the same."""
+    """The subcodes of messages that share a code, by direction and code; empty where no two messages share one."""
     directions = []
     for direction in ("request", "response"):
         rows = []
@@ -134,7 +134,7 @@ def _subcodes(link: LinkLayout, names: Names) -> str:
 
 
 def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
-    """What marks an exception response, and its record."""
+    """The mark of exception responses and their record."""
     row = {"flag": str(exception.flag), "record": names.records[exception.record]}
     if link.mark is not None:
         row["mark"] = f"{{ offset: {link.mark.offset}, bytes: {list(link.mark.pattern)} }}"
@@ -190,15 +190,15 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "order": literal(part.order or "big"),
             "signed": flag(bool(part.value and part.value.type.signed)),
             "wide": flag(wide),
-            "low": _number(low, wide),
-            "high": _number(high, wide),
+            "low": _integer_literal(low, wide),
+            "high": _integer_literal(high, wide),
             "reserved": flag(part.reserved),
             "unitSize": str(part.unit_size),
             "base": str(part.base),
             "start": str(part.start),
             "stop": "null" if part.stop is None else str(part.stop),
             "beforeEscape": flag(part.before_escape),
-            "constant": "null" if part.constant is None else _number(part.constant, wide),
+            "constant": "null" if part.constant is None else _integer_literal(part.constant, wide),
             "ranges": _intervals(part.value.ranges, wide) if part.value else "null",
         }
         if part.form:
@@ -265,13 +265,13 @@ def checksum_function(algorithm: str, order: str) -> str:
     return f"{PURE} totalOf({object_of(parameters)})"
 
 
-def _number(number: int, wide: bool) -> str:
-    """A number as JavaScript writes it: a bigint where it is `wide`, as other numbers of so many bytes are inexact."""
+def _integer_literal(number: int, wide: bool) -> str:
+    """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
     return f"{number}n" if wide else str(number)
 
 
 def _intervals(ranges: Ranges | None, wide: bool = False) -> str:
     if ranges is None:
         return "null"
-    pairs = (f"[{_number(low, wide)}, {_number(high, wide)}]" for low, high in ranges.intervals)
+    pairs = (f"[{_integer_literal(low, wide)}, {_integer_literal(high, wide)}]" for low, high in ranges.intervals)
     return f"[{', '.join(pairs)}]"

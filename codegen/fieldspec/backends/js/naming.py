@@ -44,9 +44,9 @@ class Scope:
     def __init__(self, *reserved: frozenset[str]) -> None:
         self._taken = set(KEYWORDS).union(*reserved)
 
-    def take(self, name: str, *others: str) -> str:
+    def take(self, name: str, *alternatives: str) -> str:
         """The first free name of several; where none is free, the last one with underscores appended."""
-        for candidate in (name, *others):
+        for candidate in (name, *alternatives):
             if candidate not in self._taken:
                 break
         else:

@@ -52,11 +52,11 @@ def _carried_bytes(parameter_set: ParameterSet, layout: DeviceLayout) -> str:
             part = field.value.parameter if field.value is not None else None
             if part is None or not field.carries_bytes or part.set not in (parameter_set.name, parameter_set.space):
                 continue
-            more = {"bytes": literal(keys[field.name])}
+            properties = {"bytes": literal(keys[field.name])}
             if part.sizes is not None:
                 sizes = ", ".join(f"{number}: {size}" for number, size in field.sizes.items())
-                more |= {"by": literal(keys[part.sizes.by]), "sizes": f"{{ __proto__: null, {sizes} }}"}
-            return object_of(more)
+                properties |= {"by": literal(keys[part.sizes.by]), "sizes": f"{{ __proto__: null, {sizes} }}"}
+            return object_of(properties)
     return ""
 
 
@@ -84,7 +84,7 @@ def _carried_signed(row: Parameter, carrier: FieldLayout | None) -> str:
 def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrier: FieldLayout | None) -> str:
     read, write = _functions(row.name, row.value, row.trigger, names)
     default = row.value.default
-    more = {
+    properties = {
         "type": literal(row.value.type.name),
         "kind": _kind(row.value),
         "size": str(row.value.size),
@@ -98,9 +98,9 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrie
         "subindices": ", ".join(_subindex(row, subindex, names) for subindex in row.subindices),
         "printedName": literal(row.printed_name or parameter_set.number_text(row.number)) if row.count == 1 else "",
     }
-    if more["subindices"]:
-        more["subindices"] = f"[{more['subindices']}]"
-    facts = object_of({key: expression for key, expression in more.items() if expression})
+    if properties["subindices"]:
+        properties["subindices"] = f"[{properties['subindices']}]"
+    facts = object_of({key: expression for key, expression in properties.items() if expression})
     identity = [literal(row.name), str(row.number), str(parameter_set.base), literal(row.access)]
     call = ", ".join([*identity, read, write, facts])
     return f"{PURE} parameter({call})" if row.count == 1 else f"{PURE} parameters({row.count}, {call})"
@@ -160,5 +160,5 @@ def _facts(row: Parameter, parameter_set: ParameterSet) -> str:
     ranges = row.value.writable_ranges
     facts += [ranges.text()] if ranges is not None else []
     facts += [_ACCESS[row.access]] if row.access else []
-    others = [f"{inner.name} {_ACCESS[inner.access]}" for inner in row.subindices if inner.access]
-    return f"{', '.join([*facts, *others])}."
+    subindex_texts = [f"{inner.name} {_ACCESS[inner.access]}" for inner in row.subindices if inner.access]
+    return f"{', '.join([*facts, *subindex_texts])}."

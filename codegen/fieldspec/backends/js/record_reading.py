@@ -27,8 +27,8 @@ def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
     if record.spans or record.inner_lists is not None:
         measured = _measured_read(record.image, f"read{name}", names)
         body = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
-        around = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
-        lines = [f"return {around}, image{name}, b, o, end);"]
+        reader = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
+        lines = [f"return {reader}, image{name}, b, o, end);"]
         return [
             *(f"function image{name}(b, o, end) {{", *body, "}"),
             *(f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"),
@@ -140,7 +140,7 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
     if measure is None or other is None:
         return []
     slot = slot_of(field, names)
-    number, at = slot.number("o", field.offset), place("o", field.offset)
+    number, position = slot.number("o", field.offset), place("o", field.offset)
     if other.count is not None:
         measured = str(measure.number(other.count if other.is_list else 1, other.size))
     elif (room := record.room_of(other)) is not None:
@@ -157,7 +157,7 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
         measured = plus(measured, measure.plus)
     expected = f"BigInt({measured})" if slot.wide else measured
     detail = f"`but there are ${{{measured}}}`"
-    wrong = throw_wrong_number("wrong_measure", field.name, number, detail, at)
+    wrong = throw_wrong_number("wrong_measure", field.name, number, detail, position)
     return [f"if ({number} !== {expected}) {wrong}"]
 
 

@@ -97,7 +97,7 @@ def _property(member: Member, names: Names) -> Iterator[str]:
 
 
 def _facts(value: Value) -> str:
-    """What a count means, and what it may be."""
+    """The unit, the range, the sentinels and the flags of a value, as sentences of a comment."""
     facts = []
     if value.unit:
         facts.append(f"In counts of {value.scale_text} {value.unit}" if value.scaled else f"In {value.unit}")

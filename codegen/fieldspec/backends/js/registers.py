@@ -23,7 +23,7 @@ from fieldspec.names import Name
 
 
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
-    """A register, or an array of them."""
+    """The object of a register, or of an array of registers."""
     register, device = layout.register, names.layout.device
     name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
     size = layout.size if register.value.type.name == BIT else register.value.size
@@ -33,17 +33,19 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     reading = read.read("number", "o", 0)
     body = f"{{ {' '.join(reading.lines)} return {reading.expression}; }}" if reading.lines else reading.expression
     write = " ".join(request.write("value", "o", 0))
-    more = [f"{key}: true" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set]
-    more += [f"space: {literal(device.space_name(register.space))}"] if device.several_spaces else []
-    more += ["unitSize: 1"] if register.unit_size == 1 else []
+    properties = [
+        f"{key}: true" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set
+    ]
+    properties += [f"space: {literal(device.space_name(register.space))}"] if device.several_spaces else []
+    properties += ["unitSize: 1"] if register.unit_size == 1 else []
     exponent = device.register(register.value.scale_by) if register.value.scale_by else None
     if exponent is not None:
         units, unit_type = power_unit_of(register.value, exponent.value, size), POWER_UNIT
     else:
         units, unit_type = unit_of(register.value, size), "Unit"
-    more += [f"units: {units}"] if units else []
+    properties += [f"units: {units}"] if units else []
     absent = absent_of(register.value, size)
-    more += [f"absent: {absent}"] if absent else []
+    properties += [f"absent: {absent}"] if absent else []
     arguments = [
         literal(layout.name),
         f"0x{layout.address:04X}",
@@ -51,7 +53,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
         literal(register.access),
         f"(b, o) => {body}",
         f"(value, b, o) => {{ {write} }}",
-        *([f"{{ {', '.join(more)} }}"] if more else []),
+        *([f"{{ {', '.join(properties)} }}"] if properties else []),
     ]
     kinds = [names.type_of(answer, size), unit_type if units else "null"]
     kinds += [writable] if (writable := names.type_of(register.value, size)) != kinds[0] else []
@@ -63,34 +65,37 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     ranges = register.value.writable_ranges
     facts += [f"{ranges.text()}."] if ranges is not None else []
     facts += [f"In counts of {register.value.unit}."] if register.value.scale_by else []
-    about = comment(described(Name.of(layout.name).title(), register, " ".join(facts)))
+    documentation = comment(described(Name.of(layout.name).title(), register, " ".join(facts)))
     if layout.count > 1:
         call = f"registerArray({layout.count}, {register.index_from}, {layout.stride}, {', '.join(arguments)})"
         type_ = f"RegisterArray<{', '.join(kinds)}>"
     else:
         call, type_ = f"register({', '.join(arguments)})", f"Register<{', '.join(kinds)}>"
     return Declaration(
-        [f"export const {name} = /* @__PURE__ */ {call};"], [*about, f"export declare const {name}: {type_};", ""]
+        [f"export const {name} = /* @__PURE__ */ {call};"],
+        [*documentation, f"export declare const {name}: {type_};", ""],
     )
 
 
 def declare_table(layout: TableLayout, names: Names) -> Declaration:
-    """A table of records."""
+    """The object of a table of records."""
     table, device = layout.table, names.layout.device
     name = names.scope.take(Name.of(layout.name).upper())
     record = names.records[table.record]
-    more = f", {{ space: {literal(device.space_name(table.space))} }}" if device.several_spaces else ""
+    options = f", {{ space: {literal(device.space_name(table.space))} }}" if device.several_spaces else ""
     count = names.registers[table.count_by] if table.count_by else "null"
     base = names.registers[table.base_by] if table.base_by else ""
-    more = f"{more or ', {}'}, {count}{f', {base}' if base else ''}" if table.count_by or base else more
+    options = f"{options or ', {}'}, {count}{f', {base}' if base else ''}" if table.count_by or base else options
     access = table.access if layout.writable else "ro"
     call = (
         f"table({table.count}, {table.index_from}, {table.stride}, {literal(layout.name)}, 0x{table.base:04X},"
-        f" {literal(access)}, {record}{more})"
+        f" {literal(access)}, {record}{options})"
     )
-    most = f"Up to {table.count}, as {names.registers[table.count_by]} says," if table.count_by else str(table.count)
+    count_text = (
+        f"Up to {table.count}, as {names.registers[table.count_by]} says," if table.count_by else str(table.count)
+    )
     place = f"where {base} says, usually at 0x{table.base:04X}" if base else f"at 0x{table.base:04X}"
-    facts = f"{most} records of {layout.words} words, {table.stride} words apart, the first {place}."
+    facts = f"{count_text} records of {layout.words} words, {table.stride} words apart, the first {place}."
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ {call};"],
         [
@@ -142,7 +147,7 @@ def accesses(names: Names) -> list[Access]:
         repeat = values.field.field.repeat
         if bits and repeat is not None:
             repeat = Ranges(tuple((8 * low, 8 * high) for low, high in repeat.intervals))
-        most = _most(message.request, access.count, repeat) if values.field.is_list else 1
+        limit = _greatest_count(message.request, access.count, repeat) if values.field.is_list else 1
         numbers = [] if access.set is None else [access.clear, access.set]
         candidates.append(
             Access(
@@ -152,7 +157,7 @@ def accesses(names: Names) -> list[Access]:
                 keys[access.start].key,
                 count,
                 values.key,
-                most,
+                limit,
                 not values.field.is_list,
                 json.dumps(numbers) if bits else "",
             )
@@ -163,7 +168,7 @@ def accesses(names: Names) -> list[Access]:
     return list(kinds.values())
 
 
-def _most(request: RecordLayout, count: str, repeat: Ranges | None) -> int:
+def _greatest_count(request: RecordLayout, count: str, repeat: Ranges | None) -> int:
     bounds = [repeat.high] if repeat is not None else []
     field = request.named(count)
     if field is not None and field.value is not None and field.value.ranges is not None:

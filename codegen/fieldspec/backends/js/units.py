@@ -43,7 +43,7 @@ def _real_unit(value: Value) -> str:
     ranges = value.writable_ranges
     rows = [
         f"unit: {literal(value.unit)}",
-        f"absent: [{', '.join(_number(value, sentinel) for sentinel in value.sentinels)}]",
+        f"absent: [{', '.join(_sentinel_number(value, sentinel) for sentinel in value.sentinels)}]",
         f"ranges: {'null' if ranges is None else [list(interval) for interval in ranges.intervals]}",
         f"size: {value.size}",
     ]
@@ -55,11 +55,11 @@ def absent_of(value: Value, size: int) -> str:
     if not value.sentinels:
         return ""
     wide = value.type.kind is Kind.INTEGER and value.number_size(size) > 6
-    rows = [f"{s.name}: {_number(value, s)}{'n' if wide else ''}" for s in value.sentinels]
+    rows = [f"{s.name}: {_sentinel_number(value, s)}{'n' if wide else ''}" for s in value.sentinels]
     return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }})"
 
 
-def _number(value: Value, sentinel: Sentinel) -> str:
+def _sentinel_number(value: Value, sentinel: Sentinel) -> str:
     return "NaN" if sentinel.is_nan else str(sentinel.value)
 
 
@@ -101,7 +101,7 @@ def declare_conversion(conversion: Conversion, names: Names) -> Declaration:
         f" complement: {'true' if conversion.complement else 'false'}, low: {low}n, high: {high}n }});",
         "",
     ]
-    about = [f"{conversion.title or Name.of(conversion.name).title()} = {formula}.", conversion.doc]
+    paragraphs = [f"{conversion.title or Name.of(conversion.name).title()} = {formula}.", conversion.doc]
     if conversion.references:
-        about.append(f"Reference: {', '.join(conversion.references)}.")
-    return Declaration(code, [*comment(about), f"export declare const {name}: Conversion;", ""])
+        paragraphs.append(f"Reference: {', '.join(conversion.references)}.")
+    return Declaration(code, [*comment(paragraphs), f"export declare const {name}: Conversion;", ""])

@@ -74,7 +74,7 @@ class _Usages:
         return self.names.layout
 
     def rows(self) -> Iterator[Usage]:
-        """The code for all facts."""
+        """The code that reads or writes each fact, for all facts of the version."""
         known = accesses(self.names)
         yield from self._registers(known)
         yield from self._tables(known)

@@ -49,7 +49,7 @@ class Slot:
         if self.order != "big":
             places.reverse()
         if self.swapped:
-            words = [places[at : at + 2] for at in range(0, self.size, 2)]
+            words = [places[index : index + 2] for index in range(0, self.size, 2)]
             places = [place for word in reversed(words) for place in word]
         return tuple(places)
 
@@ -63,29 +63,29 @@ class Slot:
 
     def _binary(self, base: str, offset: int) -> str:
         """The expression of the binary number."""
-        at = [byte(base, offset + place) for place in self.places]
+        byte_terms = [byte(base, offset + place) for place in self.places]
         signed = self.value.type.signed and self.value.type.kind is Kind.INTEGER
         if self.size == 1:
-            return f"({at[0]} << 24) >> 24" if signed else at[0]
+            return f"({byte_terms[0]} << 24) >> 24" if signed else byte_terms[0]
         if self.size <= 4:
-            terms = [_shifted(term, 8 * (self.size - 1 - place)) for place, term in enumerate(at)]
+            terms = [_shifted(term, 8 * (self.size - 1 - place)) for place, term in enumerate(byte_terms)]
             joined = " | ".join(terms)
             if signed:
                 return (
                     f"({joined})" if self.size == 4 else f"(({joined}) << {32 - 8 * self.size}) >> {32 - 8 * self.size}"
                 )
             return f"(({joined}) >>> 0)" if self.size == 4 else f"({joined})"
-        high, low = _unsigned(at[:-4]), _unsigned(at[-4:])
+        high, low = _unsigned(byte_terms[:-4]), _unsigned(byte_terms[-4:])
         if self.size <= 6:
             number = f"{high} * 4294967296 + {low}"
             return f"signed48({number}, {8 * self.size})" if signed else f"({number})"
         joined = f"(BigInt({high}) << 32n) | BigInt({low})"
         return f"BigInt.asIntN({8 * self.size}, {joined})" if signed else f"({joined})"
 
-    def _digits(self, at: str) -> str:
+    def _digits(self, position: str) -> str:
         """The expression of the number of characters."""
         function = "blankDigitsOf" if self.value.has_blanks else "digitsOf"
-        return f"{function}({literal(self.name)}, b, {at}, {self._form}, {flag(self.wide)})"
+        return f"{function}({literal(self.name)}, b, {position}, {self._form}, {flag(self.wide)})"
 
     def _of_bcd(self, base: str, offset: int) -> str:
         """The expression of the number of two decimal digits in each byte."""
@@ -110,20 +110,20 @@ class Slot:
             function = "putBlankDigits" if self.value.has_blanks else "putDigits"
             return [f"{function}({number}, b, {place(base, offset)}, {self._form});"]
         if self.value.digits:
-            places = ", ".join(place(base, offset + at) for at in self.places)
+            places = ", ".join(place(base, offset + index) for index in self.places)
             return [f"putBcd({number}, b, [{places}]);"]
-        at = [byte(base, offset + place) for place in reversed(self.places)]
+        targets = [byte(base, offset + place) for place in reversed(self.places)]
         if self.size > 6:
             return [
                 f"{target} = Number({number if not k else f'({number} >> {8 * k}n)'} & 255n);"
-                for k, target in enumerate(at)
+                for k, target in enumerate(targets)
             ]
         if self.size > 4:
             return [
                 f"{target} = {number if not k else f'Math.floor({number} / {256**k})'} % 256;"
-                for k, target in enumerate(at)
+                for k, target in enumerate(targets)
             ]
-        return [f"{target} = {number if not k else f'{number} >>> {8 * k}'};" for k, target in enumerate(at)]
+        return [f"{target} = {number if not k else f'{number} >>> {8 * k}'};" for k, target in enumerate(targets)]
 
     @property
     def known(self) -> list[int] | None:
@@ -188,48 +188,48 @@ class Slot:
     def read(self, variable: str, base: str, offset: int) -> Reading:
         """How the value at `base` + `offset` is read into a variable."""
         kind, name = self.value.type.kind, literal(self.name)
-        at = place(base, offset)
+        position = place(base, offset)
         if kind is Kind.TEXT:
             if self.value.text_form is not None:
-                call = f"encodedTextOf({name}, b, {at}, {self.value.size}, {self._text_form})"
+                call = f"encodedTextOf({name}, b, {position}, {self.value.size}, {self._text_form})"
                 return Reading((), call, throws=True)
-            return Reading((), f"textOf({name}, b, {at}, {self.size})", throws=True)
+            return Reading((), f"textOf({name}, b, {position}, {self.size})", throws=True)
         if kind is Kind.BYTES:
-            return Reading((), f"b.slice({at}, {place(base, offset + self.size)})")
+            return Reading((), f"b.slice({position}, {place(base, offset + self.size)})")
         number = self.number(base, offset)
         if kind is Kind.FLOAT:
             return Reading((), f"{'doubleOf' if self.size == 8 else 'floatOf'}({number})")
         if kind is Kind.BOOLEAN:
-            return Reading((), f"booleanOf({name}, {number}, {at})", throws=True)
-        checks = list(self._checks(variable, at))
+            return Reading((), f"booleanOf({name}, {number}, {position})", throws=True)
+        checks = list(self._checks(variable, position))
         if self.value.digits and not checks:
             return Reading((), number, throws=True)
         return Reading((f"const {variable} = {number};", *checks), variable) if checks else Reading((), number)
 
-    def _checks(self, variable: str, at: str) -> Iterator[str]:
+    def _checks(self, variable: str, position: str) -> Iterator[str]:
         """The statements that refuse a number that was received."""
         const, known = self.value.const, self.known
         low, high = self.value.type.low, self.value.type.high
         if const is not None:
-            wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), at)
+            wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), position)
             yield f"if ({variable} !== {self.digits(const)}) {wrong}"
         if self.size > self.value.size:
-            wrong = throw_wrong_number("unknown_value", self.name, variable, literal(f"not in {low}..{high}"), at)
+            wrong = throw_wrong_number("unknown_value", self.name, variable, literal(f"not in {low}..{high}"), position)
             yield f"if ({variable} < {low} || {variable} > {high}) {wrong}"
         if known is not None and (test := self.test(variable, merged((number, number) for number in known))):
             text = literal(f"which {self.value.enum} does not list")
-            yield f"if (!({test})) {throw_wrong_number('unknown_value', self.name, variable, text, at)}"
+            yield f"if (!({test})) {throw_wrong_number('unknown_value', self.name, variable, text, position)}"
 
     def write(self, variable: str, base: str, offset: int) -> list[str]:
         """The statements that check a value, given by the name of a variable, and write it."""
         kind, name = self.value.type.kind, literal(self.name)
-        at = place(base, offset)
+        position = place(base, offset)
         if kind is Kind.TEXT:
             if self.value.text_form is not None:
-                return [f"putEncodedText({name}, {variable}, b, {at}, {self.value.size}, {self._text_form});"]
-            return [f"putText({name}, {variable}, b, {at}, {self.size});"]
+                return [f"putEncodedText({name}, {variable}, b, {position}, {self.value.size}, {self._text_form});"]
+            return [f"putText({name}, {variable}, b, {position}, {self.size});"]
         if kind is Kind.BYTES:
-            return [f"putBytes({name}, {variable}, b, {at}, {self.size});"]
+            return [f"putBytes({name}, {variable}, b, {position}, {self.size});"]
         raw = f"{variable}Raw"
         if kind is Kind.BOOLEAN:
             return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
@@ -243,8 +243,10 @@ class Slot:
         """The ranges of a floating-point number, and the numbers beside them that stand for no value."""
         ranges = self.value.ranges
         intervals = "null" if ranges is None else f"[{', '.join(f'[{low}, {high}]' for low, high in ranges.intervals)}]"
-        others = ", ".join("NaN" if sentinel.is_nan else str(sentinel.value) for sentinel in self.value.sentinels)
-        return f"{intervals}, [{others}]"
+        absent_numbers = ", ".join(
+            "NaN" if sentinel.is_nan else str(sentinel.value) for sentinel in self.value.sentinels
+        )
+        return f"{intervals}, [{absent_numbers}]"
 
     def refusals(self, variable: str) -> Iterator[str]:
         """The statements that refuse a number that may not be sent: for its constant, its enum, and then its range."""
@@ -284,8 +286,8 @@ class Slot:
             test = f"{tests[0]} && ({test})" if test else tests[0]
             arguments = f"{name}, {variable}, {literal(self.value.enum)}, {flag(self.wide)}"
             yield f"if (!({test})) throw refusedMember({arguments});"
-        if more := self.test(variable, self.sendable):
-            tests.append(f"({more})" if " || " in more else more)
+        if sendable_test := self.test(variable, self.sendable):
+            tests.append(f"({sendable_test})" if " || " in sendable_test else sendable_test)
         if known is not None and self.sendable == merged((number, number) for number in known):
             return
         ranges = self.value.writable_ranges
@@ -309,7 +311,9 @@ class Slot:
     def constant(self, number: int, base: str, offset: int) -> list[str]:
         """The statements that write a number that is known."""
         data = (number & ((1 << (8 * self.size)) - 1)).to_bytes(self.size, "big")
-        return [f"{byte(base, offset + at)} = {value};" for at, value in zip(self.places, data, strict=True) if value]
+        return [
+            f"{byte(base, offset + index)} = {value};" for index, value in zip(self.places, data, strict=True) if value
+        ]
 
 
 def byte(base: str, offset: int) -> str:
@@ -318,13 +322,13 @@ def byte(base: str, offset: int) -> str:
 
 
 def place(base: str, offset: int) -> str:
-    """`o + 4`, or `o`."""
+    """The expression of an offset from the start of the data: `o + 4`, or `o` for 0."""
     return f"{base} + {offset}" if offset else base
 
 
-def throw_wrong_number(reason: str, name: str, number: str, detail: str, at: str) -> str:
-    """The statement that refuses a number; `number`, `detail` and `at` are expressions."""
-    return f"throw wrongNumber({literal(reason)}, {literal(name)}, {number}, {detail}, {at});"
+def throw_wrong_number(reason: str, name: str, number: str, detail: str, position: str) -> str:
+    """The statement that refuses a number; `number`, `detail` and `position` are expressions."""
+    return f"throw wrongNumber({literal(reason)}, {literal(name)}, {number}, {detail}, {position});"
 
 
 def _shifted(term: str, shift: int) -> str:
@@ -333,5 +337,5 @@ def _shifted(term: str, shift: int) -> str:
 
 def _unsigned(terms: list[str]) -> str:
     """The number of up to four bytes, without a sign."""
-    joined = " | ".join(_shifted(term, 8 * (len(terms) - 1 - at)) for at, term in enumerate(terms))
+    joined = " | ".join(_shifted(term, 8 * (len(terms) - 1 - index)) for index, term in enumerate(terms))
     return f"(({joined}) >>> 0)" if len(terms) == 4 else f"({joined})"

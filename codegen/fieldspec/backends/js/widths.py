@@ -12,7 +12,7 @@ def width_table(record: RecordLayout, name: str) -> list[str]:
     """The fields of a record whose values vary in width; nothing for others."""
     if not record.spans:
         return []
-    return [f"const widths{name} = [", *(f"  {_row(span)}," for span in record.spans), "];"]
+    return [f"const widths{name} = [", *(f"  {_span_row(span)}," for span in record.spans), "];"]
 
 
 def write_widths(record: RecordLayout, name: str) -> list[str]:
@@ -33,7 +33,7 @@ def write_widths(record: RecordLayout, name: str) -> list[str]:
     ]
 
 
-def _row(span: Span) -> str:
+def _span_row(span: Span) -> str:
     """`{ name: "weight", size: 9, most: 8, form: "decimal", end: 44 }`"""
     parts = [f"{key}: {json.dumps(value)}" for key, value in span_data(span).items()]
     return f"{{ {', '.join(parts)} }}"

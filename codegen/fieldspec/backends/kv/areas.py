@@ -48,7 +48,7 @@ class PlacedValue:
             yield name, self.start + number * self.stride
 
     def regular(self, unit: int) -> Iterator[PlacedValue]:
-        """Itself, or one for each element where these do not all begin at the same byte of a word of `unit` bytes."""
+        """The value, or one value for each element where these begin at different bytes of a word of `unit` bytes."""
         if self.stride % unit == 0:
             yield self
             return
@@ -62,12 +62,12 @@ class PlacedValue:
 
 
 def of_register(register_layout: RegisterLayout, index: int, start: int) -> PlacedValue:
-    """One element of a register."""
+    """The placed value of one element of a register."""
     register = register_layout.register
     value = register.value
-    many = register_layout.count > 1
+    is_list = register_layout.count > 1
     return PlacedValue(
-        f"{register_layout.name}[{register.index_from + index}]" if many else register_layout.name,
+        f"{register_layout.name}[{register.index_from + index}]" if is_list else register_layout.name,
         start,
         value.size,
         value.type.name,
@@ -113,7 +113,7 @@ def of_record(record: RecordLayout, start: int) -> Iterator[PlacedValue]:
 
 
 def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
-    """A part of a frame."""
+    """The placed value of a part of a frame."""
     value = part.value
     name = value.type.name if value is not None else f"u{8 * part.size}"
     if fixed is None and not part.reserved:
@@ -132,10 +132,10 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
     )
 
 
-def _of_field(field: FieldLayout, before: str, at: int, selector: str, as_elements: bool) -> Iterator[PlacedValue]:
+def _of_field(field: FieldLayout, before: str, base: int, selector: str, as_elements: bool) -> Iterator[PlacedValue]:
     repeat = field.field.repeat
     count = field.count if field.count is not None else repeat.high if repeat is not None else 1
-    start = at + field.offset
+    start = base + field.offset
     if field.cases:
         for case in field.cases:
             yield from _elements(field, case, f"{before}{field.name}", start, count, selector, as_elements)
@@ -165,10 +165,10 @@ def _elements(
     fact = typed.case if isinstance(typed, CaseLayout) else typed.field
     spec = field.field
 
-    def value_at(named: str, at: int, elements: int) -> PlacedValue:
+    def value_at(label: str, offset: int, elements: int) -> PlacedValue:
         return PlacedValue(
-            named,
-            at,
+            label,
+            offset,
             value.size,
             value.type.name,
             typed.order,
@@ -209,7 +209,7 @@ class Area:
 
     @property
     def words(self) -> int:
-        """How many words it has."""
+        """The number of words that the area takes."""
         return -(-self.size // self.unit)
 
 
@@ -279,7 +279,7 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
     """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
     if layout.device.word_access(message.message) is not None:
         return
-    several = sum(message.name in other.messages for other in layout.links.values()) > 1
+    on_several_links = sum(message.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
         if message.name not in link.carried(direction):
             continue
@@ -299,11 +299,11 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
         longest = data.size if data.size is not None else data.most or data.least
         size = first + shape.header_size + longest + shape.trailer_size + len(shape.end)
         if values:
-            name = f"{message.name} on {link.name}" if several else message.name
+            name = f"{message.name} on {link.name}" if on_several_links else message.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.
             unit = 1 if shape.checksum else 2
-            each = tuple(value for some in values for value in some.regular(unit))
-            yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, each)
+            regular_values = tuple(value for placed in values for value in placed.regular(unit))
+            yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, regular_values)
 
 
 def _delimiter(link: LinkLayout, name: str, mark: bytes, start: int) -> PlacedValue:

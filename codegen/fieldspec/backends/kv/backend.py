@@ -50,15 +50,15 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """What is left out: values that words do not hold, tables that move, registers and frames that are no words."""
+    """The refusals of what words do not carry: values, tables that move, registers and frames."""
     return [finding for layout in versions for finding in remaining(layout).findings]
 
 
 def remaining(layout: DeviceLayout) -> Expressed:
-    """What of a version word maps express."""
+    """The facts of a version that word maps express, with those that they leave out."""
     reader = "a word map"
-    each = (character_refusals, base_refusals, inner_list_refusals)
-    of_values = [refusal for refusals_of in each for refusal in refusals_of(layout, reader)]
+    refusal_functions = (character_refusals, base_refusals, inner_list_refusals)
+    of_values = [refusal for refusals_of in refusal_functions for refusal in refusals_of(layout, reader)]
     return with_refused_links(expressed(layout, [*of_values, *register_refusals(layout)], reads_exceptions=False))
 
 
@@ -75,16 +75,16 @@ def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[in
 
 
 def shared() -> dict[str, str]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 
 def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
     """The areas with the numbers of their first words, one behind the other."""
-    at = dialect.base
+    address = dialect.base
     for area in areas(layout):
-        yield at, area
-        at = dialect.next_step(at + area.words)
+        yield address, area
+        address = dialect.next_step(address + area.words)
 
 
 _TABLE = "are in the table, for people; KV STUDIO imports comments alone"

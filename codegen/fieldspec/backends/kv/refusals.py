@@ -27,7 +27,7 @@ def register_refusals(layout: DeviceLayout) -> Iterator[Refusal]:
 
 
 def with_refused_links(remaining: Expressed) -> Expressed:
-    """What is expressed, with an omission and a warning for each link whose frames are in no word of the map."""
+    """The expressed facts, with an omission and a warning for each link whose frames no word of the map has."""
     omissions, findings = [], []
     for link, messages, key, reason in _refused_links(remaining.layout):
         finding = Diagnostic("output_frames_words", reason, link.link.place[key])

@@ -52,9 +52,9 @@ Cells: TypeAlias = dict[str, Cell]
 def head(layout: DeviceLayout, omissions: Iterable[Omission]) -> list[Sequence[Cell]]:
     """The heading, a row with the identity, and one for each fact that the map leaves out."""
     device = layout.device
-    about: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
+    identity: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
     absent: list[Cells] = [{"area": "left out", "name": own.title, "label": own.reason} for own in omissions]
-    return [COLUMNS, *(list(map(cells.get, COLUMNS)) for cells in (about, *absent))]
+    return [COLUMNS, *(list(map(cells.get, COLUMNS)) for cells in (identity, *absent))]
 
 
 def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:
@@ -65,7 +65,7 @@ def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterato
 
 
 def meanings(device: Device, area: Area) -> list[Enum | Flags]:
-    """What the rows of an area tell beside what is in the area."""
+    """The enums and the words of flags that give the values of an area their meanings."""
     meanings_of_values: list[Enum | Flags] = []
     for placed_value in area.values:
         value = placed_value.value
@@ -85,10 +85,10 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
         place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
-    where = _place_cells(area, placed_value)
+    place_cells = _place_cells(area, placed_value)
     row = (
         place
-        | where
+        | place_cells
         | {"words": words(places) if placed_value.size else 0, "name": placed_value.title, "type": placed_value.type}
     )
     if number:
@@ -106,7 +106,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
             "unit": value.unit or None,
             **_ranges(value),
             "default": value.default,
-            "values": "; ".join(_named(value, enum)) or None,
+            "values": "; ".join(_value_names(value, enum)) or None,
         }
     yield row | {
         "fixed": placed_value.fixed,
@@ -144,7 +144,7 @@ def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
 
 
 def _in_memory(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:
-    """What must be done with the words before an instruction reads them as a number of that size."""
+    """The rearrangement of words before an instruction reads them as a number of that size."""
     if text in ("15..0", "7..0") or text == _native(dialect):
         return "direct"
     if text == "15..8":
@@ -169,17 +169,17 @@ def _ranges(value: Value) -> Cells:
     ranges = value.writable_ranges
     if ranges is None:
         return {}
-    several = ranges.text() if len(ranges.intervals) > 1 else None
+    interval_text = ranges.text() if len(ranges.intervals) > 1 else None
     if value.write_ranges is not None:
-        several = f"{ranges.text()}; read: {value.ranges.text() if value.ranges is not None else 'any'}"
-    return {"min": ranges.low, "max": ranges.high, "ranges": several}
+        interval_text = f"{ranges.text()}; read: {value.ranges.text() if value.ranges is not None else 'any'}"
+    return {"min": ranges.low, "max": ranges.high, "ranges": interval_text}
 
 
 def _members(enum: Enum) -> str:
     return "; ".join(f"{member.value} {member.name}" for member in enum.members)
 
 
-def _named(value: Value, enum: Enum | None) -> Iterator[str]:
+def _value_names(value: Value, enum: Enum | None) -> Iterator[str]:
     """The values that have names: members of the enum, and sentinels."""
     if enum is not None:
         yield _members(enum)
@@ -231,8 +231,8 @@ def _fitted(tag: str, names: dict[str, str], width: int) -> str:
     Words of letters are cut, all to the same length, until it fits.
     """
     text = tag + "/".join(names)
-    (unit, *others) = names.values()
-    if unit and not others and len(text) + len(unit) < width:
+    (unit, *other_units) = names.values()
+    if unit and not other_units and len(text) + len(unit) < width:
         return f"{text} {unit}"
     if len(text) <= width:
         return text

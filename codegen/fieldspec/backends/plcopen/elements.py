@@ -28,12 +28,12 @@ class Element:
 
 
 def element(tag: str, /, *children: Element, text: str = "", **attributes: str) -> Element:
-    """An element."""
+    """An XML element with its attributes and its children."""
     return Element(tag, tuple(attributes.items()), children, text)
 
 
 def document_text(root: Element) -> str:
-    """A whole document."""
+    """The text of a whole PLCopen document."""
     lines = ['<?xml version="1.0" encoding="utf-8"?>']
     _write(root, "", lines)
     return "\n".join(lines) + "\n"
@@ -54,7 +54,7 @@ def _write(node: Element, indent: str, lines: list[str]) -> None:
 
 
 def _quoted(value: str) -> str:
-    """The value of an attribute, with marks around it that are not in it, if there are such."""
+    """The value of an attribute in quotation marks that it does not contain."""
     text = escape(_legal(value), quote=False).replace("\n", "&#10;").replace("\t", "&#9;")
     if '"' not in text:
         return f'"{text}"'
@@ -73,15 +73,15 @@ _XHTML = "http://www.w3.org/1999/xhtml"
 
 
 def type_element(kind: Type, spelling: Spelling) -> Element:
-    """A type."""
+    """The `type` element of a variable or a member."""
     if isinstance(kind, ArrayType) and kind in spelling.named:
         return element("derived", name=array_name(kind, spelling))
     if isinstance(kind, ArrayType):
         return _array(kind, spelling)
-    return _named(kind)
+    return _type_name_element(kind)
 
 
-def _named(kind: Elementary | EnumType | StructType) -> Element:
+def _type_name_element(kind: Elementary | EnumType | StructType) -> Element:
     return element(kind.name) if isinstance(kind, Elementary) else element("derived", name=kind.name)
 
 
@@ -104,14 +104,14 @@ def attributes(*pairs: tuple[str, str]) -> Element:
 
 
 def documentation(lines: Iterable[str]) -> Element:
-    """A comment."""
+    """The `documentation` element with a comment."""
     return element(
         "documentation", element("xhtml", text="\n".join(comment_text(line) for line in lines), xmlns=_XHTML)
     )
 
 
 def variable(name: str, kind: Element, initial: Element | None, remark: str) -> Element:
-    """A variable or a member."""
+    """The `variable` element of a variable or of a member of a struct."""
     parts = [element("type", kind)]
     if initial is not None:
         parts.append(element("initialValue", initial))
@@ -131,9 +131,9 @@ def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title:
 
 
 def enum_type(declared: EnumDeclaration) -> Element:
-    """A strict enum with its base type."""
+    """The `dataType` element of a strict enum with its base type."""
     values = (element("value", name=member.name, value=str(member.value)) for member in declared.members)
-    base = element("baseType", _named(declared.base))
+    base = element("baseType", _type_name_element(declared.base))
     values_and_base = element("enum", element("values", *values), base)
     remarks = [f"{member.name}: {member.remark}" for member in declared.members if comment_text(member.remark)]
     declared_enum = _declared(declared.name, values_and_base, ((name, "") for name in ENUM_ATTRIBUTES), declared.title)
@@ -160,10 +160,10 @@ def struct_type(struct: Struct, size: int, spelling: Spelling) -> Element:
 
 
 def text_type(form: TextForm) -> Element:
-    """The struct of a code's text."""
+    """The `dataType` element of the struct with the text of a code."""
     code, text = form.members
     kind = element("wstring" if form.wide else "string", length=str(form.longest))
-    members = (variable(code, _named(form.code), None, ""), variable(text, kind, None, ""))
+    members = (variable(code, _type_name_element(form.code), None, ""), variable(text, kind, None, ""))
     return _declared(form.name, element("struct", *members), (), "What a code means.")
 
 
@@ -209,12 +209,13 @@ def sizes_function(program: Program) -> Element:
     """The function that compares the sizes of structs."""
     measured = [placed.struct.name for placed in program.placed if placed.struct.members]
     variables = [
-        variable(f"st{number_of}", _named(StructType(name)), None, "") for number_of, name in enumerate(measured, 1)
+        variable(f"st{number_of}", _type_name_element(StructType(name)), None, "")
+        for number_of, name in enumerate(measured, 1)
     ]
     remarks = [line.removeprefix("// ") for line in program.sizes.declaration if line.startswith("//")]
     interface = element(
         "interface",
-        element("returnType", _named(BOOL)),
+        element("returnType", _type_name_element(BOOL)),
         *([element("localVars", *variables)] if variables else []),
         documentation(remarks),
     )
@@ -222,9 +223,14 @@ def sizes_function(program: Program) -> Element:
 
 
 def constants_list(constant_list: ConstantList) -> Element:
-    """A list of numbers."""
+    """The list of constants that are numbers."""
     variables = [
-        variable(constant.name, _named(constant.type), element("simpleValue", value=number(constant)), constant.remark)
+        variable(
+            constant.name,
+            _type_name_element(constant.type),
+            element("simpleValue", value=number(constant)),
+            constant.remark,
+        )
         for constant in constant_list.constants
     ]
     return _list(constant_list.name, variables, constant_list.title)

@@ -107,13 +107,13 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     )
     newest = f"{modules[device.version]}_client"
     if f"{folder}/{newest}.py" in texts:
-        about = [
+        paragraphs = [
             sentence(f"Clients of {device.vendor} {device.name}"),
             "This module has the names of the newest version.",
         ]
         texts[f"{folder}/client.py"] = fill(
             "python/client_package.py.j2",
-            doc=docstring(about),
+            doc=docstring(paragraphs),
             newest=newest,
             type=detection_view(versions[-1])["type"],
         )

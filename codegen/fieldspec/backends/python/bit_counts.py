@@ -13,11 +13,11 @@ def fills(number: str, packed: str, operator: str) -> str:
     return f"({number} + 7) // 8 {operator} len({packed})"
 
 
-def bit_count_test(field: Slots, number: str, packed: str, at: int) -> list[str]:
-    """The lines that refuse a number of bits in a record that has been read, with the offset `at` of that number."""
+def bit_count_test(field: Slots, number: str, packed: str, offset: int) -> list[str]:
+    """The lines that refuse a number of bits in a record that has been read, with the `offset` of that number."""
     return [
         f"if {fills(number, packed, '!=')}:",
-        f"    raise _wrong_bits({_arguments(field, number, packed)}, {at})",
+        f"    raise _wrong_bits({_arguments(field, number, packed)}, {offset})",
     ]
 
 

@@ -105,14 +105,14 @@ def initial_bytes(device: Device, record: RecordLayout) -> bytes:
 
 def _initial_word(device: Device, field: FieldLayout, word: Flags) -> int:
     """The word of which nothing is given. Raises NoTask where something has to be."""
-    needed = next(iter(needed_bits(word, device.enums)), None)
-    if needed is not None:
-        raise NoTask(f"{needed.bit.name} of {field.name} has no default, and its {needed.reason}")
+    required = next(iter(needed_bits(word, device.enums)), None)
+    if required is not None:
+        raise NoTask(f"{required.bit.name} of {field.name} has no default, and its {required.reason}")
     return word.initial
 
 
 class _CyclicTask:
-    """A task with one cyclic message."""
+    """A task that is carried out by one cyclic message."""
 
     def __init__(self, names: ClientNames, operands: Operands, task: Task, exchange: Exchange) -> None:
         self.names, self.task, self.exchange = names, task, exchange
@@ -122,7 +122,7 @@ class _CyclicTask:
         self.pulsed: list[tuple[str, int]] = []
 
     def view(self) -> TaskView:
-        """The method."""
+        """The view of the method that carries out the task."""
         draft, task, message = self.draft, self.task, self.exchange.message.name
         watched = [
             self._condition(watch.operand, (watch.value,), watch.reason)
@@ -139,12 +139,12 @@ class _CyclicTask:
         last: list[str] = []
         index = first
         while index < len(task.steps):
-            steps, behind = self._calls(index)
+            steps, following = self._calls(index)
             if ending is not None and index >= ending[1]:
                 last += steps
             else:
                 draft.steps += steps
-            index = behind
+            index = following
         for target in self.relative:
             draft.steps.insert(noted, f"task.note({target})")
         bits = [
@@ -164,10 +164,10 @@ class _CyclicTask:
         if step.action != "wait":
             return self._step(step), index + 1
         steps = draft.waited(index)
-        return draft.wait_call(index, ", ".join(self._awaited(each) for each in steps)), index + len(steps)
+        return draft.wait_call(index, ", ".join(self._awaited(wait) for wait in steps)), index + len(steps)
 
     def _awaited(self, step: Step) -> str:
-        """What one wait is for: the expression of a condition, or the variable of a target."""
+        """The argument of a wait: the expression of a condition, or the variable of a target."""
         draft, operand = self.draft, self.draft.target(step)
         if not step.argument:
             return self._condition(operand, step.wanted, reason_of(operand))

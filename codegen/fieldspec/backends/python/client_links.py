@@ -81,35 +81,37 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
         access = message.message.accesses
         exchange = names.exchanges[message.name]
         request = f"{CODEC}.{exchange.request_name}"
-        asked = {slot.title: slot for slot in exchange.request.stored}
+        request_slots = {slot.title: slot for slot in exchange.request.stored}
         answer = {slot.title: slot for slot in exchange.response.stored}
         pairs = [
-            (asked[own.name].name, answer[other.name].name)
+            (request_slots[own.name].name, answer[other.name].name)
             for own, other in repeated_fields(message)
-            if own.name in asked and other.name in answer and (access is None or _is_exact(own))
+            if own.name in request_slots and other.name in answer and (access is None or _is_exact(own))
         ]
         if pairs:
             names_of = [tuple_of([literal(own), literal(other)]) for own, other in pairs]
             repeated.append(f"{request}: {tuple_of(names_of)}")
         if access is None or layout.device.bit_access(message.message) is not None:
             continue
-        slots = (asked.get(access.count), answer.get(access.values))
-        if access.operation == "write" and access.count not in asked:
-            slots = (asked.get(access.values), answer.get(access.count))
+        slots = (request_slots.get(access.count), answer.get(access.values))
+        if access.operation == "write" and access.count not in request_slots:
+            slots = (request_slots.get(access.values), answer.get(access.count))
         own_slot, other_slot = slots
         if own_slot is not None and other_slot is not None:
             value_counts.append(f"{request}: ({literal(own_slot.name)}, {literal(other_slot.name)})")
     arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
-    answered = link.carried("response")
-    silent = [f"{CODEC}.{names.exchanges[name].request_name}" for name in link.messages if name not in answered]
+    response_messages = link.carried("response")
+    silent = [
+        f"{CODEC}.{names.exchanges[name].request_name}" for name in link.messages if name not in response_messages
+    ]
     arguments += [f"unanswered={tuple_of(silent)}"] if silent else []
     name = f"_{Name.of(link.name).upper()}"
     return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0), _choices(parts))
 
 
 def named_parts(link: LinkLayout, view: LinkView) -> list[tuple[PartView, OpenPart]]:
-    """The open parts of the requests on a link, each with what it is in Python."""
+    """The open parts of the requests on a link, each with its view in Python."""
     assert view.request is not None, "only the device sends anything"
     return list(zip(view.request.head_parts, open_parts(link), strict=True))
 
@@ -132,14 +134,14 @@ def _response_names(link: LinkLayout, view: LinkView) -> dict[str, str]:
 
 def _parts(link: LinkLayout, view: LinkView, parts: list[tuple[PartView, OpenPart]]) -> list[str]:
     """The arguments with the parts of requests that are slots, that users choose, and that responses repeat."""
-    answered = _response_names(link, view)
+    response_names = _response_names(link, view)
     counters = [
         f"({literal(own.name)}, {part.numbering[0]}, {part.numbering[1]})" for own, part in parts if part.numbering
     ]
     echoes = [
-        f"{literal(own.name)}: {literal(answered[part.repeated.name])}"
+        f"{literal(own.name)}: {literal(response_names[part.repeated.name])}"
         for own, part in parts
-        if part.repeated is not None and (part.numbering is None or answered[part.repeated.name] != own.name)
+        if part.repeated is not None and (part.numbering is None or response_names[part.repeated.name] != own.name)
     ]
     chosen = [literal(name) for name, _ in _choices(parts)]
     return [
@@ -156,8 +158,10 @@ def _refusal_part(link: LinkLayout, view: LinkView, names: ClientNames) -> list[
         return []
     part = next(part for part in link.response.header if part.name == mark.part)
     enum = part.value.enum if part.value is not None else ""
-    named = [f"refusal_names={{int(own): own for own in {CODEC}.{names.words.enums[enum].name}}}"] if enum else []
-    return [f"refusal_part={literal(_response_names(link, view)[part.name])}", *named]
+    enum_argument = (
+        [f"refusal_names={{int(own): own for own in {CODEC}.{names.words.enums[enum].name}}}"] if enum else []
+    )
+    return [f"refusal_part={literal(_response_names(link, view)[part.name])}", *enum_argument]
 
 
 def _reason(record: RecordLayout, names: ClientNames) -> list[str]:

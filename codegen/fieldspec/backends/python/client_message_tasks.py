@@ -24,23 +24,23 @@ class MessageTask:
         self.relative: list[tuple[str, str]] = []
 
     def view(self) -> TaskView:
-        """The method."""
+        """The view of the method that carries out the task."""
         draft, task = self.draft, self.task
         ending, accepted = ends(task), draft.accepted()
-        begins: dict[int, int] = {}
+        starts: dict[int, int] = {}
         watched: list[str] = []
         index = 0
         while index < len(task.steps):
-            begins[index] = len(draft.steps)
+            starts[index] = len(draft.steps)
             index = self._send(index, watched)
-        noted = begins[before_effect(task)]
+        noted = starts[before_effect(task)]
         for request, target in self.relative:
             draft.steps.insert(noted, f"task.note({request}, {target})")
-        moved = begins[accepted] + len(self.relative) if accepted in begins else 0
+        moved = starts[accepted] + len(self.relative) if accepted in starts else 0
         stops = self._halting()
         if ending is None:
             return draft.view("message_task", watched, [], moved, False, halting=stops)
-        first, last = begins[ending[0]], begins[ending[1]]
+        first, last = starts[ending[0]], starts[ending[1]]
         end = draft.steps[last:]
         if task.kind in LASTING:
             del draft.steps[last:]
@@ -52,8 +52,8 @@ class MessageTask:
         task = self.draft.halting()
         if task is None or any(step.action != "send" for step in task.steps[: last_command(task) + 1]):
             return []
-        sent = task.steps[: last_command(task) + 1]
-        return [f"task.send({self._request(step, self._exchange(step))})" for step in sent]
+        commands = task.steps[: last_command(task) + 1]
+        return [f"task.send({self._request(step, self._exchange(step))})" for step in commands]
 
     def _exchange(self, step: Step) -> Exchange:
         message = self.draft.target(step).fact
@@ -88,7 +88,7 @@ class MessageTask:
         return last
 
     def _awaited(self, look: Step, exchange: Exchange, request: str) -> str:
-        """What one wait is for: the expression of a condition, or the variable of a target."""
+        """The argument of a wait: the expression of a condition, or the variable of a target."""
         draft, operand = self.draft, self.draft.target(look)
         if not look.argument:
             return self._condition(operand, look.wanted, exchange, reason_of(operand))
@@ -103,13 +103,13 @@ class MessageTask:
 
     def _count(self, argument: str) -> str:
         """The expression of an argument in counts, as the field of the request that is sent has it."""
-        sent = next(step for step in self.task.steps if argument in step.arguments.values())
-        exchange = self._exchange(sent)
-        field = next(name for name, value in sent.arguments.items() if value == argument)
+        sending_step = next(step for step in self.task.steps if argument in step.arguments.values())
+        exchange = self._exchange(sending_step)
+        field = next(name for name, value in sending_step.arguments.items() if value == argument)
         slot = next(slot for slot in exchange.request.stored if slot.title == field)
         if not self.draft.arguments[argument].in_unit:
             return self.draft.arguments[argument].name
-        return f"task.count({self._request(sent, exchange)}, {literal(slot.name)})"
+        return f"task.count({self._request(sending_step, exchange)}, {literal(slot.name)})"
 
     def _result(self, look: Step, exchange: Exchange) -> str:
         operand = self.draft.target(look)

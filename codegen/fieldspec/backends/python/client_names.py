@@ -26,7 +26,7 @@ class NoTask(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """An argument of a task: its name, its type, and whether it is in the unit of what it is for."""
+    """An argument of a task: its name, its type, and whether users pass it in its unit, not in counts."""
 
     name: str
     type: str

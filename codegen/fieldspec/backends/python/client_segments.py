@@ -114,11 +114,11 @@ def _part(record: RecordLayout, part: str, names: tuple[str, str]) -> str:
 def _place(place: NumberPlace, shape: RecordShape, flags: Mapping[str, Flags]) -> str:
     value = place.field.value
     ranges = value.ranges.intervals if value is not None and value.ranges is not None else ()
-    more = f", initial={initial_number(place.field, flags)}"
+    options = f", initial={initial_number(place.field, flags)}"
     if ranges:
-        more += f", ranges={tuple_of([f'({low}, {high})' for low, high in ranges])}"
+        options += f", ranges={tuple_of([f'({low}, {high})' for low, high in ranges])}"
     name = literal(_attribute(shape, place.field.name))
-    return f"_Place({name}, {place.shift}, {place.width}, {place.low}, {place.high}{more})"
+    return f"_Place({name}, {place.shift}, {place.width}, {place.low}, {place.high}{options})"
 
 
 def _numbers(numbers: tuple[int, ...] | list[int]) -> str:

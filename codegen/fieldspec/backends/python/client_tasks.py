@@ -93,9 +93,9 @@ class TaskDraft:
         """The local variable with the target of a wait, whose `count` is an expression. Raises NoTask."""
         if value is None:
             raise NoTask(f"`{step.target}` is no number")
-        more = f", name={literal(step.target)}" if "/" not in step.target else ""
+        name_argument = f", name={literal(step.target)}" if "/" not in step.target else ""
         name = self.scope.take("target")
-        self.locals.append(f"{name} = _Target({place}, {count}{self.window(step, value)}{more})")
+        self.locals.append(f"{name} = _Target({place}, {count}{self.window(step, value)}{name_argument})")
         return name
 
     def accepted(self) -> int:
@@ -110,8 +110,8 @@ class TaskDraft:
         """The calls that wait for conditions: at first for the begin of a motion, where they may hold from before."""
         if self.task.kind not in MOVING:
             return ["task.settle()", f"task.wait({arguments})"]
-        begins = [f"task.begin({arguments})"] if needs_begin(self.task, index, self.accepted()) else []
-        return [*begins, f"task.wait({arguments})"]
+        begin_calls = [f"task.begin({arguments})"] if needs_begin(self.task, index, self.accepted()) else []
+        return [*begin_calls, f"task.wait({arguments})"]
 
     def halting(self) -> Task | None:
         """The task that ends the motion of one that has failed."""
@@ -137,10 +137,10 @@ class TaskDraft:
         ending: list[str],
         first: int,
         jog: bool,
-        more: Sequence[str] = (),
+        extra: Sequence[str] = (),
         halting: Sequence[str] = (),
     ) -> TaskView:
-        """The finished task; `make` is the function that creates it, and `more` are arguments of this function.
+        """The finished task; `make` is the function that creates it, and `extra` are arguments of this function.
 
         `ending` are the steps that end it where one from `first` on has failed, and `halting` those that stop the
         device unless it has refused.
@@ -153,7 +153,7 @@ class TaskDraft:
         if limited:
             typed.append(f"limit: float = {self._limit(waits)!r}")
             passed.append("limit=limit")
-        arguments = [literal(self.task.name), bound, *watched, *more]
+        arguments = [literal(self.task.name), bound, *watched, *extra]
         lines = [*item_lines(f"task = self.{make}(", arguments, ")", 8), *self.locals]
         if jog:
             lines += ["return _Jog(", *_steps("    task.run(", self.steps, [], 0), "    task.look,"]
@@ -163,12 +163,12 @@ class TaskDraft:
             lines += _steps(call, self.steps, ending, first, halting)
             lines[-1] = ")"
         results = self.results
-        several = f"tuple[{', '.join(results)}]" if results else "None"
+        result_type = f"tuple[{', '.join(results)}]" if results else "None"
         return TaskView(
             name=self.task.name,
             signature=f", *, {', '.join(typed)}" if typed else "",
             passed=", ".join(passed),
-            result=results[0] if len(results) == 1 else several,
+            result=results[0] if len(results) == 1 else result_type,
             jog=jog,
             lines=lines,
             doc=docstring(self.doc(), 8),
@@ -191,15 +191,15 @@ def condition(
     names: ClientNames, operand: Operand, value: Value | None, stated: Sequence[ScalarValue], place: str, reason: str
 ) -> str:
     """The expression of a condition: the value that is wanted, or several."""
-    numbers, masks = zip(*(wanted(names.layout, operand, value, each) for each in stated), strict=True)
+    numbers, masks = zip(*(wanted(names.layout, operand, value, stated_value) for stated_value in stated), strict=True)
     mask = masks[0]
-    more = [f"mask={mask}", f"name={literal(operand.fact.name)}"] if mask else []
-    more += [f"reason={literal(reason)}"] if reason != "unready" else []
-    return f"_Condition({', '.join([place, *numbers, *more])})"
+    options = [f"mask={mask}", f"name={literal(operand.fact.name)}"] if mask else []
+    options += [f"reason={literal(reason)}"] if reason != "unready" else []
+    return f"_Condition({', '.join([place, *numbers, *options])})"
 
 
 def reason_of(operand: Operand) -> str:
-    """What is wrong where an operand does not have the value that is waited for."""
+    """The error of a wait that an operand never ends."""
     return "refused" if REFUSAL in operand.roles else "unready"
 
 

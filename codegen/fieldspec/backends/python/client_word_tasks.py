@@ -24,7 +24,7 @@ class WordTask:
         self.relative: list[str] = []
 
     def view(self) -> TaskView:
-        """The method."""
+        """The view of the method that carries out the task."""
         draft, task = self.draft, self.task
         watched = [
             self._condition(watch.operand, (watch.value,), watch.reason)
@@ -77,11 +77,11 @@ class WordTask:
         if REFUSAL in operand.roles:
             draft.steps.append(f"task.refuse({self._condition(operand, step.wanted, 'refused')})")
         else:
-            draft.steps += draft.wait_call(index, ", ".join(self._awaited(each) for each in steps))
+            draft.steps += draft.wait_call(index, ", ".join(self._awaited(wait) for wait in steps))
         return index + len(steps)
 
     def _awaited(self, step: Step) -> str:
-        """What one wait is for: the expression of a condition, or the variable of a target."""
+        """The argument of a wait: the expression of a condition, or the variable of a target."""
         draft, operand = self.draft, self.draft.target(step)
         if not step.argument:
             return self._condition(operand, step.wanted, "unready")
@@ -97,7 +97,7 @@ class WordTask:
         value = getattr(operand.holder, "value", None)
         return condition(self.names, operand, value, stated, self.names.place(operand), reason)
 
-    def _step(self, at: int, step: Step) -> list[str]:
+    def _step(self, index: int, step: Step) -> list[str]:
         draft = self.draft
         operand = draft.target(step)
         if step.action == "read" and isinstance(operand.fact, Subindex):
@@ -107,7 +107,7 @@ class WordTask:
         if step.action == "read":
             return [self._read(operand, place, fact)]
         if operand.bit is not None:
-            return self._bits(at, step, operand, place)
+            return self._bits(index, step, operand, place)
         if step.action != "write":
             raise NoTask(f"`{operand.path}` is not a bit")
         if not step.argument:
@@ -132,7 +132,7 @@ class WordTask:
         self.draft.results.append(self.names.answer_type(element.value, True))
         return f"task.read_element({self.names.owner(element)}, {indices[0][0]})"
 
-    def _bits(self, at: int, step: Step, operand: Operand, place: str) -> list[str]:
+    def _bits(self, index: int, step: Step, operand: Operand, place: str) -> list[str]:
         bit = operand.bit
         assert bit is not None
         if not operand.readable:
@@ -147,14 +147,16 @@ class WordTask:
         # What a later step sets may still be set by a task that failed: then it would count for the new values.
         later = [
             other.bit
-            for after in self.task.steps[at + 1 :]
+            for after in self.task.steps[index + 1 :]
             if after.action == "set"
             and (other := self.draft.target(after)).holder is operand.holder
             and other.bit is not None
         ]
-        before = self.task.steps[at - 1] if at else None
-        again = before is not None and before.action == "write" and self.draft.target(before).holder is operand.holder
-        cleared = [f"task.change({place}, 0x{other.mask:X}, 0x0)" for other in later if not again]
+        before = self.task.steps[index - 1] if index else None
+        is_rewritten = (
+            before is not None and before.action == "write" and self.draft.target(before).holder is operand.holder
+        )
+        cleared = [f"task.change({place}, 0x{other.mask:X}, 0x0)" for other in later if not is_rewritten]
         if not step.argument:
             return [*cleared, f"{change}0x{bit.mask if step.value else 0:X})"]
         if step.argument not in self.draft.arguments:

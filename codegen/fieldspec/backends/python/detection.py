@@ -20,7 +20,7 @@ def detection_view(layout: DeviceLayout) -> dict[str, Any]:
     detection = version_detection(layout.device)
     if detection is None or stated is None:
         return {"fact": "", "type": "str", "doc": [], "named": [], "reads": False}
-    named = [
+    detected_values = [
         (literal(value) if isinstance(value, str) else str(value), literal(version))
         for value, version in detection.named
     ]
@@ -28,7 +28,7 @@ def detection_view(layout: DeviceLayout) -> dict[str, Any]:
         "fact": literal(detection.fact),
         "type": "str | int" if detection.takes_numbers else "str",
         "doc": textwrap.wrap(detection_text(stated), WIDTH - 4),
-        "named": named,
+        "named": detected_values,
         "form": literal(detection.form),
         "places": detection.places,
         "reads": detection.reads_values,

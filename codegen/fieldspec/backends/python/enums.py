@@ -18,17 +18,17 @@ LEAST = 3
 """The number of named single bits of a byte from which a table is faster than a test of each bit."""
 
 
-def from_tables(named: Sequence[tuple[Bit, str]]) -> tuple[list[str], frozenset[str]]:
+def from_tables(named_bits: Sequence[tuple[Bit, str]]) -> tuple[list[str], frozenset[str]]:
     """Lines that bind bits of `raw` to locals of their names, and which bits those are."""
     lines: list[str] = []
     bound: set[str] = set()
-    single = {bit.first: name for bit, name in named if bit.width == 1}
+    single = {bit.first: name for bit, name in named_bits if bit.width == 1}
     for start in range(0, max(single, default=0) + 1, 8):
         names = [single.get(place) for place in range(start, start + 8)]
-        taken = [name for name in names if name]
-        if len(taken) >= LEAST:
+        bound_names = [name for name in names if name]
+        if len(bound_names) >= LEAST:
             lines.append(f"{_targets(names)} = _BITS_OF[{f'raw >> {start}' if start else 'raw'} & 255]")
-            bound.update(taken)
+            bound.update(bound_names)
     return lines, frozenset(bound)
 
 
@@ -114,30 +114,34 @@ class FlagsView:
 
 def enum_view(enum: Enum, scope: Scope) -> EnumView:
     """The view of an enum."""
-    taken = Name.of(enum.name)
-    name = scope.take(taken.pascal(), taken.pascal() + "Code")
+    base_name = Name.of(enum.name)
+    name = scope.take(base_name.pascal(), base_name.pascal() + "Code")
     members = Scope(frozenset({"mro"}))
     kind = "" if enum.kind == "enum" else f"{enum.kind.capitalize()} codes. "
-    others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
+    remark = "Other values are passed on as numbers." if enum.open else "Other values are refused."
     available = [member for member in enum.members if not member.unavailable]
     printed = [
         f"{m.value}: {literal(m.printed_name)}" for m in available if m.printed_name and _has_displayed_names(enum)
     ]
     numbers = [f"{m.value}: {m.number}" for m in available if m.number is not None]
-    upper = taken.upper()
+    upper = base_name.upper()
     left_out = [f"{m.value} ({m.name})" for m in enum.members if m.unavailable]
     missing = f"Not available: {', '.join(left_out)}." if left_out else ""
-    named = {m.name: members.take(Name.of(m.name).upper()) for m in available}
+    member_names = {m.name: members.take(Name.of(m.name).upper()) for m in available}
     return EnumView(
         name=name,
         prefix=f"_{upper}",
         table=f"_{upper}_MEMBERS",
         title=enum.name,
         open=enum.open,
-        doc=docstring(described(enum.title or taken.title(), enum, f"{kind}{others} {missing}".strip()), 4),
-        members=[MemberView(named[m.name], str(m.value), docstring(_member(m), 4)) for m in available],
+        doc=docstring(described(enum.title or base_name.title(), enum, f"{kind}{remark} {missing}".strip()), 4),
+        members=[MemberView(member_names[m.name], str(m.value), docstring(_member(m), 4)) for m in available],
         aliases=[
-            MemberView(members.take(Name.of(alias).upper()), named[m.name], docstring([f"See {named[m.name]}."], 4))
+            MemberView(
+                members.take(Name.of(alias).upper()),
+                member_names[m.name],
+                docstring([f"See {member_names[m.name]}."], 4),
+            )
             for m in available
             for alias in m.aliases
         ],
@@ -160,33 +164,33 @@ def _member(member: Member) -> list[str]:
 
 def flags_view(flags: Flags, device: Device, enums: Mapping[str, EnumView], scope: Scope) -> FlagsView:
     """The view of a word of flags."""
-    taken = Name.of(flags.name)
-    name = scope.take(taken.pascal(), taken.pascal() + "Flags")
+    base_name = Name.of(flags.name)
+    name = scope.take(base_name.pascal(), base_name.pascal() + "Flags")
     states = _states(flags, name, scope) if flags.states else None
     names = Scope(FLAGS, TYPES, STATES if states else frozenset())
-    named = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
-    lines, bound = from_tables(named)
-    bits = [_bit(bit, taken_name, device, enums) for bit, taken_name in named]
+    bit_names = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
+    lines, bound = from_tables(bit_names)
+    bits = [_bit(bit, taken_name, device, enums) for bit, taken_name in bit_names]
     bits = [replace(bit, snapshot=bit.name) if bit.name in bound else bit for bit in bits]
-    more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
-    table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
-    signed = [literal(taken_name) for bit, taken_name in named if bit.signed]
+    remark = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
+    table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in bit_names]
+    signed = [literal(taken_name) for bit, taken_name in bit_names if bit.signed]
     scaled = [
         (bit, view.name, _scaled(bit, view, names))
-        for (bit, _), view in zip(named, bits, strict=True)
+        for (bit, _), view in zip(bit_names, bits, strict=True)
         if bit.as_value.scaled
     ]
     units = [f'"{view.name}": ("{raw}", {ratio(bit.as_value)})' for bit, raw, view in scaled]
     in_unit_of = {id(bit): view.name for bit, _, view in scaled}
-    keys = {id(bit): [key for key in (raw, in_unit_of.get(id(bit))) if key] for bit, raw in named}
-    needed = [(own, [key for bit in own.bits for key in keys[id(bit)]]) for own in needed_bits(flags, device.enums)]
-    is_preset = bool(needed) or flags.initial != 0
+    keys = {id(bit): [key for key in (raw, in_unit_of.get(id(bit))) if key] for bit, raw in bit_names}
+    required = [(own, [key for bit in own.bits for key in keys[id(bit)]]) for own in needed_bits(flags, device.enums)]
+    is_preset = bool(required) or flags.initial != 0
     entries = [
         f"{literal(keys[id(own.bit)][0])}: ({literal(own.reason)}, ({', '.join(map(literal, names))},))"
-        for own, names in needed
+        for own, names in required
     ]
-    open_bits = {id(own.bit) for own, _ in needed}
-    arguments = [_argument(bit, view, id(bit) in open_bits) for (bit, _), view in zip(named, bits, strict=True)]
+    open_bits = {id(own.bit) for own, _ in required}
+    arguments = [_argument(bit, view, id(bit) in open_bits) for (bit, _), view in zip(bit_names, bits, strict=True)]
     arguments += [
         f"{view.name}: {view.argument} = {'...' if bit.default is not None or id(bit) in open_bits else '0'}"
         for bit, _, view in scaled
@@ -208,12 +212,12 @@ def flags_view(flags: Flags, device: Device, enums: Mapping[str, EnumView], scop
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
         taken=lines,
-        doc=docstring(described(taken.title(), flags, more), 4),
+        doc=docstring(described(base_name.title(), flags, remark), 4),
     )
 
 
 def _argument(bit: Bit, view: BitView, is_needed: bool) -> str:
-    """`level: int = 3`: what is sent where it is left out; `...` where it has to be given, in one unit or the other."""
+    """The argument for a bit field: `level: int = 3`, or `level: int = ...` where users must pass it."""
     number = bit.default or 0
     default = str(bool(number)) if view.argument == "bool" else str(number)
     return f"{view.name}: {view.argument} = {'...' if is_needed else default}"
@@ -265,8 +269,8 @@ def _bit(bit: Bit, name: str, device: Device, enums: Mapping[str, EnumView]) -> 
     doc = docstring(described(f"{Name.of(bit.name).title()}, {number}", bit, *facts), 8)
     if bit.width == 1:
         return _view(name, "bool", f"{{raw}} & {bit.mask:#x} != 0", doc)
-    most = bit.mask >> bit.first
-    read = f"{{raw}} >> {bit.first} & {most:#x}" if bit.first else f"{{raw}} & {most:#x}"
+    maximum = bit.mask >> bit.first
+    read = f"{{raw}} >> {bit.first} & {maximum:#x}" if bit.first else f"{{raw}} & {maximum:#x}"
     if not bit.enum:
         sign = 1 << bit.width - 1
         return _view(name, "int", f"(({read}) ^ {sign:#x}) - {sign:#x}" if bit.signed else read, doc)

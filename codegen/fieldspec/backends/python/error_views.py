@@ -37,7 +37,7 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
     if error is None:
         return None
     arguments = argument_views(frame, words)
-    place = next((at for at, part in enumerate(frame.header) if part.name == error.part), 0)
+    place = next((index for index, part in enumerate(frame.header) if part.name == error.part), 0)
     condition = "" if error.normal is None else f"not ({within(f'head[{place}]', error.normal)})"
     if link.has_uncoded_exceptions:
         if link.mark is not None:

@@ -109,13 +109,13 @@ def fixed_frame(
         )
         unit_address = frame.role("unit_address")
         if unit_address is not None and unit_address.size == 1:
-            most, table = greatest_part(link, unit_address), f"_UNIT_ADDRESSES{name}"
-            declared = [_begun(table, encoding_terms, most)]
+            maximum, table = greatest_part(link, unit_address), f"_UNIT_ADDRESSES{name}"
+            declared = [_begun(table, encoding_terms, maximum)]
             encoding_terms, read = (
                 [f"{table}[unit_address]", *_terms_outside_table(terms)] for terms in (encoding_terms, read)
             )
             # The table has no greater addresses, and `pack` refuses negative ones.
-            tests = [test for test in tests if test != f"unit_address <= {most}"]
+            tests = [test for test in tests if test != f"unit_address <= {maximum}"]
         letters += "H"
         packed.append("check")
         check = chained("check = ", encoding_terms, "^", "", 16)
@@ -123,15 +123,15 @@ def fixed_frame(
         unread = "_UNREAD"
         # The tables have the terms of the expected constants, so each received constant is compared as well.
         wrong = ["check != expected", *constant_tests(shaped)]
-        appended, taken, checked = "", "", ["check"]
+        appended, check_letters, checked = "", "", ["check"]
     else:
         big = algorithm == _WORDS and frame.checksum is not None and frame.checksum.order == "big"
-        appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
+        appended, (check_letters, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
     wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.header if p.role == "length"), *wrong]
     wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.header if p.name in always), *wrong]
     conditions = condition([*tests, *writing.tests])
     return FixedFrame(
-        declared=[*_declared(name, letters, letters + taken, reads), *declared],
+        declared=[*_declared(name, letters, letters + check_letters, reads), *declared],
         bind=writing.bind,
         tests=conditions,
         steps=[*check, *_packing(f"_PACK{name}(", packed, marked, appended, 16 if conditions else 12)],
@@ -153,10 +153,10 @@ def _declared(name: str, letters: str, read: str, reads: bool) -> list[str]:
 _UNIT_ADDRESS = "[unit_address]"
 
 
-def _begun(table: str, terms: list[str], most: int) -> str:
+def _begun(table: str, terms: list[str], maximum: int) -> str:
     """The statement of the table that begins a CRC: the constant, combined with the term of each unit address."""
     unit_address_terms = next(term for term in terms if term.endswith(_UNIT_ADDRESS)).removesuffix(_UNIT_ADDRESS)
-    return f"{table} = tuple({terms[0]} ^ term for term in {unit_address_terms}[:{most + 1}])"
+    return f"{table} = tuple({terms[0]} ^ term for term in {unit_address_terms}[:{maximum + 1}])"
 
 
 def _terms_outside_table(terms: list[str]) -> list[str]:
@@ -220,22 +220,22 @@ def _crc_terms(
             signed = part.value is not None and part.value.type.signed
             varying.append((part.offset, part.size, signed, greatest_part(link, part), variable(part)))
     for field in shaped.fields:
-        at = frame.header_size + field.field.offset
+        offset = frame.header_size + field.field.offset
         if field.stored:
             flags = raw if field.value.flags and not field.deferred else ""
-            signed, most = field.value.type.signed, greatest(field)
-            varying.append((at, field.field.size, signed, most, local(field) + flags))
+            signed, maximum = field.value.type.signed, greatest(field)
+            varying.append((offset, field.field.size, signed, maximum, local(field) + flags))
         elif field.constant:
-            base[at : at + field.field.size] = field.bytes_of(field.constant)
+            base[offset : offset + field.field.size] = field.bytes_of(field.constant)
     constant, same = checksum(_WORDS, bytes(base)), frame.checksum is not None and frame.checksum.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
-    for at, width, signed, most, expression in varying:
+    for offset, width, signed, maximum, expression in varying:
         for place in range(width):
             shift = 8 * (place if order == "little" else width - 1 - place)
-            if shift and not signed and not most >> shift:
+            if shift and not signed and not maximum >> shift:
                 continue
             byte = f"{expression} >> {shift}" if shift else expression
-            if signed or most >> shift > 255:
+            if signed or maximum >> shift > 255:
                 byte += " & 255"
-            yield f"{table}{size - 1 - at - place}[{byte}]"
+            yield f"{table}{size - 1 - offset - place}[{byte}]"

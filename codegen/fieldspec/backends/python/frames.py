@@ -84,8 +84,8 @@ def _allowed(
         return link.link.exception_response.permitted(part.value, is_exception).intervals, ()
     unit_addresses = link.link.unit_addresses if part.role == "unit_address" else None
     if unit_addresses is not None and unit_addresses.ranges is not None:
-        beside = () if unit_addresses.broadcast is None else (unit_addresses.broadcast,)
-        return unit_addresses.ranges.intervals, beside
+        singles = () if unit_addresses.broadcast is None else (unit_addresses.broadcast,)
+        return unit_addresses.ranges.intervals, singles
     return (part.value.ranges.intervals if part.value.ranges else ()), ()
 
 
@@ -122,7 +122,7 @@ def escape_call(frame: FrameLayout) -> str:
     if escape is None:
         return ""
     places = {place: part for place, part in enumerate(frame.parts) if part.role in ("length", "checksum")}
-    sent = sorted(place for place, part in places.items() if not part.before_escape)
+    sent_places = sorted(place for place, part in places.items() if not part.before_escape)
     own = sorted(place for place, part in places.items() if part.before_escape)
     construction = {
         "cobs": "_Cobs()",
@@ -132,7 +132,7 @@ def escape_call(frame: FrameLayout) -> str:
         "insert": f'_Insert(bytes.fromhex("{escape.pattern.hex()}"), {escape.inserted:#04x})',
     }[escape.method]
     bounds = f"{frame.escape_start}, {frame.escape_stop}"
-    return f".escaping({construction}, {bounds}, frozenset({sent}), frozenset({own}))"
+    return f".escaping({construction}, {bounds}, frozenset({sent_places}), frozenset({own}))"
 
 
 def check_rows(frame: FrameLayout) -> str:
@@ -237,12 +237,12 @@ def _part_arguments(frame: FrameLayout) -> list[str]:
     arguments = [part_rows(frame.header), part_rows(frame.trailer), check_rows(frame)]
     if length is not None:
         arguments += [f"unit={length.unit_size}", f"base={length.base}"]
-    others = [
+    further_lengths = [
         f"({frame.header.index(part)}, {part.offset}, {literal(part.name)}, {_longest(part)}, {part.unit_size},"
         f" {part.base})"
         for part in frame.lengths[1:]
     ]
-    return [*arguments, *([f"lengths={tuple_of(others)}"] if others else [])]
+    return [*arguments, *([f"lengths={tuple_of(further_lengths)}"] if further_lengths else [])]
 
 
 def _longest(part: PartLayout) -> int:
@@ -250,15 +250,15 @@ def _longest(part: PartLayout) -> int:
     return part.value.high if part.form and part.value is not None else int(256**part.size) - 1
 
 
-def head_tests(link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None) -> list[str]:
-    """The conditions on the header parts that the caller passes; `asked` is the message of a request."""
+def head_tests(link: LinkLayout, frame: FrameLayout, request: MessageLayout | None) -> list[str]:
+    """The conditions on the header parts that the caller passes; `request` is the message of a request."""
     tests = []
-    barred = link.barred_address(asked) if asked is not None else None
+    barred = link.barred_address(request) if request is not None else None
     for part in head_arguments(frame):
-        intervals, beside = _allowed(link, frame, part)
+        intervals, singles = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
-            tests.append(within(variable(part), Ranges(intervals), beside, packed(part.value.type)))
+            tests.append(within(variable(part), Ranges(intervals), singles, packed(part.value.type)))
         if part.role == "unit_address" and barred is not None:
             tests.append(f"{variable(part)} != {barred}")
     return [test for test in tests if test]
@@ -267,29 +267,30 @@ def head_tests(link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None
 def greatest_part(link: LinkLayout, part: PartLayout) -> int:
     """The greatest number that the conditions of an unsigned header part accept."""
     assert part.value is not None
-    intervals, beside = _allowed(link, link.request, part)
-    return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
+    intervals, singles = _allowed(link, link.request, part)
+    return max((*(high for _, high in intervals), *singles), default=packed(part.value.type)[1])
 
 
 def head_refusals(
-    link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None = None, is_exception: bool = False
+    link: LinkLayout, frame: FrameLayout, request: MessageLayout | None = None, is_exception: bool = False
 ) -> list[str]:
-    """The expressions of the refusals of the header parts that the caller passes; `asked` is the message of a request.
+    """The expressions of the refusals of the header parts that the caller passes.
 
-    The broadcast address comes first: it is refused for the message, whatever is wrong with other parts.
+    `request` is the message of a request. The broadcast address comes first: it is refused for the message, whatever is
+    wrong with other parts.
     """
     refusals = []
-    part, barred = link.request.role("unit_address"), link.barred_address(asked) if asked is not None else None
-    if asked is not None and part is not None and barred is not None:
-        arguments = f"{literal(part.name)}, {variable(part)}, {barred}, {literal(asked.name)}"
+    part, barred = link.request.role("unit_address"), link.barred_address(request) if request is not None else None
+    if request is not None and part is not None and barred is not None:
+        arguments = f"{literal(part.name)}, {variable(part)}, {barred}, {literal(request.name)}"
         refusals.append(f"_refused_broadcast({arguments})")
     for part in head_arguments(frame):
         assert part.value is not None
-        intervals, beside = _allowed(link, frame, part, is_exception)
+        intervals, singles = _allowed(link, frame, part, is_exception)
         limits = [str(part.value.low), str(part.value.high)]
         if intervals:
             limits.append(pairs(Ranges(intervals)))
-        if beside:
-            limits.append(tuple_of(beside))
+        if singles:
+            limits.append(tuple_of(singles))
         refusals.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
     return refusals

@@ -34,31 +34,33 @@ def framer(
     if not bodies:
         return "", [], []
     arguments = [frames, *_bounds(link, frame, bodies), *_unit_addresses(link, frame, direction)]
-    about = [f"Finds the {direction}s in a stream."]
+    paragraphs = [f"Finds the {direction}s in a stream."]
     if frame.start and frame.end and link.link.encoding == "hex_ascii":
-        about.append("A start delimiter within a frame begins another frame.")
-        return "_MarkFramer", arguments, docstring(about, 8)
+        paragraphs.append("A start delimiter within a frame begins another frame.")
+        return "_MarkFramer", arguments, docstring(paragraphs, 8)
     length, code = frame.role("length"), frame.role("code")
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
         if not frame.end:
             return "", [], []
-        about.append("The end delimiter determines where a frame ends; it does not occur within, as bytes are escaped.")
+        paragraphs.append(
+            "The end delimiter determines where a frame ends; it does not occur within, as bytes are escaped."
+        )
         sizes = [int(argument.partition("=")[2]) for argument in arguments[1:3]]
         marks = len(frame.start) + len(frame.end)
-        most = f"most={marks + frame.escape.most(sizes[1] - marks)}"
-        return "_EscapeFramer", [*arguments, most], docstring(about, 8)
+        longest = f"most={marks + frame.escape.most(sizes[1] - marks)}"
+        return "_EscapeFramer", [*arguments, longest], docstring(paragraphs, 8)
     if frame.escape is not None and (length is None or length.before_escape):
         return "", [], []
     if length is not None:
-        about.append("The length determines where a frame ends; a length that fits no message is garbage.")
+        paragraphs.append("The length determines where a frame ends; a length that fits no message is garbage.")
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
         size = [f"length_size={length.size}", *_own_order("length", length, frame)]
-        return kind, [*arguments, *size], docstring(about, 8)
+        return kind, [*arguments, *size], docstring(paragraphs, 8)
     if link.link.encoding != "binary":
         return "", [], []
     extents = frame_extents(link, direction, carried if code is not None else (), refusal)
     if frame.end and (code is None or extents.has(OPEN)):
-        about.append("A frame ends with the first end delimiter with which it is one of the messages.")
+        paragraphs.append("A frame ends with the first end delimiter with which it is one of the messages.")
         arguments.append(f"decode=self.decode_{direction}")
         if code is None or link.ambiguous_codes(direction):
             arguments.append(f"messages=({', '.join(names)},)")
@@ -67,7 +69,7 @@ def framer(
             for place, values in first_bytes(link, direction).items()
         )
         arguments += [f"begins={{{known}\n{' ' * 12}}}"] if known else []
-        return "_EndFramer", arguments, docstring(about, 8)
+        return "_EndFramer", arguments, docstring(paragraphs, 8)
     if code is None:
         return "", [], []
     arguments += [f"code_size={code.size}", *_own_order("code", code, frame)]
@@ -75,19 +77,21 @@ def framer(
     if extents.by_subcode:
         arguments.append(f"subcodes={_subcodes(extents, frame)}")
     if extents.refusal is not None and link.link.exception_response is not None:
-        arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_row(extents.refusal, frame)}"]
+        arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent_row(extents.refusal, frame)}"]
     open_ended = [name for name, own, _ in carried if own is not None and extents.of_message(name, own).kind == OPEN]
-    about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
-    about += ["Of messages that share a code, the subcode determines it."] * bool(extents.by_subcode)
-    about += ["The end delimiter ends frames whose values vary in width."] * extents.has(DELIMITED)
+    paragraphs.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
+    paragraphs += ["Of messages that share a code, the subcode determines it."] * bool(extents.by_subcode)
+    paragraphs += ["The end delimiter ends frames whose values vary in width."] * extents.has(DELIMITED)
     if open_ended:
-        about.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
-    return "_CodeFramer", arguments, docstring(about, 8)
+        paragraphs.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
+    return "_CodeFramer", arguments, docstring(paragraphs, 8)
 
 
 def _table(extents: Mapping[int, FrameExtent], frame: FrameLayout, indent: int) -> str:
-    """A dictionary of extents."""
-    rows = "".join(f"\n{' ' * indent}{number:#04x}: {_row(extent, frame)}," for number, extent in extents.items())
+    """A Python dictionary with the extents of frames by their keys."""
+    rows = "".join(
+        f"\n{' ' * indent}{number:#04x}: {_extent_row(extent, frame)}," for number, extent in extents.items()
+    )
     return f"{{{rows}\n{' ' * (indent - 4)}}}"
 
 
@@ -101,7 +105,7 @@ def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
     return f"{{{rows}\n{' ' * 12}}}"
 
 
-def _row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
+def _extent_row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit.
 
     Behind these is the order of a count that has another one than the unit address, and whether the bytes of its words
@@ -128,11 +132,11 @@ def _order(frame: FrameLayout) -> str:
 
 
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
-    least = min(record.least for record in bodies)
-    most = max(record.most if record.most is not None else 0xFFFF for record in bodies)
+    smallest = min(record.least for record in bodies)
+    largest = max(record.most if record.most is not None else 0xFFFF for record in bodies)
     width = 2 if link.link.encoding == "hex_ascii" else 1
     marks = len(frame.start) + len(frame.end)
-    sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (least, most)]
+    sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (smallest, largest)]
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
         sizes[1] = frame.escape.most(sizes[1])
     return [f"shortest={sizes[0]}", f"longest={sizes[1]}"]

@@ -351,15 +351,15 @@ def _exchange(
     upper = f"_{Name.of(exchange.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
     part, unit_address = frame.role("code"), frame.role("unit_address")
     flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
-    together = has_fixed_length(shaped, frame)
+    is_fixed = has_fixed_length(shaped, frame)
     # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
     # Of messages that share a code, the body tells which one it is.
     shared = code is not None and len(link.messages_with_code(code, direction)) > 1
     marked = any(marks_exceptions(link, frame, part) for part in frame.header)
     marked = marked or (direction == "response" and link.mark is not None)
-    reads = together and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
-    asked = exchange.message if direction == "request" else None
-    tests, refusals = head_tests(link, frame, asked), head_refusals(link, frame, asked)
+    reads = is_fixed and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
+    request = exchange.message if direction == "request" else None
+    tests, refusals = head_tests(link, frame, request), head_refusals(link, frame, request)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(
         writer=f"_to_{link.name}",
@@ -367,7 +367,7 @@ def _exchange(
         message=name,
         key=code_literal(code) if part is not None else name,
         known=_message_names(exchange.message) if part is None else [],
-        fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
+        fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if is_fixed else None,
         parameters="".join(
             [", unit_address: int"] * (unit_address is not None)
             + [f", {argument.variable}: int" for argument in arguments]

@@ -53,9 +53,9 @@ class Scope:
         """The names taken in this scope, in order."""
         return list(self._taken_in_order)
 
-    def take(self, name: str, *others: str) -> str:
+    def take(self, name: str, *alternatives: str) -> str:
         """The first free name of several; where none is free, the last one with underscores appended."""
-        for candidate in (name, *others):
+        for candidate in (name, *alternatives):
             if candidate not in self._taken:
                 break
         else:

@@ -88,7 +88,7 @@ class _Candidate:
         return [field for field in self.exchange.request.stored if field not in parts and field.title != own]
 
     def is_like(self, other: _Candidate) -> bool:
-        """Whether it takes the same arguments, for a value of other bytes."""
+        """Whether another message takes the same arguments, for a value of another size."""
         has_bytes = self.value.field.carries_bytes and other.value.field.carries_bytes
         parts = "subindex" in self.request, [field.title for field in self.extra]
         return has_bytes and parts == ("subindex" in other.request, [field.title for field in other.extra])
@@ -105,9 +105,9 @@ def _parts(shaped: RecordShape, name: str) -> dict[str, Slots]:
 
 
 def _view(
-    candidate: _Candidate, others: Sequence[_Candidate], layout: DeviceLayout, words: Words, name: str
+    candidate: _Candidate, variants: Sequence[_Candidate], layout: DeviceLayout, words: Words, name: str
 ) -> ParameterMessageView:
-    """The view of a message; `others` carry values of other sizes, in bytes, and the message itself is among them."""
+    """The view of a message; `variants` carry values of other sizes, in bytes, and the message itself is among them."""
     exchange, request, value = candidate.exchange, candidate.request, candidate.value
     selector = exchange.request.selector if "value" in request else None
     table = f"_{name.upper()}_FORMATS" if selector is not None else ""
@@ -127,7 +127,7 @@ def _view(
         keywords.append(f"{key}: {field.type} | None = None" if field is selector else f"{key}: {_kind(field)}")
     keywords.sort(key=lambda text: "=" in text)
     arguments = ["self", "parameter: _Parameter[_T]", "values: _Sequence[_T]", *(["*"] if keywords else []), *keywords]
-    kinds = [other.exchange.request_name for other in others] or [exchange.request_name]
+    kinds = [other.exchange.request_name for other in variants] or [exchange.request_name]
     writes, ends = "value" in request, f") -> {' | '.join(kinds)}:"
     value_arguments = [text if text != "values: _Sequence[_T]" else "value: _T" for text in arguments]
     if not writes:
@@ -136,8 +136,8 @@ def _view(
     elif not value.is_list:
         arguments, value_arguments = value_arguments, []
     name_of = "write_values_request" if writes and value.is_list else "write_request" if writes else "read_request"
-    if others:
-        construction = bytes_requests(others, expressions, start, words)
+    if variants:
+        construction = bytes_requests(variants, expressions, start, words)
     else:
         filling = [f"{field.name}={expressions[field.title]}" for field in exchange.request.stored]
         construction = filled(f"return {exchange.request_name}(", filling, ")", 8)
@@ -148,10 +148,12 @@ def _view(
     elif value.field.carries_bytes and not writes:
         reading = f"parameter.from_bytes(response.{value.name}, subindex)"
         if value.field.sizes:
-            table, by = f"_{name.upper()}_SIZES", _named(exchange.response, candidate.by)
+            table, deciding = f"_{name.upper()}_SIZES", _titled_field(exchange.response, candidate.by)
             rows = [f"0x{number:X}: {size}" for number, size in value.field.sizes.items()]
             table_lines = item_lines(f"{table}: dict[int, int] = {{", rows, "}", 0)
-            reading = f"parameter.from_bytes(response.{value.name}[: {table}.get(response.{by.name}, 0)], subindex)"
+            reading = (
+                f"parameter.from_bytes(response.{value.name}[: {table}.get(response.{deciding.name}, 0)], subindex)"
+            )
     return ParameterMessageView(
         request=exchange.request_name,
         response=exchange.response_name,
@@ -177,25 +179,25 @@ def bytes_requests(
     if "subindex" in candidates[0].request:
         parts["subindex"] = start
     lines = [f"data = parameter.to_bytes(value, {start})"]
-    taken: set[int] = set()
+    earlier_sizes: set[int] = set()
     for candidate in candidates:
         field, stored = candidate.value.field, candidate.exchange.request.stored
         for number, size in field.sizes.items() or ((None, field.size),):
-            if size in taken:
+            if size in earlier_sizes:
                 continue
-            taken.add(size)
+            earlier_sizes.add(size)
             data = "data" if size == field.size else f'data.ljust({field.size}, b"\\0")'
             own = {**expressions, candidate.value.title: data}
             own |= {candidate.request[role].title: text for role, text in parts.items()}
             if number is not None:
-                own[candidate.by] = _member(_named(candidate.exchange.request, candidate.by), number, words)
+                own[candidate.by] = _member(_titled_field(candidate.exchange.request, candidate.by), number, words)
             arguments = [f"{slot.name}={own[slot.title]}" for slot in stored]
             call = filled(f"return {candidate.exchange.request_name}(", arguments, ")", 12)
             lines += [f"if len(data) == {size}:", *(f"    {line}" for line in call)]
     return [*lines, "raise _no_message(parameter, data)"]
 
 
-def _named(shaped: RecordShape, title: str) -> Slots:
+def _titled_field(shaped: RecordShape, title: str) -> Slots:
     return next(field for field in shaped.fields if field.title == title)
 
 
@@ -205,12 +207,12 @@ def _member(field: Slots, number: int, words: Words) -> str:
     return next(f"{view.name}.{member.name}" for member in view.members if int(member.value) == number)
 
 
-def _elements(layout: DeviceLayout, name: str, start: str, several: bool) -> str:
+def _elements(layout: DeviceLayout, name: str, start: str, is_list: bool) -> str:
     """The arguments of the test whether elements may be written; empty where those of a parameter are all alike."""
     rows = (row for parameter_set in layout.device.sets(name) for row in parameter_set.parameters)
     if not any(inner.access for row in rows for inner in row.subindices):
         return ""
-    return f"{start}, len(values)" if several else start
+    return f"{start}, len(values)" if is_list else start
 
 
 def _kind(field: Slots) -> str:

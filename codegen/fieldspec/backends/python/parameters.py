@@ -86,7 +86,7 @@ def parameter_set_view(
     """The view of a set of parameters."""
     carrier = _carrier(layout, parameter_set)
     names = Scope(PARAMETERS, TYPES)
-    taken, pascal = scope.take(parameter_set.name), Name.of(parameter_set.name).pascal()
+    constant_name, pascal = scope.take(parameter_set.name), Name.of(parameter_set.name).pascal()
     alone = _alone(parameter_set, layout)
     arguments = [literal(parameter_set.name), f"_{parameter_set.name}_rows"]
     arguments += [f"title={literal(parameter_set.title)}"] if parameter_set.title else []
@@ -97,12 +97,12 @@ def parameter_set_view(
     read, write = parameter_messages(exchanges, parameter_set.name, layout, words)
     kind = scope.take(f"{pascal}Set", f"{pascal}ParameterSet")
     return ParameterSetView(
-        name=taken,
+        name=constant_name,
         type=kind,
         make=f"_{parameter_set.name}_rows",
         doc=docstring(described(parameter_set.title or Name.of(parameter_set.name).title(), parameter_set), 4),
-        construction=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
-        rows=[_row(row, parameter_set, carrier, layout, words, names) for row in parameter_set.parameters],
+        construction=filled(f"{constant_name}: _Final = {kind}(", arguments, ")", 0),
+        rows=[_parameter_row(row, parameter_set, carrier, layout, words, names) for row in parameter_set.parameters],
         constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber") if alone else "",
         numbers=_numbers([parameter_set]) if alone else [],
         read=read,
@@ -188,7 +188,7 @@ def _carrier(layout: DeviceLayout, parameter_set: ParameterSet) -> FieldLayout |
     return None
 
 
-def _row(
+def _parameter_row(
     row: Parameter,
     parameter_set: ParameterSet,
     carrier: FieldLayout | None,
@@ -208,7 +208,7 @@ def _row(
             if parameter_set.printed_as
             else f"str({number})"
         )
-    more = {
+    properties = {
         "type": literal(value.type.name),
         "carrier": literal(_letters(row, carrier, (order == "big") != swapped)),
         "printed_name": printed_name if run or row.printed_name or parameter_set.printed_as else "",
@@ -224,7 +224,7 @@ def _row(
         "set": literal(parameter_set.name),
         "base": f"0x{parameter_set.base:X}" if parameter_set.base else "",
     }
-    keywords = [f"{key}={text}" for key, text in more.items() if text not in ("", "()", '""')]
+    keywords = [f"{key}={text}" for key, text in properties.items() if text not in ("", "()", '""')]
     arguments = [
         name,
         number,
@@ -258,23 +258,23 @@ def _default(row: Parameter) -> str:
 def _subindex(row: Parameter, subindex: Subindex, orders: Orders, words: Words) -> str:
     order, swapped = orders.of(subindex.value)
     value = register_value(subindex.value, order, swapped, words, row.trigger)
-    more = [f"type={literal(subindex.value.type.name)}"]
-    more += [f"access={literal(subindex.access)}"] if subindex.access else []
-    more += ["reserved=True"] if subindex.reserved else []
-    more += [f"source={literal(places(subindex.sources))}"] if subindex.sources else []
-    return f"_Subindex({', '.join([literal(subindex.name), pairs(subindex.indices), value, *more])})"
+    arguments = [f"type={literal(subindex.value.type.name)}"]
+    arguments += [f"access={literal(subindex.access)}"] if subindex.access else []
+    arguments += ["reserved=True"] if subindex.reserved else []
+    arguments += [f"source={literal(places(subindex.sources))}"] if subindex.sources else []
+    return f"_Subindex({', '.join([literal(subindex.name), pairs(subindex.indices), value, *arguments])})"
 
 
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
-    every = [row.value, *(subindex.value for subindex in row.subindices)]
-    return " | ".join(dict.fromkeys(_answer_value(value, words, row.trigger) for value in every))
+    values = [row.value, *(subindex.value for subindex in row.subindices)]
+    return " | ".join(dict.fromkeys(_answer_value(value, words, row.trigger) for value in values))
 
 
 def _answer_value(value: Value, words: Words, trigger: bool) -> str:
     """The type of a parameter that is read: of a trigger, any number beside the members of a closed enum."""
-    more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
-    return value_type(value, words) + more
+    suffix = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
+    return value_type(value, words) + suffix
 
 
 def _doc(row: Parameter, parameter_set: ParameterSet) -> list[str]:

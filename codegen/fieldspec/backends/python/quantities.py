@@ -48,7 +48,7 @@ class StateView:
 
 @dataclass(frozen=True, slots=True)
 class ConstantView:
-    """A constant of a class."""
+    """An attribute of a class that is the same for all its objects, with its docstring."""
 
     name: str
     value: str
@@ -56,7 +56,7 @@ class ConstantView:
 
 
 def sentinel_views(stored: list[Slots], scope: Scope) -> list[ConstantView]:
-    """The sentinels of all fields; of a field whose type another one decides, those of each type."""
+    """The views of the sentinels of all fields; of a field with cases, those of each case."""
     return [
         ConstantView(
             scope.take((Name.of(name) + Name.of(sentinel.name)).upper()),
@@ -114,7 +114,7 @@ def _decided_states(field: Slots, selector: Slots | None) -> str:
 
 
 def _of_none(field: Slots) -> str:
-    """What becomes of None, as a sentence."""
+    """The sentence on setting a quantity to None."""
     names = [sentinel.name for sentinel in field.value.sentinels]
     if len(names) == 1:
         return f"None sets {names[0]}."
@@ -197,7 +197,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
 def power_views(
     record: RecordLayout, stored: list[Slots], scope: Scope, constants: Scope, owner: str
 ) -> tuple[list[ConstantView], list[ScaledView]]:
-    """The units of all fields whose scale is elsewhere, and the properties where a field of the record has it.
+    """The units of all fields with an exponent, and the properties of those whose exponent is in the same record.
 
     `owner` is the class of the record.
     """
@@ -213,24 +213,24 @@ def power_views(
             for value, place in zip((field.value, exponent.value), places, strict=True)
             if place is not None
         ]
-        where = "the field" if exponent.field is not None else "the register"
+        holder = "the field" if exponent.field is not None else "the register"
         units.append(
             ConstantView(
                 unit,
                 f"_PowerUnit({literal(field.title)}, {values[0]}, {literal(exponent.name)}, {values[1]})",
-                docstring([f"The unit of `{field.name}`, by the exponent in {where} `{exponent.name}`."], 4),
+                docstring([f"The unit of `{field.name}`, by the exponent in {holder} `{exponent.name}`."], 4),
             )
         )
-        beside = next((other for other in stored if other.field is exponent.field), None)
-        if beside is None:
+        exponent_slot = next((other for other in stored if other.field is exponent.field), None)
+        if exponent_slot is None:
             continue
-        arguments = f"{{}}, self.{beside.name}"
+        arguments = f"{{}}, self.{exponent_slot.name}"
         raw = "item" if field.is_list else f"self.{field.name}"
         read = f"{owner}.{unit}.in_unit({arguments.format(raw)})"
         write = f"{owner}.{unit}.from_unit({arguments.format('item' if field.is_list else 'value')})"
         kind = "float | None"
         symbol = field.value.quantity_unit
-        text = f"`{field.name}`{f' in {symbol}' if symbol else ''}, by the exponent in `{beside.name}`."
+        text = f"`{field.name}`{f' in {symbol}' if symbol else ''}, by the exponent in `{exponent_slot.name}`."
         ends = "It is None where either stands for an absent value. Setting it stores the nearest count."
         ends += f" {_of_none(field)}" if field.sentinels else ""
         accepted = "_Quantity | None" if field.sentinels else "_Quantity"
@@ -268,14 +268,16 @@ def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> Con
     formula = f"reference * {f'(1 - raw / {full_scale})' if conversion.complement else f'raw / {full_scale}'}"
     printed = f"Printed: {sentence(conversion.printed)}" if conversion.printed else ""
     signal_names = ", ".join(f"`{name}`" for name in conversion.signals)
-    of = f"The count is that of {signal_names}." if signal_names else f"The count is of type {conversion.type.name}."
+    count_doc = (
+        f"The count is that of {signal_names}." if signal_names else f"The count is of type {conversion.type.name}."
+    )
     references = " or ".join(_reference(path, device) for path in conversion.references)
-    where = f" The device holds it in {references}." if references else ""
-    about = [of, f"The quantity is in the unit of the reference.{where}", printed]
+    reference_doc = f" The device holds it in {references}." if references else ""
+    paragraphs = [count_doc, f"The quantity is in the unit of the reference.{reference_doc}", printed]
     title = sentence(conversion.title or Name.of(conversion.name).title())
     inverse_doc = [
         f"The count that is nearest to a quantity; of two the even one. {title}",
-        *about[:2],
+        *paragraphs[:2],
         "Raises CodecError where the quantity is out of range, and where the reference is 0.",
     ]
     return ConversionView(
@@ -283,7 +285,7 @@ def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> Con
         inverse=scope.take(f"{conversion.name}_to_raw"),
         constant=f"_{Name.of(conversion.name).upper()}_CONVERSION",
         call=f"_Conversion({', '.join(arguments)})",
-        doc=docstring(described(f"{title.rstrip('.')}: {formula}", conversion, *about), 4),
+        doc=docstring(described(f"{title.rstrip('.')}: {formula}", conversion, *paragraphs), 4),
         inverse_doc=docstring(inverse_doc, 4),
     )
 

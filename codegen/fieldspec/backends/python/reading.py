@@ -34,7 +34,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
 
 @dataclass(frozen=True, slots=True)
 class ListPlace:
-    """A place in a tuple `raws`: behind so many slots, and behind so many of all lists, whose sizes are in `counts`."""
+    """A place in a tuple `raws`, behind a number of slots and of lists whose sizes are in `counts`."""
 
     slots: int
     lists: int
@@ -58,32 +58,32 @@ class ListPlace:
         return f"{self.text()} :" if self.lists else f"{self.slots}:"
 
 
-def sources(field: Slots, at: ListPlace) -> str:
+def sources(field: Slots, place: ListPlace) -> str:
     """The raw value of a field in a tuple `raws`, from a place on."""
     if field.repeated or field.decided:
-        return f"raws[{at.rest}]"
+        return f"raws[{place.rest}]"
     if field.is_list:
-        return f"raws[{at.slots}:{at.slots + field.count}]"
-    return f"raws[{at.slots}]"
+        return f"raws[{place.slots}:{place.slots + field.count}]"
+    return f"raws[{place.slots}]"
 
 
-def indexed(field: Slots, owner: str, at: ListPlace) -> list[str]:
+def indexed(field: Slots, owner: str, place: ListPlace) -> list[str]:
     """Lines that take the raw values of a field from a tuple `raws`."""
     if field.skipped or (field.field.field.reserved and not field.field.field.measures):
         return []
     if field.parted:
-        return [f"{local(field)}__{part} = raws[{at.slots + part}]" for part in range(field.parted)]
+        return [f"{local(field)}__{part} = raws[{place.slots + part}]" for part in range(field.parted)]
     if (field.is_raw or field.deferred) and field.stored:
-        source = sources(field, at)
+        source = sources(field, place)
         return [f"{owner}.{field.slot} = {f'list({source})' if field.is_list else source}"]
-    source = sources(field, at)
+    source = sources(field, place)
     return [f"{local(field)} = {f'list({source})' if field.is_list else source}"]
 
 
-def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
+def reading(field: Slots, owner: str, offset: int, bound: bool) -> list[str]:
     """Lines that convert the raw value of a field, and refuse an invalid one.
 
-    `at` is the field's offset from the start of the bytes; `bound` says that the raw value is in a local in any
+    `offset` is that of the field from the start of the bytes; `bound` says that the raw value is in a local in any
     case. Measures are tested when all fields are read.
     """
     reserved = field.field.field.reserved and not field.field.field.measures
@@ -91,7 +91,7 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
         return []
     if (field.is_raw or field.deferred) and field.stored:
         return [f"{owner}.{field.slot} = {local(field)}"] if bound else []
-    lines, raw = _number(field, at)
+    lines, raw = _field_number(field, offset)
     title = literal(field.title)
     size = field.field.size
     if field.field.field.measures and field.constant is None:
@@ -100,37 +100,37 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
         record = field.element_type
         call = "_decoded_each" if field.is_list else "_decoded_at"
         sized = f", {size}" if field.is_list else ""
-        return [f"{owner}.{field.name} = {call}({record}, {raw}, {at}{sized})"]
+        return [f"{owner}.{field.name} = {call}({record}, {raw}, {offset}{sized})"]
     if field.constant is not None:
         if field.is_list:
-            return [*lines, f"_constants({title}, {raw}, {field.constant}, {at}, {size})"]
+            return [*lines, f"_constants({title}, {raw}, {field.constant}, {offset}, {size})"]
         return [
             *lines,
             f"if {raw} != {field.constant}:",
-            f"    raise _wrong_const({title}, {raw}, {field.constant}, {at})",
+            f"    raise _wrong_const({title}, {raw}, {field.constant}, {offset})",
         ]
     if field.kind is Kind.BOOLEAN:
         if field.is_list:
-            return [*lines, f"{owner}.{field.name} = _booleans({title}, {raw}, {at}, {size})"]
+            return [*lines, f"{owner}.{field.name} = _booleans({title}, {raw}, {offset}, {size})"]
         return [
             *lines,
             f"if {raw} > 1:",
-            f"    raise _no_boolean({title}, {raw}, {at})",
+            f"    raise _no_boolean({title}, {raw}, {offset})",
             f"{owner}.{field.name} = {raw} == 1",
         ]
     if field.kind is Kind.TEXT and field.value.text_form is not None:
         function = "texts" if field.is_list else "text"
         form = text_form(field.value, field.field.order)
-        return [f"{owner}.{field.name} = {form}.{function}({title}, {raw}, {at})"]
+        return [f"{owner}.{field.name} = {form}.{function}({title}, {raw}, {offset})"]
     if field.kind is Kind.TEXT:
-        call = f"_texts({title}, {raw}, {at}, {size})" if field.is_list else f"_text({title}, {raw}, {at})"
+        call = f"_texts({title}, {raw}, {offset}, {size})" if field.is_list else f"_text({title}, {raw}, {offset})"
         return [f"{owner}.{field.name} = {call}"]
     if field.value.flags:
         flags = field.element_type
         construction = f"[{flags}(raw) for raw in {raw}]" if field.is_list else f"{flags}({raw})"
         return [*lines, f"{owner}.{field.name} = {construction}"]
     if field.enum is not None:
-        return [*lines, *_member(field, owner, raw, at)]
+        return [*lines, *_member(field, owner, raw, offset)]
     if field.is_list:
         return [*lines, f"{owner}.{field.name} = {raw}"]
     return [*lines[:-1], f"{owner}.{field.name} = {lines[-1].partition(' = ')[2]}"]
@@ -152,12 +152,12 @@ def deferred_value_lines(field: Slots) -> list[str]:
     ]
 
 
-def _number(field: Slots, at: int) -> tuple[list[str], str]:
+def _field_number(field: Slots, offset: int) -> tuple[list[str], str]:
     """Lines that assemble the number of a field from its slots, and the expression of the number."""
     raw = local(field)
     if field.field.value is not None and field.value.digits:
         form = digits_form(field.value, field.field.order, field.field.swapped)
-        arguments = f"{literal(field.title)}, {raw}, {at}, {field.field.swapped}"
+        arguments = f"{literal(field.title)}, {raw}, {offset}, {field.field.swapped}"
         if not field.is_list:
             return [f"{raw} = {form}.number({arguments})"], raw
         return [f"{raw} = {form}.numbers({arguments}{_accepted(field)})"], raw
@@ -191,7 +191,7 @@ def _from_bytes(field: Slots, raw: str) -> str:
     return f'_int_of({f"_turned({raw})" if turned else raw}, "{order}"{signed})'
 
 
-def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
+def _member(field: Slots, owner: str, raw: str, offset: int) -> list[str]:
     enum = field.enum
     assert enum is not None
     title, name, attribute = literal(field.title), literal(enum.title), f"{owner}.{field.name}"
@@ -201,13 +201,13 @@ def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
         )
         return [f"{attribute} = {construction}"]
     if field.is_list:
-        return [f"{attribute} = _members({title}, {raw}, {_member_table(field)}, {name}, {at}, {field.field.size})"]
-    wrong = f"raise _unknown_member({title}, {raw}, {name}, {at}) from None"
+        return [f"{attribute} = _members({title}, {raw}, {_member_table(field)}, {name}, {offset}, {field.field.size})"]
+    wrong = f"raise _unknown_member({title}, {raw}, {name}, {offset}) from None"
     lines = ["try:", f"    {attribute} = {enum.table}[{raw}]", "except KeyError:"]
     if not field.sentinels:
         return [*lines, f"    {wrong}"]
-    others = ", ".join(map(str, field.sentinels)) + ","
-    return [*lines, f"    if {raw} not in ({others}):", f"        {wrong}", f"    {attribute} = {raw}"]
+    sentinel_numbers = ", ".join(map(str, field.sentinels)) + ","
+    return [*lines, f"    if {raw} not in ({sentinel_numbers}):", f"        {wrong}", f"    {attribute} = {raw}"]
 
 
 def _member_table(field: Slots) -> str:
@@ -215,8 +215,8 @@ def _member_table(field: Slots) -> str:
     assert field.enum is not None
     if not field.sentinels:
         return field.enum.table
-    others = ", ".join(f"{value}: {value}" for value in field.sentinels)
-    return f"{{**{field.enum.table}, {others}}}"
+    sentinel_entries = ", ".join(f"{value}: {value}" for value in field.sentinels)
+    return f"{{**{field.enum.table}, {sentinel_entries}}}"
 
 
 CASE = "case"
@@ -225,13 +225,19 @@ CASE = "case"
 
 def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], letters: str, order: str) -> list[str]:
     """The statement that defines the `Choice` of a record; `letters` are those of the fields before the decided one."""
-    by, decided = record.selector, fields[-1]
-    assert by is not None
+    selector, decided = record.selector, fields[-1]
+    assert selector is not None
     repeat = decided.field.field.repeat
-    least, most = (repeat.low, repeat.high) if repeat else (decided.count, decided.count)
-    arguments = [literal(record.name), literal(letters), literal(by.name), str(by.offset), str(by.size)]
+    minimum, maximum = (repeat.low, repeat.high) if repeat else (decided.count, decided.count)
+    arguments = [
+        literal(record.name),
+        literal(letters),
+        literal(selector.name),
+        str(selector.offset),
+        str(selector.size),
+    ]
     cases = [_case(case, order, decided) for case in decided.field.cases]
-    bounds = [f"least={least}", f"most={most}"] + (['order="little"'] if by.order == "little" else [])
+    bounds = [f"least={minimum}", f"most={maximum}"] + (['order="little"'] if selector.order == "little" else [])
     return [
         f"{variable} = _Choice(",
         f"    {', '.join(arguments)},",
@@ -249,10 +255,10 @@ def _case(case: CaseLayout, order: str, decided: Slots) -> str:
     return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"
 
 
-def decided_read(decided: Slots, owner: str, at: int) -> list[str]:
+def decided_read(decided: Slots, owner: str, offset: int) -> list[str]:
     """Lines that read the decided field."""
     first = "" if decided.is_list else "[0]"
-    values = f"{CASE}.values({literal(decided.title)}, {local(decided)}, {at}){first}"
+    values = f"{CASE}.values({literal(decided.title)}, {local(decided)}, {offset}){first}"
     return [f"{owner}.{decided.name} = {values}"]
 
 

@@ -91,13 +91,13 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
     return ""
 
 
-def record_doc(record: RecordLayout, stored: list[Slots], head: str, *more: str) -> list[str]:
+def record_doc(record: RecordLayout, stored: list[Slots], head: str, *paragraphs: str) -> list[str]:
     """The paragraphs of a class's docstring: its title, its size, and each of its fields."""
     if record.size is not None:
         size = f"{record.size} byte{'' if record.size == 1 else 's'}."
     else:
         size = f"{record.least} to {record.most} bytes."
-    first, *rest = described(head, record.record, *more)
+    first, *rest = described(head, record.record, *paragraphs)
     return [f"{first} {size}".strip(), *rest[:-1], *map(_field_doc, stored), rest[-1]]
 
 
@@ -115,8 +115,8 @@ def _field_doc(field: Slots) -> str:
 
 
 def _type_doc(field: Slots) -> str:
-    named = field.field.record is not None or field.decided or field.value.enum or field.value.flags
-    type_text = field.element_type if named else field.value.type.name
+    has_class = field.field.record is not None or field.decided or field.value.enum or field.value.flags
+    type_text = field.element_type if has_class else field.value.type.name
     if field.field.field.choice is not None:
         type_text += f", as `{field.field.field.choice.by}` says"
     if field.repeated and field.field.field.repeat is not None:

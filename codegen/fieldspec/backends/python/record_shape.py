@@ -18,7 +18,7 @@ class RecordShape:
 
     @property
     def sign(self) -> str:
-        """The first letter of its Struct."""
+        """The letter of the byte order with which the format of its Struct begins."""
         return ">" if self.order == "big" else "<"
 
     @property
@@ -35,8 +35,8 @@ class RecordShape:
     @property
     def selector(self) -> Slots | None:
         """The field that decides the type of the last one."""
-        by = self.record.selector
-        return next(field for field in self.fields if field.title == by.name) if by is not None else None
+        selector = self.record.selector
+        return next(field for field in self.fields if field.title == selector.name) if selector is not None else None
 
     @property
     def letters(self) -> str:
@@ -45,12 +45,12 @@ class RecordShape:
 
     @property
     def stored(self) -> list[Slots]:
-        """The fields that are attributes."""
+        """The fields that are attributes of the class, in the order of its arguments."""
         return [field for field in self.fields if field.stored]
 
     @property
     def in_sent_order(self) -> list[Slots]:
-        """The same in the order of the wire."""
+        """The fields that are attributes of the class, in the order of the wire."""
         by_name = {field.title: field for field in self.stored}
         return [by_name[field.name] for field in self.record.sent_fields if field.name in by_name]
 

@@ -27,34 +27,36 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
     bind: list[str] = []
     tests: dict[str, list[str]] = {}
     selector = shaped.selector
-    needed = bound | {field.field.field.measures.field for field in shaped.fields if field.field.field.measures}
-    needed |= {name for field in shaped.fields if field.field.bits_of for name in (field.title, field.field.bits_of)}
+    with_locals = bound | {field.field.field.measures.field for field in shaped.fields if field.field.field.measures}
+    with_locals |= {
+        name for field in shaped.fields if field.field.bits_of for name in (field.title, field.field.bits_of)
+    }
     for field in shaped.stored:
-        wanted = conditions(field, local(field))
-        if wanted or field.title in needed or field.parted or field is selector:
+        value_tests = conditions(field, local(field))
+        if value_tests or field.title in with_locals or field.parted or field is selector:
             attribute = expressions[field.title]
             bind.append(f"{local(field)} = {f'_index({attribute})' if field.deferred else attribute}")
             expressions[field.title] = local(field)
-        tests[field.title] = wanted
+        tests[field.title] = value_tests
     if selector is not None:
         bind.append(f"{CASE} = {struct}.case({expressions[selector.title]})")
     slot_values: list[str] = []
-    more: list[str] = []
+    size_tests: list[str] = []
     for field in shaped.fields:
         if field.field.bits_of:
-            more.append(fills(local(field), expressions[field.field.bits_of], "=="))
+            size_tests.append(fills(local(field), expressions[field.field.bits_of], "=="))
         if field.field.field.measures is not None:
             size = _size(shaped, field, expressions, f"{CASE}.size")
             if field.ranges is not None:
-                more.append(within(size, field.ranges))
+                size_tests.append(within(size, field.ranges))
             # In another order than its Struct, a number is not packed as it is.
             slot_values += values(field, f"({size})") if field.parted or field.foreign else [size]
         elif field.decided:
             slot_values.append(decided_values(field, expressions[field.title]))
         else:
             slot_values += values(field, expressions[field.title]) if field.stored else fixed(field)
-    every = [test for field_tests in tests.values() for test in field_tests] + more
-    return Writing(bind, every, slot_values, _refusals(shaped, struct))
+    all_tests = [test for field_tests in tests.values() for test in field_tests] + size_tests
+    return Writing(bind, all_tests, slot_values, _refusals(shaped, struct))
 
 
 def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decided: str) -> str:

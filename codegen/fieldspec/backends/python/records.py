@@ -89,8 +89,8 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     constants = Scope(MESSAGE)
     sentinels = sentinel_views(stored, constants)
     units, powers = power_views(record, stored, scope, constants, name)
-    read, taken = _read(shaped, upper)
-    taken = [*taken, *_sent_elements(shaped, upper)]
+    read, assignments = _read(shaped, upper)
+    assignments = [*assignments, *_sent_elements(shaped, upper)]
     return RecordView(
         name=name,
         declared=_declared(shaped, upper),
@@ -104,7 +104,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         scaled=[*scaled, *powers],
         states=state_views(stored, scope, shaped.selector),
         read=read,
-        make=[*taken, *construction_lines(shaped, "record", 0)],
+        make=[*assignments, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,
         tests=condition(binding.tests),
         pack=filled(f"return {_pack(shaped, upper)}(", binding.values, ")", 16 if binding.tests else 12),
@@ -141,8 +141,8 @@ def _widths(record: RecordLayout, upper: str) -> list[str]:
         for number, span in enumerate(record.spans)
         if span.count is not None
     ]
-    more = [f"counts={{{', '.join(counts)}}}"] if counts else []
-    return filled(f"{upper}_WIDTHS = _Widths(", [literal(record.name), *fields, *more], ")", 0)
+    options = [f"counts={{{', '.join(counts)}}}"] if counts else []
+    return filled(f"{upper}_WIDTHS = _Widths(", [literal(record.name), *fields, *options], ")", 0)
 
 
 def _width(span: Span) -> str:
@@ -172,19 +172,19 @@ def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
     new_record, bounds = "record = _new(cls)", f"{record.least}, {record.most}"
     wrong = f"    raise _wrong_length({literal(record.name)}, len(data), {bounds}"
     if shaped.selector is not None:
-        lines, taken = unpacking_lines(shaped, "record", f"{struct}.unpack(data)", 8)
-        return [new_record, *lines], taken
+        lines, assignments = unpacking_lines(shaped, "record", f"{struct}.unpack(data)", 8)
+        return [new_record, *lines], assignments
     if tail is None:
-        lines, taken = unpacking_lines(shaped, "record", f"{upper}_UNPACK(data)", 12)
+        lines, assignments = unpacking_lines(shaped, "record", f"{upper}_UNPACK(data)", 12)
         tried = [f"    {line}" for line in lines]
-        return [new_record, "try:", *tried, "except _StructError:", f"{wrong}) from None"], taken
+        return [new_record, "try:", *tried, "except _StructError:", f"{wrong}) from None"], assignments
     if shaped.record.inner_lists is not None:
-        lines, taken = unpacking_lines(shaped, "record", f"{struct}[counts].unpack(data)", 8)
-        return [new_record, *lines], taken
+        lines, assignments = unpacking_lines(shaped, "record", f"{struct}[counts].unpack(data)", 8)
+        return [new_record, *lines], assignments
     fixed_size, unit = sum(field.field.size * field.count for field in shaped.fields), tail.field.size
-    lines, taken = unpacking_lines(shaped, "record", _unpacked(struct, fixed_size, unit), 8)
+    lines, assignments = unpacking_lines(shaped, "record", _unpacked(struct, fixed_size, unit), 8)
     test = f"if {_length_test(record, fixed_size, unit)}:"
-    return [test, f"{wrong}, {fixed_size}, {unit})", new_record, *lines], taken
+    return [test, f"{wrong}, {fixed_size}, {unit})", new_record, *lines], assignments
 
 
 def _sent_elements(shaped: RecordShape, upper: str) -> list[str]:
@@ -237,7 +237,7 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
     return [f"{case}raws = {source}"], lines
 
 
-def construction_lines(shaped: RecordShape, owner: str, at: int, bound: bool = False) -> list[str]:
+def construction_lines(shaped: RecordShape, owner: str, offset: int, bound: bool = False) -> list[str]:
     """Lines that convert the raw values of all fields.
 
     `bound` says that all raw values are in locals, and that the constants among them have been compared.
@@ -246,10 +246,10 @@ def construction_lines(shaped: RecordShape, owner: str, at: int, bound: bool = F
     for field in shaped.fields:
         if bound and field.constant is not None:
             continue
-        place = at + field.field.offset
+        place = offset + field.field.offset
         lines += decided_read(field, owner, place) if field.decided else reading(field, owner, place, bound)
     for field in shaped.fields:
-        lines += _measure_test(shaped, field, owner, at)
+        lines += _measure_test(shaped, field, owner, offset)
     return lines
 
 
@@ -258,10 +258,10 @@ def constant_tests(shaped: RecordShape) -> list[str]:
     return [f"{local(field)} != {field.constant}" for field in shaped.fields if field.constant is not None]
 
 
-def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> list[str]:
+def _measure_test(shaped: RecordShape, field: Slots, owner: str, offset: int) -> list[str]:
     if field.field.bits_of:
         packed = next(other for other in shaped.fields if other.title == field.field.bits_of)
-        return bit_count_test(field, f"{owner}.{field.name}", f"{owner}.{packed.name}", at + field.field.offset)
+        return bit_count_test(field, f"{owner}.{field.name}", f"{owner}.{packed.name}", offset + field.field.offset)
     measure = field.field.field.measures
     if measure is None:
         return []
@@ -269,5 +269,5 @@ def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> lis
     size = measured(field, other, f"{owner}.{other.name}", f"{CASE}.size")
     return [
         f"if {local(field)} != {size}:",
-        f'    raise _wrong_measure("{field.title}", {local(field)}, {size}, {at + field.field.offset})',
+        f'    raise _wrong_measure("{field.title}", {local(field)}, {size}, {offset + field.field.offset})',
     ]

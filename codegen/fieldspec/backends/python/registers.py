@@ -45,44 +45,48 @@ def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bo
     letters = literal((">" if (order == "big") != swapped else "<") + letter)
     if value.digits:
         letters = literal(digits_letters(value, order, swapped))
-    more = ["swapped=True"] if swapped else []
+    arguments = ["swapped=True"] if swapped else []
     if value.type.kind is Kind.BOOLEAN:
-        return _call("_Boolean", letters, more)
+        return _call("_Boolean", letters, arguments)
     if value.type.kind is Kind.FLOAT:
-        more += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
-        more += [f"absent={absent_states(value)}"] if value.sentinels else []
-        more += [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
-        return _call("_Float" if value.size == 4 else "_Double", letters, more)
+        arguments += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+        arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
+        arguments += (
+            [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
+        )
+        return _call("_Float" if value.size == 4 else "_Double", letters, arguments)
     if value.const is not None:
         if not any_answer:
-            return _call("_Constant", letters, [str(value.const), *more])
-        return _call("_Setting", letters, [str(value.const), *more])
+            return _call("_Constant", letters, [str(value.const), *arguments])
+        return _call("_Setting", letters, [str(value.const), *arguments])
     ranges = _ranges(value)
     if ranges is not None and value.flags:
         special = [(sentinel.value, sentinel.value) for sentinel in value.sentinels]
         ranges = Ranges((*ranges.intervals, *(pair for pair in special if pair[0] not in ranges)))
     if ranges is not None:
-        more.append(f"ranges={pairs(ranges)}")
+        arguments.append(f"ranges={pairs(ranges)}")
     if value.flags:
-        more += [f"absent={absent_states(value)}"] if value.sentinels else []
-        more += [f"bits={bits}" for bits in bounded_bits(words.bounded.get(value.flags, ()))]
-        return _call("_Word", letters, [words.flags[value.flags], *more])
+        arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
+        arguments += [f"bits={bits}" for bits in bounded_bits(words.bounded.get(value.flags, ()))]
+        return _call("_Word", letters, [words.flags[value.flags], *arguments])
     if value.sentinels:
-        more.append(f"absent={absent_states(value)}")
+        arguments.append(f"absent={absent_states(value)}")
     if value.enum:
         enum = words.enums[value.enum]
         if any_answer and not enum.open:
-            return _call("_Trigger", letters, [literal(enum.title), enum.table, *more])
+            return _call("_Trigger", letters, [literal(enum.title), enum.table, *arguments])
         if not enum.open and value.sentinels:
-            more.append("closed=True")
+            arguments.append("closed=True")
         return _call(
-            "_Open" if enum.open or value.sentinels else "_Closed", letters, [literal(enum.title), enum.table, *more]
+            "_Open" if enum.open or value.sentinels else "_Closed",
+            letters,
+            [literal(enum.title), enum.table, *arguments],
         )
     if value.quantity_unit:
-        more.append(f"unit={literal(value.quantity_unit)}")
+        arguments.append(f"unit={literal(value.quantity_unit)}")
     if value.scaled:
-        more.append(f"ratio={ratio(value)}")
-    return _call("_Number", letters, more)
+        arguments.append(f"ratio={ratio(value)}")
+    return _call("_Number", letters, arguments)
 
 
 def absent_states(value: Value) -> str:
@@ -93,8 +97,8 @@ def absent_states(value: Value) -> str:
     )
 
 
-def _call(name: str, letters: str, more: list[str]) -> str:
-    return f"{name}({', '.join([letters, *more])})"
+def _call(name: str, letters: str, arguments: list[str]) -> str:
+    return f"{name}({', '.join([letters, *arguments])})"
 
 
 def _ranges(value: Value) -> Ranges | None:
@@ -244,9 +248,9 @@ def table_view(
     if table.base_by:
         arguments.append(f"base_by={names[table.base_by]}")
     last = table.index_from + table.count - 1
-    most = f"up to {table.count}, as {names[table.count_by]} says," if table.count_by else str(table.count)
+    count_text = f"up to {table.count}, as {names[table.count_by]} says," if table.count_by else str(table.count)
     facts = [
-        f"{most} records of {layout.words} words, {table.index_from} to {last}",
+        f"{count_text} records of {layout.words} words, {table.index_from} to {last}",
         f"the first {_base_text(table, names)}, each {table.stride} words behind the one before",
     ]
     if space:
@@ -262,5 +266,5 @@ def table_view(
 
 def _base_text(table: Table, names: Mapping[str, str]) -> str:
     """The address of the first element, or the register that has it."""
-    where = f"where {names[table.base_by]} says, usually " if table.base_by else ""
-    return f"{where}at 0x{table.base:04X}"
+    base = f"where {names[table.base_by]} says, usually " if table.base_by else ""
+    return f"{base}at 0x{table.base:04X}"

@@ -57,7 +57,7 @@ def _field(shaped: RecordShape, title: str) -> Slots | None:
     return next((field for field in shaped.fields if field.title == title), None)
 
 
-def _most(bits: bool, *fields: Slots | None) -> int:
+def _greatest_count(bits: bool, *fields: Slots | None) -> int:
     """The most words, or packed bits, that some fields allow."""
     bounds = []
     for field in fields:
@@ -79,29 +79,29 @@ def read_access(exchanges: list[Exchange], bits: bool = False) -> AccessView | N
         if start is None or values is None or not _settable(exchange.request, {access.start, access.count}):
             continue
         count_argument = f", {count.name}=count" if count is not None and count.stored else ""
-        most = _most(bits, values, count) if values.is_list else 1
+        limit = _greatest_count(bits, values, count) if values.is_list else 1
         return AccessView(
             request=exchange.request_name,
             response=exchange.response_name,
-            most=most,
+            most=limit,
             make=f"{exchange.request_name}({start.name}=start{count_argument})",
-            words=_words(values, access, bits, most, "responses"),
+            words=_words(values, access, bits, limit, "responses"),
             checked_words=_words(
-                values, access, bits, most, f"_replies(register, responses, {exchange.response_name})"
+                values, access, bits, limit, f"_replies(register, responses, {exchange.response_name})"
             ),
         )
     return None
 
 
-def _words(values: Slots, access: RegisterAccess, bits: bool, most: int, responses: str) -> str:
+def _words(values: Slots, access: RegisterAccess, bits: bool, limit: int, responses: str) -> str:
     """The expression of the words of some responses."""
-    each = f"for response in {responses}"
+    loop = f"for response in {responses}"
     if bits and values.is_list:
-        return f"_unpacked_bits(register, {most}, [response.{values.name} {each}])"
+        return f"_unpacked_bits(register, {limit}, [response.{values.name} {loop}])"
     if bits:
-        return f"[_single_bit(register.name, response.{values.name}, {_pair(access)}) {each}]"
+        return f"[_single_bit(register.name, response.{values.name}, {_pair(access)}) {loop}]"
     word = f"response.{values.name}" if values.is_list else f"[response.{values.name}]"
-    return f"[word {each} for word in {word}]"
+    return f"[word {loop} for word in {word}]"
 
 
 def _pair(access: RegisterAccess) -> str:
@@ -127,8 +127,8 @@ def write_accesses(exchanges: list[Exchange], bits: bool = False) -> tuple[Acces
         if values.is_list:
             words = "_packed_bits(words[at : at + count])" if bits else "words[at : at + count]"
             make = f"{exchange.request_name}({start.name}=start{count_argument}, {values.name}={words})"
-            most = _most(bits, values, count)
-            block = block or AccessView(exchange.request_name, exchange.response_name, most, make, "", "")
+            limit = _greatest_count(bits, values, count)
+            block = block or AccessView(exchange.request_name, exchange.response_name, limit, make, "", "")
         else:
             word = f"0x{access.set or 0:02X} if words[at] else 0x{access.clear:02X}" if bits else "words[at]"
             make = f"{exchange.request_name}({start.name}=start, {values.name}={word})"

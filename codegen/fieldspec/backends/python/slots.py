@@ -72,7 +72,7 @@ class Slots:
 
     @property
     def is_list(self) -> bool:
-        """Whether it is a list."""
+        """Whether the field has several elements."""
         return self.field.is_list
 
     @property
@@ -82,7 +82,7 @@ class Slots:
 
     @property
     def constant(self) -> int | None:
-        """Its only valid raw value."""
+        """The only raw value that the field may have; None where it may have several."""
         return self.value.const if self.whole else None
 
     @property
@@ -116,11 +116,11 @@ class Slots:
         data = number.to_bytes(self.field.size, order, signed=self.value.type.signed)
         if not self.field.swapped:
             return data
-        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+        return b"".join(data[index : index + 2][::-1] for index in range(0, len(data), 2))
 
     @property
     def skipped(self) -> bool:
-        """Whether it is reserved and zero, so that its bytes are skipped."""
+        """Whether the field is reserved and zero, so that its bytes are skipped."""
         return self.letters.endswith("x")
 
     @property

@@ -51,7 +51,7 @@ class _Usages:
     view: dict[str, Any]
 
     def rows(self) -> Iterator[Usage]:
-        """The code for all facts."""
+        """The code that reads or writes each fact, for all facts of the version."""
         for number, register in enumerate(self.layout.registers):
             if not register.register.reserved:
                 name = self.view["registers"][number].name
@@ -194,8 +194,8 @@ class _Usages:
     def _link(self, request: str) -> LinkView | None:
         """The first link that carries a request."""
         links: Sequence[LinkView] = self.view["links"]
-        asked = ((link, link.request.exchanges) for link in links if link.request is not None)
-        return next((link for link, rows in asked if any(row.message == request for row in rows)), None)
+        candidates = ((link, link.request.exchanges) for link in links if link.request is not None)
+        return next((link for link, rows in candidates if any(row.message == request for row in rows)), None)
 
     def _call(self, link: LinkView) -> str:
         assert link.request is not None, "the link has the request of a message"

@@ -14,24 +14,24 @@ FEW = 3
 
 
 def within(
-    number: str, ranges: Ranges, others: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
+    number: str, ranges: Ranges, singles: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
 ) -> str:
     """The condition that a number is in one of several intervals, or equals one of some others.
 
     `packed` are the least and the greatest number that `pack` accepts: the condition does not repeat these limits,
     and is empty where nothing else remains to be tested.
     """
-    least, most = packed
+    minimum, maximum = packed
     parts = []
-    for low, high in merged([*ranges.intervals, *((value, value) for value in others)]):
-        if low == least and high == most:
+    for low, high in merged([*ranges.intervals, *((value, value) for value in singles)]):
+        if low == minimum and high == maximum:
             return ""
         if low == high:
             parts.append(f"{number} == {low}")
-        elif low == least:
+        elif low == minimum:
             parts.append(f"{number} <= {high}")
         else:
-            parts.append(f"{number} >= {low}" if high == most else f"{low} <= {number} <= {high}")
+            parts.append(f"{number} >= {low}" if high == maximum else f"{low} <= {number} <= {high}")
     return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
 
 
@@ -43,7 +43,7 @@ def fixed(field: Slots) -> list[str]:
     assert isinstance(number, int)
     data = number.to_bytes(field.field.size, field.order, signed=field.value.type.signed)
     if field.parted:
-        words = [data[at : at + 2] for at in range(0, len(data), 2)]
+        words = [data[index : index + 2] for index in range(0, len(data), 2)]
         halves = words[::-1] if field.field.swapped else words
         signed = field.value.type.signed
         return [
@@ -70,10 +70,10 @@ def conditions(field: Slots, value: str) -> list[str]:
     if field.decided:
         return tests
     item = "item" if field.is_list else value
-    each = _element_lines(field, item)
+    element_tests = _element_lines(field, item)
     if field.is_list:
-        return tests + [f"all({condition} for item in {value})" for condition in each]
-    return each
+        return tests + [f"all({condition} for item in {value})" for condition in element_tests]
+    return element_tests
 
 
 def _element_lines(field: Slots, value: str) -> list[str]:
@@ -198,7 +198,7 @@ def digits_form(value: Value, order: str, swapped: bool) -> str:
 
 
 def text_letters(value: Value, order: str) -> str:
-    """What the runtime knows of a text in a form of its own: its encoding, its bytes, what fills it up and ends it."""
+    """The arguments of the form of a text: its encoding, its bytes, its padding and its terminator."""
     form = value.text_form
     assert form is not None
     end = "-" if form.terminator is None else str(form.terminator)
@@ -207,7 +207,7 @@ def text_letters(value: Value, order: str) -> str:
 
 
 def text_form(value: Value, order: str) -> str:
-    """The expression of what reads and writes a text in a form of its own."""
+    """The expression of the object of the runtime that reads and writes a text in its form."""
     return f"_text_form({literal(text_letters(value, order))})"
 
 
@@ -255,18 +255,18 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
         function = "_refused_float" if size == "4" else "_refused_double"
         if field.ranges is None:
             return function, []
-        others = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
-        return function, [pairs(field.ranges), *([tuple_of(others)] if others else [])]
+        absent_numbers = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
+        return function, [pairs(field.ranges), *([tuple_of(absent_numbers)] if absent_numbers else [])]
     ranges = pairs(field.ranges)
     if field.value.flags:
         bits = bounded_bits(field.words.bounded.get(field.value.flags, ()))
         return "_refused_flags", [str(primitive.high), *([ranges or "()"] if ranges or bits else []), *bits]
-    more = [ranges or "()", tuple_of(field.sentinels)]
+    arguments = [ranges or "()", tuple_of(field.sentinels)]
     if field.enum is not None and not field.enum.open:
-        more += [field.enum.table, literal(field.enum.title)]
-    while more and more[-1] == "()":
-        more.pop()
-    return "_refused_number", [str(primitive.low), str(primitive.high), *more]
+        arguments += [field.enum.table, literal(field.enum.title)]
+    while arguments and arguments[-1] == "()":
+        arguments.pop()
+    return "_refused_number", [str(primitive.low), str(primitive.high), *arguments]
 
 
 def bounded_bits(bits: tuple[Bit, ...]) -> list[str]:

@@ -21,12 +21,12 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """What is left out: digits, texts in a form of their own, bases that registers hold, lists with fields behind."""
+    """The refusals of digits, forms of texts, moving tables and lists with fields behind them."""
     return [finding for layout in versions for finding in remaining(layout).findings]
 
 
 def remaining(layout: DeviceLayout) -> Expressed:
-    """What of a version queries express."""
+    """The facts of a version that queries express, with those that they leave out."""
     reader = "a query"
     return expressed(
         layout,

@@ -42,7 +42,7 @@ class Fault:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What a query computes. Each of `levels` has intermediate results by name, made of those before it.
+    """The columns and findings of a query. Each of `levels` has columns by name, made of those of the level before.
 
     `refusals` are in the order of a codec's tests. Each is a condition with its reason, or the expression of a reason.
     `exponents` has the expressions of the registers with exponents of scales, by their names.
@@ -84,36 +84,36 @@ class Content:
         data: str,
         base: int = 0,
         prefix: str = "",
-        inside: Elements | None = None,
+        enclosing: Elements | None = None,
     ) -> None:
         """Fields from an offset of the data, or of each element of a list in it."""
         for own in fields:
-            name, at = prefix + own.name, base + own.offset
+            name, offset = prefix + own.name, base + own.offset
             if own.record is not None:
                 inner = own.record.fields
                 if own.count is None:
-                    elements = Elements(at, own.size, None)
+                    elements = Elements(offset, own.size, None)
                     self.add_fields(inner, data, 0, f"{name}_", elements)
                     self._add_faults(data, elements)
                     continue
                 for number in range(own.count):
                     number_prefix = f"{name}_{number}_" if own.is_list else f"{name}_"
-                    self.add_fields(inner, data, at + number * own.size, number_prefix, inside)
+                    self.add_fields(inner, data, offset + number * own.size, number_prefix, enclosing)
                 continue
             if own.value is None:
                 continue
             query = ValueQuery(self.device, self.dialect, self.enums, own.value, own.order, own.swapped)
             query = self._by_exponent(query, own, fields)
             reserved = own.field.reserved
-            if own.is_list and inside is None:
-                elements = Elements(at, own.size, own.count)
+            if own.is_list and enclosing is None:
+                elements = Elements(offset, own.size, own.count)
                 self.add_value(name, query, data, 0, elements, reserved)
                 self._add_faults(data, elements)
             elif own.is_list:
                 for number in range(own.count or 0):
-                    self.add_value(f"{name}_{number}", query, data, at + number * own.size, inside, reserved)
+                    self.add_value(f"{name}_{number}", query, data, offset + number * own.size, enclosing, reserved)
             else:
-                self.add_value(name, query, data, at, inside, reserved)
+                self.add_value(name, query, data, offset, enclosing, reserved)
 
     def _by_exponent(self, query: ValueQuery, own: FieldLayout, fields: tuple[FieldLayout, ...]) -> ValueQuery:
         """The query of a field with its scale, where a field beside it or a register has the exponent.
@@ -122,12 +122,16 @@ class Content:
         """
         if not query.value.scale_by or own.is_list:
             return query
-        beside = next((other for other in fields if other.name == query.value.scale_by), None)
-        if beside is not None and beside.value is not None and beside.value.ranges is not None:
-            power = ValueQuery(self.device, self.dialect, self.enums, beside.value, beside.order, beside.swapped)
-            distance = beside.offset - own.offset
-            intervals = beside.value.ranges.intervals
-            return replace(query, exponent=lambda data, at: power.number(data, at + distance), exponents=intervals)
+        neighbour = next((other for other in fields if other.name == query.value.scale_by), None)
+        if neighbour is not None and neighbour.value is not None and neighbour.value.ranges is not None:
+            power = ValueQuery(
+                self.device, self.dialect, self.enums, neighbour.value, neighbour.order, neighbour.swapped
+            )
+            distance = neighbour.offset - own.offset
+            intervals = neighbour.value.ranges.intervals
+            return replace(
+                query, exponent=lambda data, offset: power.number(data, offset + distance), exponents=intervals
+            )
         register = self.device.register(query.value.scale_by)
         number = self.exponents.get(query.value.scale_by, "")
         if register is None or register.value.ranges is None or not number:
@@ -135,24 +139,30 @@ class Content:
         return replace(query, exponent=lambda _, __: number, exponents=register.value.ranges.intervals)
 
     def add_value(
-        self, name: str, query: ValueQuery, data: str, at: int, inside: Elements | None = None, reserved: bool = False
+        self,
+        name: str,
+        query: ValueQuery,
+        data: str,
+        offset: int,
+        enclosing: Elements | None = None,
+        reserved: bool = False,
     ) -> None:
         """A value at an offset of the data, or of each element of a list in it."""
         if reserved:
             if query.value.type.kind is Kind.INTEGER:
-                self._find(name, "reserved_bits", query, self._nonzero(query), data, at, inside)
+                self._find(name, "reserved_bits", query, self._nonzero(query), data, offset, enclosing)
             return
         for column in query.columns():
             self.add_column(
-                f"{name}_{column.suffix}" if column.suffix else name, self._spread(column.read, data, at, inside)
+                f"{name}_{column.suffix}" if column.suffix else name, self._spread(column.read, data, offset, enclosing)
             )
         for rule in query.faults():
-            if inside is None:
-                self.refusals.append((rule.breaks(data, at), rule.reason))
+            if enclosing is None:
+                self.refusals.append((rule.breaks(data, offset), rule.reason))
             else:
-                self._faults.append(Fault(rule.breaks, at, rule.reason))
+                self._faults.append(Fault(rule.breaks, offset, rule.reason))
         for rule in query.findings():
-            self._find(name, rule.reason, query, rule.breaks, data, at, inside)
+            self._find(name, rule.reason, query, rule.breaks, data, offset, enclosing)
 
     def _add_faults(self, data: str, elements: Elements) -> None:
         """The refusal of the first wrong element of a list."""
@@ -172,27 +182,34 @@ class Content:
         self.columns[name] = expression
 
     def _nonzero(self, query: ValueQuery) -> Reader:
-        return lambda data, at: self.dialect.compared(query.word(data, at), "<>", "0")
+        return lambda data, offset: self.dialect.compared(query.word(data, offset), "<>", "0")
 
     def _find(
-        self, name: str, reason: str, query: ValueQuery, breaks: Reader, data: str, at: int, inside: Elements | None
+        self,
+        name: str,
+        reason: str,
+        query: ValueQuery,
+        breaks: Reader,
+        data: str,
+        offset: int,
+        enclosing: Elements | None,
     ) -> None:
-        if not breaks(data, at):
+        if not breaks(data, offset):
             return
-        raw = "" if inside is not None else query.raw(data, at)
-        self.findings.append(Finding(self._condition(breaks, data, at, inside), name, reason, raw))
+        raw = "" if enclosing is not None else query.raw(data, offset)
+        self.findings.append(Finding(self._condition(breaks, data, offset, enclosing), name, reason, raw))
 
-    def _spread(self, read: Reader, data: str, at: int, inside: Elements | None) -> str:
-        if inside is None:
-            return read(data, at)
-        body: Body = lambda element: read(element, at)  # noqa: E731
-        return self.dialect.each(data, inside.offset, inside.size, inside.count, body)
+    def _spread(self, read: Reader, data: str, offset: int, enclosing: Elements | None) -> str:
+        if enclosing is None:
+            return read(data, offset)
+        body: Body = lambda element: read(element, offset)  # noqa: E731
+        return self.dialect.each(data, enclosing.offset, enclosing.size, enclosing.count, body)
 
-    def _condition(self, breaks: Reader, data: str, at: int, inside: Elements | None) -> str:
-        if inside is None:
-            return breaks(data, at)
-        body: Body = lambda element: breaks(element, at)  # noqa: E731
-        return self.dialect.some(data, inside.offset, inside.size, inside.count, body)
+    def _condition(self, breaks: Reader, data: str, offset: int, enclosing: Elements | None) -> str:
+        if enclosing is None:
+            return breaks(data, offset)
+        body: Body = lambda element: breaks(element, offset)  # noqa: E731
+        return self.dialect.some(data, enclosing.offset, enclosing.size, enclosing.count, body)
 
     def _add_measures(self, record: RecordLayout, data: str) -> None:
         """The refusal of a size that is not that of the field that it measures."""

@@ -30,7 +30,7 @@ class Slot:
         if self.order != "big":
             places.reverse()
         if self.swapped:
-            words = [places[at : at + 2] for at in range(0, self.size, 2)]
+            words = [places[index : index + 2] for index in range(0, self.size, 2)]
             places = [place for word in reversed(words) for place in word]
         return tuple(places)
 
@@ -64,7 +64,7 @@ class Dialect(Protocol):
     """A language of queries. `data` is the expression of some bytes; a condition is null where a value in it is."""
 
     def whole(self, data: str, slot: Slot) -> str:
-        """A whole number."""
+        """The literal of a whole number."""
 
     def real(self, data: str, slot: Slot) -> str:
         """A floating-point number of 4 or 8 bytes."""
@@ -79,7 +79,7 @@ class Dialect(Protocol):
         """Whether one of some bits of an unsigned number is 1."""
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """Some of the bytes."""
+        """The expression of `size` bytes of the data from an offset on."""
 
     def text(self, data: str) -> str:
         """ASCII without the zeros at its end; null for other bytes."""
@@ -100,7 +100,7 @@ class Dialect(Protocol):
         """A value that is null for some numbers, and for a NaN."""
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """An exact quantity."""
+        """The expression of an exact quantity from a number in counts."""
 
     def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
         """number * scale + offset as a floating-point number."""
@@ -115,7 +115,7 @@ class Dialect(Protocol):
         """Whether a floating-point number is no number."""
 
     def size(self, data: str) -> str:
-        """The number of bytes."""
+        """The expression of the number of bytes of the data."""
 
     def compared(self, left: str, operator: str, right: str) -> str:
         """A comparison: `<`, `>`, `=` or `<>`."""
@@ -138,8 +138,8 @@ class Dialect(Protocol):
     def some(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
         """Whether the condition of `body` is true for some element."""
 
-    def sized(self, data: str, least: int, most: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `least` to `most`, and whole units of them from an offset on; else null."""
+    def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
+        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
 
     def chosen(self, data: str, condition: str) -> str:
         """The bytes where a condition is true, else null."""

@@ -188,21 +188,23 @@ def _parameter_query(layout: DeviceLayout, name: str, parameters: ParameterSet, 
     for parameter in parameters.parameters:
         own = Name.of(parameter.name).snake() if parameter.name else f"parameter_{parameter.number}"
         first = parameters.base + parameter.number
-        here = content.dialect.is_in(content.dialect.argument("number"), [(first, first + parameter.count - 1)])
+        is_parameter = content.dialect.is_in(content.dialect.argument("number"), [(first, first + parameter.count - 1)])
         covered = [interval for inner in parameter.subindices for interval in inner.indices.intervals]
         subindex = content.dialect.argument("subindex")
         if covered:
             elsewhere = content.dialect.negated(content.dialect.is_in(subindex, covered))
-            own_condition = content.dialect.both(here, elsewhere)
+            own_condition = content.dialect.both(is_parameter, elsewhere)
         else:
-            own_condition = here
+            own_condition = is_parameter
         if not parameter.reserved:
             _add_parameter(layout, content, own, parameter, own_condition, level)
         for inner in parameter.subindices:
-            inside = content.dialect.is_in(subindex, list(inner.indices.intervals))
+            is_subindex = content.dialect.is_in(subindex, list(inner.indices.intervals))
             if not inner.reserved and not parameter.reserved:
                 name_of_inner = f"{own}_{Name.of(inner.name).snake() or inner.indices.low}"
-                _add_parameter(layout, content, name_of_inner, inner, content.dialect.both(here, inside), level)
+                _add_parameter(
+                    layout, content, name_of_inner, inner, content.dialect.both(is_parameter, is_subindex), level
+                )
     title = f"{parameters.title or Name.of(parameters.name).title()}: the value of the parameter with a `number`."
     arguments = ("number", "subindex", "payload")
     return Query(name, title, arguments, content, judged=False)

@@ -31,14 +31,14 @@ class Polars:
         return self._names[expression]
 
     def whole(self, data: str, slot: Slot) -> str:
-        """A whole number."""
-        return self._number(data, f"_whole({{}}, {slot.offset}, {slot.size}, {_order(slot)}, {slot.signed})")
+        """The literal of a whole number."""
+        return self._bound_number(data, f"_whole({{}}, {slot.offset}, {slot.size}, {_order(slot)}, {slot.signed})")
 
     def real(self, data: str, slot: Slot) -> str:
         """A floating-point number of 4 or 8 bytes."""
-        return self._number(data, f"_real({{}}, {slot.offset}, {slot.size}, {_order(slot)})")
+        return self._bound_number(data, f"_real({{}}, {slot.offset}, {slot.size}, {_order(slot)})")
 
-    def _number(self, data: str, call: str) -> str:
+    def _bound_number(self, data: str, call: str) -> str:
         expression = call.format(data)
         return expression if data.startswith("_") else self.bind(expression)
 
@@ -55,7 +55,7 @@ class Polars:
         return f"_any_bit({word}, {mask:#x})"
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """Some of the bytes."""
+        """The expression of `size` bytes of the data from an offset on."""
         return f"_piece({data}, {offset}, {size})"
 
     def text(self, data: str) -> str:
@@ -83,7 +83,7 @@ class Polars:
         return f"_absent({value}, {number}, {list(numbers)!r}, {nan})"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """An exact quantity."""
+        """The expression of an exact quantity from a number in counts."""
         return f'_decimal({number}, "{scale.scale:f}", "{scale.offset:f}", {scale.places})'
 
     def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
@@ -106,7 +106,7 @@ class Polars:
         return f"{number}.is_nan()"
 
     def size(self, data: str) -> str:
-        """The number of bytes."""
+        """The expression of the number of bytes of the data."""
         return f"_size({data})"
 
     def compared(self, left: str, operator: str, right: str) -> str:
@@ -137,9 +137,9 @@ class Polars:
         """Whether the condition of `body` is true for some element."""
         return f"{self.each(data, offset, size, count, body)}.list.any()"
 
-    def sized(self, data: str, least: int, most: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `least` to `most`, and whole units of them from an offset on; else null."""
-        return f"_sized({data}, {least}, {most}, {offset}, {unit})"
+    def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
+        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
+        return f"_sized({data}, {minimum}, {maximum}, {offset}, {unit})"
 
     def chosen(self, data: str, condition: str) -> str:
         """The bytes where a condition is true, else null."""

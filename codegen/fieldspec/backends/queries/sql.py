@@ -63,22 +63,26 @@ class Sql:
     windows: tuple[Window, ...] = ()
 
     def levels(self) -> Iterator[dict[str, str]]:
-        """Two levels of columns: numbers of up to sixteen bytes, and the windows, of which two are in each."""
+        """The columns with the fixed windows of the payload as numbers, in two levels.
+
+        The first level has numbers of up to sixteen bytes, each with two neighbouring windows. The second level takes
+        the two windows of each apart. A level without columns is left out.
+        """
         wide: dict[str, str] = {}
         narrow: dict[str, str] = {}
-        for first, *others in (self.windows[at : at + 2] for at in range(0, len(self.windows), 2)):
-            source = f"{self.windowed}[{first.start + 1}:{(others or [first])[-1].end}]::BIT"
-            if not others:
+        for first, *following in (self.windows[index : index + 2] for index in range(0, len(self.windows), 2)):
+            source = f"{self.windowed}[{first.start + 1}:{(following or [first])[-1].end}]::BIT"
+            if not following:
                 wide[first.column] = f"{source}::UBIGINT"
                 continue
-            own, rest = name(f"fieldspec_wide_{first.start}"), 8 * (others[0].end - others[0].start)
+            own, rest = name(f"fieldspec_wide_{first.start}"), 8 * (following[0].end - following[0].start)
             wide[own] = f"{source}::UHUGEINT"
             narrow[first.column] = f"({own} >> {rest})::UBIGINT"
-            narrow[others[0].column] = f"({own} & {(1 << rest) - 1})::UBIGINT"
+            narrow[following[0].column] = f"({own} & {(1 << rest) - 1})::UBIGINT"
         yield from filter(None, (wide, narrow))
 
     def whole(self, data: str, slot: Slot) -> str:
-        """A whole number."""
+        """The literal of a whole number."""
         kind = type_of(slot.size, slot.signed)
         if data != self.windowed and len(slot.runs) == 1 and slot.size in _TYPES:
             return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
@@ -100,8 +104,8 @@ class Sql:
 
     def _run(self, data: str, start: int, size: int) -> str:
         """Neighbouring bytes as a number without a sign."""
-        here = (own for own in self.windows if own.start <= start and start + size <= own.end)
-        window = next(here, None) if data == self.windowed else None
+        containing = (own for own in self.windows if own.start <= start and start + size <= own.end)
+        window = next(containing, None) if data == self.windowed else None
         if window is None:
             kind = type_of(size, False) if size in _TYPES else "UBIGINT"
             return f"{self.piece(data, start, size)}::BIT::{kind}"
@@ -136,7 +140,7 @@ class Sql:
         return f"({word} & {mask}) <> 0"
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """Some of the bytes."""
+        """The expression of `size` bytes of the data from an offset on."""
         return f"{data}[{offset + 1}:{offset + size}]"
 
     def text(self, data: str) -> str:
@@ -170,7 +174,7 @@ class Sql:
         return f"CASE WHEN NOT ({' OR '.join(tests)}) THEN {value} END"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """An exact quantity."""
+        """The expression of an exact quantity from a number in counts."""
         # DuckDB multiplies decimals of at most 18 digits in 64 bits, also where the product has more.
         factors = scale.digits + len(scale.scale.as_tuple().digits)
         digits = scale.digits if max(factors, scale.precision) <= 18 else max(scale.digits, 19)
@@ -209,7 +213,7 @@ class Sql:
         return f"isnan({number})"
 
     def size(self, data: str) -> str:
-        """The number of bytes."""
+        """The expression of the number of bytes of the data."""
         return f"octet_length({data})"
 
     def compared(self, left: str, operator: str, right: str) -> str:
@@ -243,12 +247,12 @@ class Sql:
         """Whether the condition of `body` is true for some element."""
         return f"list_bool_or({self.each(data, offset, size, count, body)})"
 
-    def sized(self, data: str, least: int, most: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `least` to `most`, and whole units of them from an offset on; else null."""
+    def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
+        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
         size = self.size(data)
-        tests = [f"{size} = {least}" if least == most else f"{size} >= {least}"]
-        if most is not None and most != least:
-            tests.append(f"{size} <= {most}")
+        tests = [f"{size} = {minimum}" if minimum == maximum else f"{size} >= {minimum}"]
+        if maximum is not None and maximum != minimum:
+            tests.append(f"{size} <= {maximum}")
         if unit > 1:
             tests.append(f"({size} - {offset}) % {unit} = 0")
         return self.chosen(data, " AND ".join(tests))
@@ -276,15 +280,15 @@ class Sql:
         An address has `unit` bytes.
         """
         offset = f"{unit} * ({address} - start::BIGINT)"
-        inside = f"{address} >= start::BIGINT AND {offset} + {size} <= octet_length(payload)"
-        return f"CASE WHEN {inside} THEN payload[{offset} + 1 : {offset} + {size}] END"
+        condition = f"{address} >= start::BIGINT AND {offset} + {size} <= octet_length(payload)"
+        return f"CASE WHEN {condition} THEN payload[{offset} + 1 : {offset} + {size}] END"
 
     def single_bit(self, address: int) -> str:
         """The bit at an address where the payload has those from the address `start` on."""
         offset = f"({address} - start::BIGINT)"
-        inside = f"{offset} >= 0 AND {offset} // 8 < octet_length(payload)"
+        condition = f"{offset} >= 0 AND {offset} // 8 < octet_length(payload)"
         byte = f"payload[{offset} // 8 + 1 : {offset} // 8 + 1]::BIT::UTINYINT"
-        return f"CASE WHEN {inside} THEN ({byte} >> ({offset} % 8)::UTINYINT) & 1 = 1 END"
+        return f"CASE WHEN {condition} THEN ({byte} >> ({offset} % 8)::UTINYINT) & 1 = 1 END"
 
     def argument(self, name: str) -> str:
         """An argument of the query that is a number."""

@@ -118,8 +118,8 @@ def _query_macros(schema: str, query: Query) -> Iterator[str]:
     yield ";"
 
 
-def _free(own: str, taken: Iterable[str]) -> str:
-    while own in taken:
+def _free(own: str, used_names: Iterable[str]) -> str:
+    while own in used_names:
         own += "_"
     return own
 

@@ -54,13 +54,13 @@ class ValueQuery:
     exponents: tuple[tuple[int, int], ...] = ()
 
     def number(self, data: str, offset: int) -> str:
-        """The raw number."""
+        """The expression of the raw number at an offset of the data."""
         kind = self.value.type.kind
         slot = Slot(offset, self.value.size, self.order, self.swapped, kind is Kind.INTEGER and self.value.type.signed)
         return self.dialect.real(data, slot) if kind is Kind.FLOAT else self.dialect.whole(data, slot)
 
     def word(self, data: str, offset: int) -> str:
-        """The raw number without its sign."""
+        """The expression of the raw number as a word without a sign."""
         return self.dialect.whole(data, Slot(offset, self.value.size, self.order, self.swapped))
 
     def raw(self, data: str, offset: int) -> str:
@@ -73,14 +73,16 @@ class ValueQuery:
         """The columns: the value as people read it, the raw number where it differs, and the state of a sentinel."""
         kind, value, dialect = self.value.type.kind, self.value, self.dialect
         if kind is Kind.TEXT:
-            yield ValueColumn("", lambda data, at: dialect.text(dialect.piece(data, at, value.size)))
+            yield ValueColumn("", lambda data, offset: dialect.text(dialect.piece(data, offset, value.size)))
         elif kind is Kind.BYTES:
-            yield ValueColumn("", lambda data, at: dialect.piece(data, at, value.size))
+            yield ValueColumn("", lambda data, offset: dialect.piece(data, offset, value.size))
         elif value.enum:
-            yield ValueColumn("", lambda data, at: dialect.member(self.number(data, at), self.enums[value.enum]))
+            yield ValueColumn(
+                "", lambda data, offset: dialect.member(self.number(data, offset), self.enums[value.enum])
+            )
             yield ValueColumn("raw", self.number)
         elif kind is Kind.BOOLEAN:
-            yield ValueColumn("", lambda data, at: dialect.truth(self.number(data, at)))
+            yield ValueColumn("", lambda data, offset: dialect.truth(self.number(data, offset)))
         elif value.flags:
             yield ValueColumn("", self.word)
             yield from self._bits()
@@ -88,7 +90,7 @@ class ValueQuery:
             yield ValueColumn(unit_word(value.quantity_unit), self._quantity)
             yield ValueColumn("raw", self.number)
         elif value.sentinels:
-            yield ValueColumn("", lambda data, at: self._absent(self.number(data, at), data, at))
+            yield ValueColumn("", lambda data, offset: self._absent(self.number(data, offset), data, offset))
             yield ValueColumn("raw", self.number)
         else:
             yield ValueColumn("", self.number)
@@ -100,19 +102,24 @@ class ValueQuery:
         kind, value, dialect = self.value.type.kind, self.value, self.dialect
         if kind is Kind.BOOLEAN:
             yield ValueRule(
-                "unknown_value", lambda data, at: dialect.negated(dialect.is_in(self.number(data, at), [(0, 1)]))
+                "unknown_value",
+                lambda data, offset: dialect.negated(dialect.is_in(self.number(data, offset), [(0, 1)])),
             )
             return
         if kind is Kind.TEXT:
-            yield ValueRule("unknown_value", lambda data, at: dialect.not_ascii(dialect.piece(data, at, value.size)))
+            yield ValueRule(
+                "unknown_value", lambda data, offset: dialect.not_ascii(dialect.piece(data, offset, value.size))
+            )
         if not value.type.is_number:
             return
         const = value.const
         if const is not None:
-            yield ValueRule("wrong_const", lambda data, at: dialect.compared(self.number(data, at), "<>", str(const)))
+            yield ValueRule(
+                "wrong_const", lambda data, offset: dialect.compared(self.number(data, offset), "<>", str(const))
+            )
         enum = self.device.enums.get(value.enum)
         if enum is not None and not enum.open:
-            yield ValueRule("unknown_value", lambda data, at: dialect.negated(self._is_known(data, at, False)))
+            yield ValueRule("unknown_value", lambda data, offset: dialect.negated(self._is_known(data, offset, False)))
 
     def findings(self) -> Iterator[ValueRule]:
         """What an audit reports of the value: what a codec refuses, and what it lets pass."""
@@ -122,29 +129,29 @@ class ValueQuery:
         if not value.type.is_number or value.type.kind is Kind.BOOLEAN:
             return
         if enum is not None and enum.open:
-            yield ValueRule("unlisted_value", lambda data, at: dialect.negated(self._is_known(data, at, True)))
+            yield ValueRule("unlisted_value", lambda data, offset: dialect.negated(self._is_known(data, offset, True)))
         if value.ranges is not None or (flags is not None and flags.bounded):
-            yield ValueRule("out_of_range", self._outside)
+            yield ValueRule("out_of_range", self._out_of_range)
         if flags is not None:
             used = sum(bit.mask for bit in flags.bits if not bit.reserved)
             spare = ((1 << 8 * value.size) - 1) & ~used
             if spare:
-                yield ValueRule("reserved_bits", lambda data, at: dialect.mask(self.word(data, at), spare))
+                yield ValueRule("reserved_bits", lambda data, offset: dialect.mask(self.word(data, offset), spare))
 
-    def _outside(self, data: str, at: int) -> str:
+    def _out_of_range(self, data: str, offset: int) -> str:
         """Whether a number that is no sentinel is in no range, or a field of its bits; empty where none can be."""
         word = self.device.flags.get(self.value.flags)
-        conditions = [self._beyond(data, at)] if self.value.ranges is not None else []
+        conditions = [self._out_of_intervals(data, offset)] if self.value.ranges is not None else []
         for bit in word.bounded if word is not None and self.value.const is None else ():
-            number = self.dialect.bits(self.word(data, at), bit.first, bit.width, bit.signed)
+            number = self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
             intervals = bit.ranges.intervals if bit.ranges is not None else ()
             conditions.append(self.dialect.negated(self.dialect.is_in(number, intervals)))
         tests = [condition for condition in conditions if condition]
         return self.dialect.either(*tests) if len(tests) > 1 else "".join(tests)
 
-    def _beyond(self, data: str, at: int) -> str:
+    def _out_of_intervals(self, data: str, offset: int) -> str:
         """Whether a number that is no sentinel is in no range of the value."""
-        value, dialect, number = self.value, self.dialect, self.number(data, at)
+        value, dialect, number = self.value, self.dialect, self.number(data, offset)
         floating = value.type.kind is Kind.FLOAT
         assert value.ranges is not None
         numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
@@ -153,36 +160,36 @@ class ValueQuery:
             low <= value.type.low and high >= value.type.high for low, high in intervals
         ):
             return ""
-        outside = dialect.negated(dialect.is_in(number, intervals, floating))
+        condition = dialect.negated(dialect.is_in(number, intervals, floating))
         enum = self.device.enums.get(value.enum)
         if enum is not None and not enum.open:
-            outside = dialect.both(self._is_known(data, at, False), outside)
-        return dialect.both(dialect.negated(dialect.is_nan(number)), outside) if value.absent_nan else outside
+            condition = dialect.both(self._is_known(data, offset, False), condition)
+        return dialect.both(dialect.negated(dialect.is_nan(number)), condition) if value.absent_nan else condition
 
-    def _is_known(self, data: str, at: int, unavailable: bool) -> str:
+    def _is_known(self, data: str, offset: int, unavailable: bool) -> str:
         """Whether an enum lists a number, or it is a sentinel."""
         members = self.device.enums[self.value.enum].members
         numbers = {member.value for member in members if unavailable or not member.unavailable}
         numbers |= {sentinel.value for sentinel in self.value.sentinels}
-        return self.dialect.is_in(self.number(data, at), runs_of(numbers))
+        return self.dialect.is_in(self.number(data, offset), runs_of(numbers))
 
-    def _absent(self, column: str, data: str, at: int) -> str:
+    def _absent(self, column: str, data: str, offset: int) -> str:
         sentinels = self.value.sentinels
         numbers = [sentinel.value for sentinel in sentinels if not sentinel.is_nan]
         if not sentinels:
             return column
-        return self.dialect.absent(column, self.number(data, at), numbers, self.value.absent_nan)
+        return self.dialect.absent(column, self.number(data, offset), numbers, self.value.absent_nan)
 
-    def _state(self, data: str, at: int) -> str:
+    def _state(self, data: str, offset: int) -> str:
         names = {sentinel.value: sentinel.name for sentinel in self.value.sentinels if not sentinel.is_nan}
         nan = next((sentinel.name for sentinel in self.value.sentinels if sentinel.is_nan), "")
-        return self.dialect.cases(self.number(data, at), names, nan)
+        return self.dialect.cases(self.number(data, offset), names, nan)
 
-    def _quantity(self, data: str, at: int) -> str:
-        value, number = self.value, self.number(data, at)
+    def _quantity(self, data: str, offset: int) -> str:
+        value, number = self.value, self.number(data, offset)
         if self.exponent is not None:
-            return self._absent(self.dialect.power(number, self.exponent(data, at), self.exponents), data, at)
-        return self._absent(quantity(self.dialect, number, value, (value.type.low, value.type.high)), data, at)
+            return self._absent(self.dialect.power(number, self.exponent(data, offset), self.exponents), data, offset)
+        return self._absent(quantity(self.dialect, number, value, (value.type.low, value.type.high)), data, offset)
 
     def _bits(self) -> Iterator[ValueColumn]:
         for bit in self.device.flags[self.value.flags].bits:
@@ -190,22 +197,24 @@ class ValueQuery:
                 yield from self._bit(bit)
 
     def _bit(self, bit: Bit) -> Iterator[ValueColumn]:
-        def number(data: str, at: int) -> str:
-            return self.dialect.bits(self.word(data, at), bit.first, bit.width, bit.signed)
+        def number(data: str, offset: int) -> str:
+            return self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
 
         if bit.enum:
-            yield ValueColumn(bit.name, lambda data, at: self.dialect.member(number(data, at), self.enums[bit.enum]))
+            yield ValueColumn(
+                bit.name, lambda data, offset: self.dialect.member(number(data, offset), self.enums[bit.enum])
+            )
             yield ValueColumn(f"{bit.name}_raw", number)
         elif bit.scale != 1 or bit.offset != 0:
             value = bit.as_value
             bounds = (bit.low, bit.high)
             yield ValueColumn(
                 f"{bit.name}_{unit_word(bit.unit)}",
-                lambda data, at: quantity(self.dialect, number(data, at), value, bounds),
+                lambda data, offset: quantity(self.dialect, number(data, offset), value, bounds),
             )
             yield ValueColumn(f"{bit.name}_raw", number)
         elif bit.width == 1 and not bit.is_number:
-            yield ValueColumn(bit.name, lambda data, at: self.dialect.bit(self.word(data, at), bit.first))
+            yield ValueColumn(bit.name, lambda data, offset: self.dialect.bit(self.word(data, offset), bit.first))
         else:
             yield ValueColumn(bit.name, number)
 
@@ -232,8 +241,8 @@ def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
     if places is None:
         return None
     digits = max(len(str(abs(bound))) for bound in bounds)
-    most = max(abs(bound * scale) + abs(offset) for bound in bounds)
-    precision = len(str(int(most))) + places
+    greatest = max(abs(bound * scale) + abs(offset) for bound in bounds)
+    precision = len(str(int(greatest))) + places
     factor = max(len(str(int(abs(scale) * 10**places))), places)
     if digits + factor + bool(offset) > MOST_DIGITS or precision > MOST_DIGITS:
         return None
@@ -241,7 +250,7 @@ def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
 
 
 def runs_of(numbers: set[int]) -> Sequence[tuple[int, int]]:
-    """Whole numbers as intervals."""
+    """The intervals of some whole numbers: neighbours are in one interval."""
     runs: list[tuple[int, int]] = []
     for number in sorted(numbers):
         if runs and runs[-1][1] == number - 1:

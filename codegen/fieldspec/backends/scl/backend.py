@@ -27,12 +27,12 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
 
 
 def shared() -> dict[str, str | Workbook]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """What TIA Portal cannot have of a device: names, sizes and places."""
+    """The refusals of names, sizes and places that TIA Portal cannot express."""
     tia_project = project(versions[-1])
     return [*tia_project.findings, *clashes(tia_project)]
 

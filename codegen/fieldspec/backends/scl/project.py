@@ -61,7 +61,7 @@ class Project:
 
     @property
     def stem(self) -> str:
-        """The name of the files."""
+        """The name that the files of the device begin with."""
         return stem(self.layout.device.id, self.layout.device.version)
 
     @property

@@ -23,7 +23,7 @@ def source(project: Project, objects: Iterable[list[str]]) -> str:
 
 
 def head(project: Project) -> list[str]:
-    """What the file is, what it was made of, and how it is imported."""
+    """The comment at the head of a file: its content, its spec, and how it is imported."""
     device = project.layout.device
     manual = f"{device.manual.title} {device.manual.edition}".strip()
     sources = [
@@ -60,7 +60,7 @@ def types(project: Project) -> Iterator[list[str]]:
 
 def _image(project: Project, placed: Placed) -> list[str]:
     struct = placed.struct
-    about = [
+    paragraphs = [
         f"{struct.title}. As on the wire: {placed.size} bytes in a block with standard access.",
         "Each member begins with its byte and bit.",
     ]
@@ -71,15 +71,17 @@ def _image(project: Project, placed: Placed) -> list[str]:
         members.append(
             (member.member.name, _type(project, member.member.type), f"{place} {member.member.remark}{swapped}")
         )
-    return _type_lines(project, struct.name, about, members)
+    return _type_lines(project, struct.name, paragraphs, members)
 
 
 def _values(project: Project, struct: Struct) -> list[str]:
-    about = [f"{struct.title}. Values, for blocks with optimized access; functions convert them from and to the wire."]
+    paragraphs = [
+        f"{struct.title}. Values, for blocks with optimized access; functions convert them from and to the wire."
+    ]
     return _type_lines(
         project,
         struct.name,
-        about,
+        paragraphs,
         [(member.name, _type(project, member.type), member.remark) for member in struct.members],
     )
 
@@ -96,12 +98,12 @@ def _type(project: Project, kind: object) -> str:
     return type_text(kind, project.declared.dialect.spelling)  # type: ignore[arg-type]
 
 
-def _type_lines(project: Project, name: str, about: list[str], members: list[tuple[str, str, str]]) -> list[str]:
-    lines = [line for text in about for line in comment(text)]
+def _type_lines(project: Project, name: str, paragraphs: list[str], members: list[tuple[str, str, str]]) -> list[str]:
+    lines = [line for text in paragraphs for line in comment(text)]
     lines += [f'TYPE "{name}"', "VERSION : 0.1", "   STRUCT"]
     for member, kind, remark in members:
-        beside = f"   {project.declared.dialect.comment.format(comment_text(remark))}" if comment_text(remark) else ""
-        lines.append(f"      {member} : {kind};{beside}")
+        suffix = f"   {project.declared.dialect.comment.format(comment_text(remark))}" if comment_text(remark) else ""
+        lines.append(f"      {member} : {kind};{suffix}")
     return [*lines, "   END_STRUCT;", "", "END_TYPE"]
 
 
@@ -113,23 +115,23 @@ def functions(project: Project) -> Iterator[list[str]]:
 
 def clashes(project: Project) -> Iterator[Diagnostic]:
     """Functions that have the name of another one."""
-    taken: set[str] = set()
+    names: set[str] = set()
     for routine in project.routines:
-        if routine.name.lower() in taken:
+        if routine.name.lower() in names:
             yield Diagnostic(
                 "plc_names_distinct",
                 f"two functions of {project.layout.device.id} are {routine.name} in {project.declared.dialect.title}",
                 project.layout.device.place["id"],
                 help="give one of the two facts that they are about another name",
             )
-        taken.add(routine.name.lower())
+        names.add(routine.name.lower())
 
 
 _STANDARD, _OPTIMIZED = "FALSE", "TRUE"
 
 
 def blocks(project: Project) -> Iterator[list[str]]:
-    """All data blocks."""
+    """The sources of all data blocks."""
     for telegram in project.telegrams:
         yield _images(telegram)
         yield _block_values(project, telegram)
@@ -155,7 +157,7 @@ def _images(telegram: TelegramBlock) -> list[str]:
 
 
 def _calls(block: str, telegram: TelegramBlock, before: str) -> list[str]:
-    """The calls that exchange process data, what is read before what is written."""
+    """The calls that exchange process data: those that read come before those that write."""
     calls = []
     for member, _, _ in reversed(telegram.directions):
         name = f"{before}{member[:1].upper()}{member[1:]}" if before else member
@@ -196,8 +198,8 @@ def _text_block(project: Project, texts: TextBlock) -> list[str]:
     for number, text in enumerate(table.texts):
         values.append(f"   entries[{number}].code := {text.code};")
         values.append(f"   entries[{number}].text := {string(text.text, project.text_length)};")
-    about = comment(f"{table.title}: the texts of its codes, the least code first.")
-    return [*about, *_block(texts.name, _OPTIMIZED, members, values)]
+    heading = comment(f"{table.title}: the texts of its codes, the least code first.")
+    return [*heading, *_block(texts.name, _OPTIMIZED, members, values)]
 
 
 def _block(name: str, optimized: str, members: list[str], values: list[str] | None = None) -> list[str]:
@@ -217,7 +219,7 @@ def _block(name: str, optimized: str, members: list[str], values: list[str] | No
     ]
 
 
-def string(text: str, most: int = LONGEST_STRING) -> str:
+def string(text: str, limit: int = LONGEST_STRING) -> str:
     """A literal of STRING, which has the printable characters of ASCII alone; others become question marks."""
-    characters = "".join(char if " " <= char <= "~" else "?" for char in text)[:most]
+    characters = "".join(char if " " <= char <= "~" else "?" for char in text)[:limit]
     return "'" + characters.replace("$", "$$").replace("'", "$'") + "'"

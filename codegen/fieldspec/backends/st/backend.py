@@ -35,7 +35,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
 
 
 def shared() -> dict[str, str]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 

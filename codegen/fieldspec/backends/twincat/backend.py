@@ -43,8 +43,8 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     layout = newest(versions)
     st_program = program(layout)
     folder = stem(layout.device.id, layout.device.version)
-    about = st_program.about()
-    texts = {f"{folder}/{path(item)}": source(item, about) for item in st_program.items}
+    heading = st_program.about()
+    texts = {f"{folder}/{path(item)}": source(item, heading) for item in st_program.items}
     texts[f"{folder}/project_items.xml"] = inclusion(st_program.items)
     texts[f"{folder}/layout.csv"] = layout_table(st_program)
     return texts
@@ -56,7 +56,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
 
 
 def shared() -> dict[str, str]:
-    """Nothing belongs to no device."""
+    """No files: every file of this output belongs to one device."""
     return {}
 
 
@@ -71,10 +71,10 @@ def identifier(name: str) -> str:
     return f"{{{uuid.uuid5(_SPACE, name.lower())}}}"
 
 
-def source(item: Item, about: list[str]) -> str:
+def source(item: Item, heading: list[str]) -> str:
     """The file of an object, with the byte order mark of all files that TwinCAT writes itself."""
     form = FORMS[item.kind]
-    head = [f"// {line}" for line in about]
+    head = [f"// {line}" for line in heading]
     lines = [
         f'{BYTE_ORDER_MARK}<?xml version="1.0" encoding="utf-8"?>',
         '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">',

@@ -70,7 +70,7 @@ def _idle_read(layout: DeviceLayout, link: LinkLayout, block: ReadBlock) -> Idle
     answer = _answer_of_bits(access, words) if is_bits else _answer(access, message.response, words)
     request = _frame(codec, "request", block.message, arguments)
     response = _frame(codec, "response", block.message, {**arguments, **answer})
-    asked, answered = (
+    decoded_request, decoded_response = (
         codec.decode(frame, direction, block.message)
         for frame, direction in ((request, "request"), (response, "response"))
     )
@@ -79,8 +79,8 @@ def _idle_read(layout: DeviceLayout, link: LinkLayout, block: ReadBlock) -> Idle
         link.name,
         request,
         response,
-        {**asked.head, **asked.values},
-        {**answered.head, **answered.values},
+        {**decoded_request.head, **decoded_request.values},
+        {**decoded_response.head, **decoded_response.values},
         values,
     )
 
@@ -90,12 +90,12 @@ def _answer(access: RegisterAccess, record: RecordLayout, words: bytes) -> dict[
     assert field is not None
     order = "big" if field.order == "big" else "little"
     size = field.size
-    numbers: list[Raw] = [int.from_bytes(words[at : at + size], order) for at in range(0, len(words), size)]  # type: ignore[arg-type]
+    numbers: list[Raw] = [int.from_bytes(words[offset : offset + size], order) for offset in range(0, len(words), size)]  # type: ignore[arg-type]
     return {field.name: numbers if field.is_list else numbers[0]}
 
 
 def _answer_of_bits(access: RegisterAccess, words: bytes) -> dict[str, Raw]:
-    bits = [int(any(words[at : at + 2])) for at in range(0, len(words), 2)]
+    bits = [int(any(words[offset : offset + 2])) for offset in range(0, len(words), 2)]
     if access.set is not None:
         return {access.values: access.set if bits[0] else access.clear}
     return {access.values: list(packed_bits(bits))}
@@ -125,8 +125,8 @@ def _words(layout: DeviceLayout, block: ReadBlock) -> tuple[dict[str, Raw], byte
     size = layout.device.space(block.space).unit_size
     data = bytearray(size * block.words)
     for name, address, raw_bytes, value in _contents(layout, block):
-        at = size * (address - block.start)
-        data[at : at + len(raw_bytes)] = raw_bytes
+        offset = size * (address - block.start)
+        data[offset : offset + len(raw_bytes)] = raw_bytes
         values[name] = value
     return values, bytes(data)
 
@@ -161,10 +161,15 @@ def _of_element(
     if block.start <= first and first + table.words <= block.end:
         yield name, first, data, values
         return
-    for at, words, fields in table.word_runs():
-        if block.start <= first + at and first + at + words <= block.end:
+    for offset, words, fields in table.word_runs():
+        if block.start <= first + offset and first + offset + words <= block.end:
             for field in fields:
-                yield f"{name}.{field.name}", first + at, data[2 * at : 2 * (at + words)], values[field.name]
+                yield (
+                    f"{name}.{field.name}",
+                    first + offset,
+                    data[2 * offset : 2 * (offset + words)],
+                    values[field.name],
+                )
 
 
 def _space(device: Device, name: str) -> str:

@@ -55,7 +55,7 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Escaped links, whose frames a dissector does not see, and what it shows as bytes."""
+    """The refusals of escaped links, whose frames a dissector does not see, and of facts that it shows as bytes."""
     links = {link.name: link.link for layout in versions for link in layout.links.values()}
     return [
         Diagnostic(

@@ -52,16 +52,16 @@ class Filters:
         candidates = [f"{self.prefix}.{name}" for name in names]
         while True:
             for candidate in candidates:
-                taken = self.rows.get(candidate)
-                if taken is None:
+                existing = self.rows.get(candidate)
+                if existing is None:
                     self.rows[candidate] = {"filter": candidate, **row}
                     return candidate
-                if all(taken.get(key) == row.get(key) for key in ("type", "base", "names")):
+                if all(existing.get(key) == row.get(key) for key in ("type", "base", "names")):
                     return candidate
             candidates = [f"{candidates[-1]}_"]
 
     def of_value(self, names: tuple[str, ...], fact: Fact, value: Value) -> str:
-        """The filter name of a value."""
+        """The name of the display filter of a value."""
         kind, size = value.type.kind, value.size
         row: dict[str, Data] = {"title": title_of(fact), "text": description(fact)}
         if kind is Kind.TEXT:
@@ -109,8 +109,8 @@ class Filters:
         return self.of_bits((f"{names[-1]}_",), value)
 
     def _fits(self, place: str, row: dict[str, Data]) -> bool:
-        taken = self.rows.get(place)
-        return taken is None or all(taken.get(key) == row.get(key) for key in ("type", "base", "names"))
+        existing = self.rows.get(place)
+        return existing is None or all(existing.get(key) == row.get(key) for key in ("type", "base", "names"))
 
     def _names(self, value: Value) -> Data:
         if value.size > 4:

@@ -34,7 +34,10 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "hex": own.encoding == "hex_ascii",
         "is_coded": is_coded,
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
-        "repeated": [{"asked": asked.name, "answered": answered.name} for asked, answered in repeated_parts(link)],
+        "repeated": [
+            {"asked": request_part.name, "answered": response_part.name}
+            for request_part, response_part in repeated_parts(link)
+        ],
         "messages": messages,
         "exception": None if exception is None else _exception(link, exception),
         "units": None
@@ -63,9 +66,9 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
     bodies = [message.data(direction) for message in link.messages.values()]
     if own.exception_response is not None:
         bodies.append(layout.records[own.exception_response.record])
-    around, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
+    parts_size, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
     marks = len(frame.start) + len(frame.end)
-    most = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
+    largest = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
     return {
         "start": frame.start,
         "stop": frame.end,
@@ -75,14 +78,14 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "parts": [_part(filters, layout, link, direction, part) for part in frame.parts],
         "header": frame.header_size,
         "trailer": frame.trailer_size,
-        "shortest": marks + width * (around + min((record.least for record in bodies), default=0)),
-        "longest": marks + width * (around + most),
+        "shortest": marks + width * (parts_size + min((record.least for record in bodies), default=0)),
+        "longest": marks + width * (parts_size + largest),
         "is_framed": bool(frame.end) or _tells_length(frame),
     }
 
 
 def _subcode(code: int, subcode: Subcode) -> dict[str, Data]:
-    """What tells messages with a code apart."""
+    """The subcode of messages that share a code, as data of the dissector."""
     messages: list[Data] = [{"number": number, "name": message.name} for number, message in subcode.messages.items()]
     place: dict[str, Data] = {"offset": subcode.offset, "size": subcode.size, "order": subcode.order}
     return {"code": code, **place, "messages": messages}

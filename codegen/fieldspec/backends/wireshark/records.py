@@ -214,25 +214,26 @@ def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
 
 def _varying_extent(record: RecordLayout) -> Data:
     """How a record with one list, or one text, that has fields behind it tells its size."""
-    counter, others = record.count_of_text or (None, 0)
+    counter, fixed_size = record.count_of_text or (None, 0)
     unit = 1
     if record.inner_lists is not None:
-        inner, *more = record.inner_lists.lists
-        each = ((field, field.field.measures) for field in record.fields)
+        inner, *further = record.inner_lists.lists
+        measuring_fields = ((field, field.field.measures) for field in record.fields)
         counter, measures = next(
-            ((field, own) for field, own in each if own is not None and own.field == inner.name), (None, None)
+            ((field, own) for field, own in measuring_fields if own is not None and own.field == inner.name),
+            (None, None),
         )
-        if more or inner.tail is not None or measures is None:
+        if further or inner.tail is not None or measures is None:
             return None
         unit = measures.unit(inner.element)
-        others = record.inner_lists.fixed - measures.plus * unit
+        fixed_size = record.inner_lists.fixed - measures.plus * unit
     value = counter.value if counter is not None and record.has_place(counter) else None
     if counter is None or value is None or counter.size > 4 or value.digits:
         return None
     extent: dict[str, Data] = {
         "offset": counter.offset,
         "value": value_data(value, counter.order, counter.swapped),
-        "fixed": others,
+        "fixed": fixed_size,
         "unit": unit,
     }
     return extent

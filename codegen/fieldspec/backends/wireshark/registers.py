@@ -59,7 +59,7 @@ def table_data(filters: Filters, device: Device, layout: TableLayout) -> list[Da
 
 
 def _table_field(filters: Filters, device: Device, layout: TableLayout, nested: NestedField) -> dict[str, Data]:
-    """What all elements of a field of a table share."""
+    """The data that all elements of a field of a table share."""
     table, field = layout.table, nested.field
     names = (f"{layout.name}.{nested.name}", f"table.{layout.name}.{nested.name}")
     assert field.value is not None
@@ -87,17 +87,17 @@ def parameter_sets(filters: Filters, layout: DeviceLayout) -> dict[str, Data]:
 
 
 def set_data(filters: Filters, device: Device, words: ParameterSet) -> dict[str, Data]:
-    """The parameters of one set."""
+    """The data of one set of parameters for the dissector."""
     return {"base": words.base, "rows": [_parameter(filters, device, words, row) for row in words.parameters]}
 
 
 def _parameter(filters: Filters, device: Device, words: ParameterSet, parameter: Parameter) -> dict[str, Data]:
-    several = parameter.elements is not None or bool(parameter.subindices)
+    has_elements = parameter.elements is not None or bool(parameter.subindices)
     return {
         **_entry(filters, device, f"{words.name}.{parameter.name}", words, parameter, parameter),
         "number": parameter.number,
         "count": parameter.count,
-        "several": several,
+        "several": has_elements,
         "trigger": parameter.trigger,
         "subindices": [
             {

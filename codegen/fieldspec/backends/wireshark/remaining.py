@@ -36,7 +36,7 @@ class Remaining:
 
 
 def remaining(layout: DeviceLayout) -> Remaining:
-    """What a dissector shows of a device."""
+    """The facts of a device that a dissector shows, with those that it leaves out."""
     refusals = [
         *_parameters_in_bytes(layout),
         *character_refusals(layout, _READER),
@@ -110,7 +110,7 @@ def _separate_fields(record: RecordLayout, names: Collection[str]) -> Iterator[s
 
 
 def _is_varying_list(record: RecordLayout, field: FieldLayout) -> bool:
-    """Whether it is a list whose place, or the place of what follows it, differs from frame to frame."""
+    """Whether a field is a list, and its place or that of the field behind it differs from frame to frame."""
     return field.count is None and record.inner_lists is not None
 
 

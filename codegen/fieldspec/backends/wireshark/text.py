@@ -42,8 +42,8 @@ def table(value: Data, indent: int = 0) -> str:
     flat = _flat(value, WIDTH - indent)
     if flat is not None:
         return flat
-    inside = " " * (indent + 2)
-    lines = [f"{inside}{key}{table(inner, indent + 2)}," for key, inner in _entries(value)]
+    inner_indent = " " * (indent + 2)
+    lines = [f"{inner_indent}{key}{table(inner, indent + 2)}," for key, inner in _entries(value)]
     return "\n".join(["{", *lines, f"{' ' * indent}}}"]) if lines else "{}"
 
 
@@ -68,7 +68,7 @@ def _entries(value: Data) -> Iterator[tuple[str, Data]]:
 
 
 def _flat(value: Data, room: int) -> str | None:
-    """Data in one line of at most so many characters; None where it is longer, which is known from its beginning."""
+    """Data in one line of at most `room` characters; None where the line would be longer."""
     if not _is_composed(value):
         text = _scalar(value)
         return text if len(text) <= room else None

@@ -26,7 +26,7 @@ def explainer_data(layout: DeviceLayout) -> str:
 
 
 def device_data(layout: DeviceLayout) -> dict[str, Data]:
-    """The data of the explainer."""
+    """The data from which the explainer in browsers explains frames of a device."""
     device = layout.device
     return {
         "device": device.id,

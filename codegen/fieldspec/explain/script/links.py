@@ -43,8 +43,8 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
                 else None,
             }
         ),
-        "delimiters": {way: [mark.hex() for mark in own.delimiters(way)] for way in DIRECTIONS},
-        "subcodes": {way: _subcodes(link, way) for way in DIRECTIONS},
+        "delimiters": {direction: [mark.hex() for mark in own.delimiters(direction)] for direction in DIRECTIONS},
+        "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
@@ -55,7 +55,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
 
 
 def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> Data:
-    """What marks an exception response, and its record.
+    """The mark of exception responses and their record, as data of the explainer.
 
     The mark is a flag, a code, a part that is not normal, or bytes at a place in the data.
     """
@@ -68,7 +68,7 @@ def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> Data
 
 
 def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
-    """What tells messages of one code apart: the place in their data, and the messages by the numbers there."""
+    """The subcodes of messages that share a code: the place in their data, and the messages by the numbers there."""
     return [
         {
             "code": code,

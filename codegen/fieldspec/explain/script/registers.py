@@ -37,7 +37,7 @@ def register_data(device: Device, layout: RegisterLayout) -> dict[str, Data]:
 
 
 def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
-    """A table of records in registers."""
+    """A table of records in registers as data of the explainer."""
     table = layout.table
     fields = {nested.name: nested for nested in nested_fields(layout.record)}
     accesses = {path: nested.access(table.access) for path, nested in fields.items()}
@@ -66,7 +66,7 @@ def gaps_data(layout: DeviceLayout) -> list[Data]:
 
 
 def set_data(words: ParameterSet) -> dict[str, Data]:
-    """A set of parameters."""
+    """A set of parameters as data of the explainer."""
     return {
         **fact_data(words),
         "base": words.base,
@@ -80,10 +80,10 @@ def set_data(words: ParameterSet) -> dict[str, Data]:
 
 def _digits(form: str) -> list[Data]:
     """How a number is printed: the digits at least, their base, and the text behind them."""
-    inner, _, behind = form.partition("{")[2].partition("}")
+    inner, _, suffix = form.partition("{")[2].partition("}")
     code = inner.partition(":")[2]
     upper, base = code[-1:] == "X", 16 if code[-1:] in ("x", "X") else 10
-    return [int(code.rstrip("xXd") or "0"), base, upper, behind]
+    return [int(code.rstrip("xXd") or "0"), base, upper, suffix]
 
 
 def _parameter(parameter: Parameter) -> dict[str, Data]:

@@ -26,7 +26,7 @@ def stated(data: Mapping[str, Data]) -> dict[str, Data]:
 
 
 def fact_data(fact: Fact) -> dict[str, Data]:
-    """What the row of a fact prints, besides its value."""
+    """The data of a fact that its row prints besides its value."""
     return stated(
         {
             "name": fact.name,
@@ -94,7 +94,7 @@ def _digits(value: Value) -> dict[str, Data]:
 
 
 def _text_form(value: Value) -> dict[str, Data]:
-    """The form of a text and what it is called; nothing for the usual form."""
+    """The form of a text with its title, as data of the explainer; empty for the usual form."""
     form = value.text_form
     if form is None:
         return {}
@@ -117,7 +117,7 @@ def _scale(scale: Decimal | Fraction, offset: Decimal) -> dict[str, Data]:
 
 
 def enum_data(enum: Enum) -> dict[str, Data]:
-    """An enum with its members."""
+    """An enum with its members as data of the explainer."""
     return {
         **stated({"name": enum.name, "path": enum.place.path, "open": enum.open}),
         "members": [_member(member) for member in enum.members],
@@ -143,7 +143,7 @@ def _member(member: Member) -> dict[str, Data]:
 
 
 def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
-    """A word with its bits and states."""
+    """A word of flags with its bits and states as data of the explainer."""
     return stated(
         {
             "name": word.name,
@@ -151,7 +151,9 @@ def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
             "size": word.type.size,
             "countedFromMost": word.bit_0 == "most",
             "bits": [_bit(bit) for bit in word.bits],
-            "needed": [[needed.bit.name, needed.reason, list(needed.names)] for needed in needed_bits(word, enums)],
+            "needed": [
+                [required.bit.name, required.reason, list(required.names)] for required in needed_bits(word, enums)
+            ],
             "states": [
                 stated(
                     {

@@ -78,8 +78,8 @@ def _fletcher_width(parameters: Entry, width: int) -> int:
 
 
 def _checksum(parameters: Entry, method: str, width: int) -> Checksum:
-    most = (1 << width) - 1
-    initial = (parameters.integer("initial") or 0) & most
+    mask = (1 << width) - 1
+    initial = (parameters.integer("initial") or 0) & mask
     if method != "crc":
         usual_size = {"sum": 1, "xor": width // 8, "fletcher": width // 16}[method]
         modulus = (parameters.integer("modulus") or (1 << width // 2) - 1) if method == "fletcher" else 0
@@ -94,9 +94,9 @@ def _checksum(parameters: Entry, method: str, width: int) -> Checksum:
     return Checksum(
         method,
         width,
-        (parameters.integer("polynomial") or 1) & most,
+        (parameters.integer("polynomial") or 1) & mask,
         initial,
         parameters.flag("reflect_in"),
         parameters.flag("reflect_out"),
-        (parameters.integer("final_xor") or 0) & most,
+        (parameters.integer("final_xor") or 0) & mask,
     )

@@ -282,7 +282,7 @@ _ABSENT: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.val
 
 
 def _claimed(node: Node) -> ScalarValue:
-    """What a claim says under a key; a list of names as one text."""
+    """The text of a claim under a key; a list of names is one text."""
     if isinstance(node, Sequence):
         return ", ".join(item.text for item in node.items if isinstance(item, Scalar))
     return node.value if isinstance(node, Scalar) else None
@@ -329,11 +329,11 @@ def rows(
     defaults: Mapping | None,
     reused: Reused,
     build: Callable[[Entry], Item],
-    *more: object,
+    *dependencies: object,
     key: str = "rows",
 ) -> tuple[Item, ...]:
-    """The objects of the rows of an entry, each under a path with its name; `more` is what else they depend on."""
-    by_defaults = reused.setdefault((path, entry.section, entry.sources, *more), ByIdentity())
+    """The objects of the rows of an entry, each under a path with its name; they depend on `dependencies` too."""
+    by_defaults = reused.setdefault((path, entry.section, entry.sources, *dependencies), ByIdentity())
     same = cast("ByIdentity[object, object]", by_defaults.get_or_compute(defaults, lambda _: ByIdentity()))
     return reused_items(entry, key, path, "name", defaults, same, build)
 
@@ -356,11 +356,11 @@ def reused_items(
         if item in same:
             items.append(cast("Item", same[item]))
             continue
-        named = item.values.get(name)
-        step = named.text if isinstance(named, Scalar) else str(number)
+        name_node = item.values.get(name)
+        step = name_node.text if isinstance(name_node, Scalar) else str(number)
         quiet = len(entry.findings)
         result = build(Entry(item, f"{path}/{step}", entry.findings, entry.section, entry.sources, defaults))
         items.append(result)
-        if isinstance(named, Scalar) and len(entry.findings) == quiet:  # a finding is for every version
+        if isinstance(name_node, Scalar) and len(entry.findings) == quiet:  # a finding is for every version
             same[item] = result
     return tuple(items)

@@ -73,7 +73,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
 def _by_name(
     root: Entry, section: str, build: Callable[[Entry], Item], reused: Reused, name: str = "name"
 ) -> dict[str, Item]:
-    """The objects of a section by name; a name that is taken is a finding. The same node gives the same object."""
+    """The objects of a section by name. A name that occurs twice is a finding; the same node gives the same object."""
     sequence = root.own.get(section)
     sections, same = reused.setdefault((section, "whole"), ByIdentity()), reused.setdefault(section, ByIdentity())
     if sequence in sections:
@@ -82,7 +82,7 @@ def _by_name(
     first: dict[str, Mapping] = {}
     before = len(root.findings)
     for item in mappings(sequence):
-        key = _text(item, name)
+        key = _scalar_text(item, name)
         if key in items:
             label = Label(_span(first[key], name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
@@ -100,7 +100,7 @@ def _by_name(
     return items
 
 
-def _text(item: Mapping, key: str) -> str:
+def _scalar_text(item: Mapping, key: str) -> str:
     scalar = item.values.get(key)
     return scalar.text if isinstance(scalar, Scalar) else ""
 

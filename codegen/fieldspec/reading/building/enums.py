@@ -11,7 +11,7 @@ from fieldspec.reading.building.values import counts_of, default_of, scale_of, s
 
 
 def enum(entry: Entry) -> Enum:
-    """An enum or a table of codes."""
+    """The enum, or the table of codes, that an entry states."""
     derived = entry.entry("derived")
     if not entry.get("members"):
         entry.refuse("missing_key", "name", "an enum needs members", "list them under `members`")

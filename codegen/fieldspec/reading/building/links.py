@@ -48,7 +48,7 @@ _HELP = {
 
 
 def link(entry: Entry) -> Link:
-    """A link."""
+    """The link that an entry states."""
     exception, silence, names = (
         entry.entry("exception_response"),
         entry.entry("silence"),
@@ -58,8 +58,13 @@ def link(entry: Entry) -> Link:
     order = entry.text("byte_order")
     request = tuple(_part(inner, order) for inner in entry.entries("request"))
     delimiters = _delimiters(entry)
-    beside = [part.entry(key) for part in (entry.entry("delimiters"),) if part for key in ("request", "response")]
-    cited = [*entry.sources, *(source for part in (*beside, escaping, can) if part for source in part.sources)]
+    delimiter_entries = [
+        part.entry(key) for part in (entry.entry("delimiters"),) if part for key in ("request", "response")
+    ]
+    cited = [
+        *entry.sources,
+        *(source for part in (*delimiter_entries, escaping, can) if part for source in part.sources),
+    ]
     return Link(
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
         title=entry.text("title"),
@@ -101,8 +106,8 @@ def _identifier(entry: Entry, parts: tuple[Part, ...], order: str) -> Escape:
 
 def _delimiters(entry: Entry) -> dict[str, bytes]:
     """The delimiters of both directions, which are stated once where they are the same."""
-    each = entry.entry("delimiters")
-    if each is None:
+    by_direction = entry.entry("delimiters")
+    if by_direction is None:
         start, end = bytes.fromhex(entry.text("start")), bytes.fromhex(entry.text("end"))
         return {"start": start, "end": end, "response_start": start, "response_end": end}
     for key in ("start", "end"):
@@ -111,7 +116,7 @@ def _delimiters(entry: Entry) -> dict[str, bytes]:
             entry.refuse("wrong_form", key, text, "remove it, or state it for each direction under `delimiters`")
     delimiters = {}
     for direction, prefix in (("request", ""), ("response", "response_")):
-        inner = each.entry(direction)
+        inner = by_direction.entry(direction)
         for key in ("start", "end"):
             delimiters[prefix + key] = bytes.fromhex(inner.text(key) if inner is not None else "")
     return delimiters

@@ -33,8 +33,8 @@ def _transitions(machine: Entry, parts: list[Entry]) -> Iterator[Transition]:
     own = f"state/{name}"
     for entry in parts:
         actions = list(mappings(entry.get("rule")))
-        entered = [action for action in actions if _text(action.values.get("enter")) == name]
-        target = _text(entered[-1].values.get("state")) if entered else ""  # the others are over at once
+        entered = [action for action in actions if _scalar_text(action.values.get("enter")) == name]
+        target = _scalar_text(entered[-1].values.get("state")) if entered else ""  # the others are over at once
         if target not in states:
             continue
         conditions = {key: _texts(node) for key, node in _pairs(entry.get("if"))}
@@ -44,7 +44,7 @@ def _transitions(machine: Entry, parts: list[Entry]) -> Iterator[Transition]:
             entry.place(),
             tuple(state for state in origins if state in states),
             target,
-            next(((kind, _text(node)) for kind, node in _pairs(entry.get("when"))), ()),
+            next(((kind, _scalar_text(node)) for kind, node in _pairs(entry.get("when"))), ()),
             tuple((key, values) for key, values in conditions.items() if key != own),
             tuple(_action(action) for action in actions if action not in entered),
             entry.text("assumed"),
@@ -57,14 +57,14 @@ def _pairs(node: Node | None) -> Iterator[tuple[str, Node]]:
         yield from node.values.items()
 
 
-def _text(node: Node | None) -> str:
+def _scalar_text(node: Node | None) -> str:
     return node.text if isinstance(node, Scalar) else ""
 
 
 def _texts(node: Node) -> tuple[str, ...]:
     if isinstance(node, Sequence):
-        return tuple(_text(item) for item in node.items)
-    return (_text(node),)
+        return tuple(_scalar_text(item) for item in node.items)
+    return (_scalar_text(node),)
 
 
 def _action(action: Mapping) -> str:

@@ -21,7 +21,7 @@ _OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
 
 
 def record(entry: Entry, reused: Reused) -> Record:
-    """A record."""
+    """The record that an entry states."""
     return Record(
         **entry.fact(),
         size=entry.integer("size"),
@@ -52,10 +52,10 @@ def _field(entry: Entry) -> Field:
     measures = entry.entry("measures")
     measure = None
     if measures:
-        of = "bytes" if measures.get("bytes") else "items"
+        unit = "bytes" if measures.get("bytes") else "items"
         if "plus" in measures.own and not measures.integer("plus"):
             measures.refuse("wrong_form", "plus", "a `plus` of 0 has no effect", "remove it")
-        measure = Measure(of, measures.text(of), measures.integer("plus") or 0)
+        measure = Measure(unit, measures.text(unit), measures.integer("plus") or 0)
     return Field(
         **entry.fact(),
         value=None if name or choice else value(entry, words=words),

@@ -24,7 +24,7 @@ from fieldspec.reading.nodes import Mapping
 
 
 def address_space(entry: Entry) -> AddressSpace:
-    """An address space."""
+    """The address space that an entry states."""
     return AddressSpace(
         **entry.fact(),
         title=entry.text("title"),
@@ -115,7 +115,7 @@ def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
 
 
 def table(entry: Entry) -> Table:
-    """A table of records."""
+    """The table of records that an entry states."""
     return Table(
         **entry.fact(),
         title=entry.text("title"),
@@ -158,7 +158,7 @@ def _subindex(entry: Entry, type_name: str) -> Subindex:
 
 
 def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
-    """A set of numbered parameters."""
+    """The set of parameters that an entry states."""
     defaults = _defaults(entry)
     type_name = entry.text("type")
     parameters = rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name)

@@ -34,14 +34,14 @@ def _step(entry: Entry) -> Step:
         entry.refuse("wrong_form", actions[-1] if actions else "value", text, f"use one of {', '.join(ACTIONS)}")
     action = actions[0] if actions else "read"
     waits = action == "wait"
-    named = entry.get("arguments")
-    arguments = named.values if isinstance(named, Mapping) else {}
+    arguments_node = entry.get("arguments")
+    arguments = arguments_node.values if isinstance(arguments_node, Mapping) else {}
     return Step(
         place=entry.place(),
         action=action,
         target=entry.text(action),
         value=None if waits else entry.value("value"),
-        wanted=_wanted(entry.get("value")) if waits else (),
+        wanted=_awaited_values(entry.get("value")) if waits else (),
         argument=entry.text("argument"),
         within=entry.decimal("within"),
         relative=entry.flag("relative"),
@@ -53,7 +53,7 @@ def _step(entry: Entry) -> Step:
     )
 
 
-def _wanted(node: Node | None) -> tuple[ScalarValue, ...]:
+def _awaited_values(node: Node | None) -> tuple[ScalarValue, ...]:
     """The values that end a wait: one, or the alternatives of a list."""
     nodes = node.items if isinstance(node, Sequence) else (node,)
-    return tuple(each.value for each in nodes if isinstance(each, Scalar))
+    return tuple(item.value for item in nodes if isinstance(item, Scalar))

@@ -20,7 +20,7 @@ from fieldspec.reading.nodes import Scalar, Sequence, identity
 
 
 def lookup(entry: Entry) -> Lookup:
-    """A table that is not on the wire."""
+    """The lookup table, of what is not on the wire, that an entry states."""
     columns = tuple(
         LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
         for inner in entry.entries("columns")
@@ -30,11 +30,11 @@ def lookup(entry: Entry) -> Lookup:
         title=entry.text("title"),
         kind=entry.text("kind") or "table",
         columns=columns,
-        rows=tuple(_row(inner, len(columns)) for inner in entry.entries("rows")),
+        rows=tuple(_lookup_row(inner, len(columns)) for inner in entry.entries("rows")),
     )
 
 
-def _row(entry: Entry, width: int) -> LookupRow:
+def _lookup_row(entry: Entry, width: int) -> LookupRow:
     sequence = entry.node.values.get("cells")
     items = sequence.items if isinstance(sequence, Sequence) else ()
     cells = tuple(item.value for item in items if isinstance(item, Scalar))
@@ -46,7 +46,7 @@ def _row(entry: Entry, width: int) -> LookupRow:
 
 
 def limit(entry: Entry) -> Limit:
-    """A single number."""
+    """The limit, a single number with its unit, that an entry states."""
     return Limit(
         **entry.fact(),
         kind=entry.text("kind") or "limit",
@@ -74,7 +74,7 @@ def declared_unit(entry: Entry) -> DeclaredUnit:
 
 
 def note(entry: Entry) -> Note:
-    """A caveat."""
+    """The note, a caveat of the manual, that an entry states."""
     return Note(
         name=entry.text("name"),
         place=entry.place(),
@@ -92,7 +92,7 @@ def note(entry: Entry) -> Note:
 
 
 def example(entry: Entry) -> Example:
-    """A frame with its meaning."""
+    """The example, a frame with its meaning, that an entry states."""
     return Example(
         id=entry.text("id"),
         place=entry.place(),
@@ -122,7 +122,7 @@ def _frame(entry: Entry) -> bytes:
 
 
 def erratum(entry: Entry) -> Erratum:
-    """A departure from the print."""
+    """The erratum, a departure from what the manual prints, that an entry states."""
     return Erratum(
         id=entry.text("id"),
         place=entry.place(),
@@ -139,7 +139,7 @@ def erratum(entry: Entry) -> Erratum:
 
 
 def acceptance(entry: Entry) -> Acceptance:
-    """A change that is accepted."""
+    """The accepted change that an entry states."""
     return Acceptance(
         place=entry.place(),
         rule=entry.text("rule"),
@@ -151,7 +151,7 @@ def acceptance(entry: Entry) -> Acceptance:
 
 
 def stated_change(entry: Entry) -> StatedChange:
-    """An entry of a version overlay."""
+    """The change that an entry of a version overlay states."""
     kind, path = entry.text("kind"), entry.text("fact")
     if kind == "adds":
         item, path = entry.own.get("item"), entry.text("in")

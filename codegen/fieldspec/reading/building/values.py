@@ -212,7 +212,7 @@ def _nearest(key: str, count: Fraction, scale: Decimal | Fraction, offset: Decim
 
 
 def signal(entry: Entry) -> Signal:
-    """A value that is placed by name."""
+    """The signal, a value that is placed by its name, that an entry states."""
     return Signal(**entry.fact(), value=value(entry), direction=entry.text("direction"))
 
 
