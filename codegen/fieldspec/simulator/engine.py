@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from math import inf
 
@@ -102,10 +102,6 @@ class Engine:
                 self.raise_event(heapq.heappop(self._queue)[2])
         self.now = max(self.now, now)
         self.refresh()
-
-    def due(self) -> float:
-        """The time of the next event that is known; infinite if none is."""
-        return min(self.axis.end, self._queue[0][0] if self._queue else inf)
 
     # Events
 
@@ -335,7 +331,3 @@ class Engine:
         """Tells the listeners of something."""
         for listener in self.listeners:
             listener(kind, text)
-
-    def loaded(self) -> Iterator[str]:
-        """The names of the fields of the record that was loaded last."""
-        yield from self.element
