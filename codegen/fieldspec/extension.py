@@ -13,7 +13,8 @@ from fieldspec.backends import Files
 from fieldspec.checks.finding import Check, finding, label
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic, Label, Severity
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.device import Device, Manual

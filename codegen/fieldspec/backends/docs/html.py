@@ -163,7 +163,7 @@ class _Page:
                 yield f"<div><dt>{escaped(strip.title)}</dt><dd>{terms}</dd></div>\n"
             yield "</dl>\n"
         elif isinstance(block, StateDrawing):
-            yield from state_drawing(block)
+            yield state_drawing(block)
         else:
             yield '<div class="scroll">\n'
             yield from map(self._bits, block.rows)
