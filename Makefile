@@ -6,6 +6,7 @@
 # make fuzz-bytes  fuzz the generated Python and JavaScript: coverage-guided for SECONDS=60 for each device, damaged frames, random bytes
 # make mutants  put slips into the specs of the devices, one at a time, and count which checks, proofs, manuals and vectors notice
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
+# make frozen  ask every codec about more than a million inputs and compare with the recorded digests; ACCEPT=yes records them
 # make fuzz-texts  put hostile texts into every text of devices for a minute, or SECONDS=600, and parse all outputs
 # make mutants-compiler  change single places of the compiler, and count which mutants recorded outputs and tests notice
 # make queries  compare the queries of a telegram with the reference on a million random telegrams
@@ -42,7 +43,7 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
+.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs frozen fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
 
 build: $(INSTALLED) bytecode
 	$(BIN)/fieldspec build
@@ -79,6 +80,9 @@ mutants: $(INSTALLED)
 
 fuzz-specs: $(INSTALLED)
 	$(BIN)/python tests/random_devices/fuzz.py $(or $(SECONDS),60) $(SEED)
+
+frozen: $(INSTALLED)
+	FIELDSPEC_FROZEN=all $(BIN)/pytest -n 2 $(if $(ACCEPT),--accept) tests/frozen
 
 fuzz-texts: $(INSTALLED) $(if $(NPM),$(TOOLS))
 	$(BIN)/python tests/hostile_texts/fuzz.py $(or $(SECONDS),60) $(or $(SEED),1)

@@ -24,6 +24,7 @@ SLOW = (
     "c_output",
     "device",
     "docs_output",
+    "frozen",
     "hostile_bytes",
     "hostile_texts",
     "js_output",

@@ -29,10 +29,14 @@ function toJson(value) {
   return value;
 }
 
+const entries = new Map();
+
+/** What is exported under a name and has a property: kept, as there are thousands of exports and of jobs. */
 function find(name, key) {
-  const entry = Object.values(exports).find((value) => value?.name === name && value[key] !== undefined);
-  if (entry === undefined) throw new Error(`there is no ${name}`);
-  return entry;
+  const place = `${key} ${name}`;
+  if (!entries.has(place)) entries.set(place, Object.values(exports).find((value) => value?.name === name && value[key] !== undefined));
+  if (entries.get(place) === undefined) throw new Error(`there is no ${name}`);
+  return entries.get(place);
 }
 
 function again(action) {
@@ -65,10 +69,23 @@ function frame({ path: [linkName, direction, messageName], data, encodes, header
 
 const coded = (number) => (number === null ? "None" : number);
 
-function alone(codec, { data, encodes, values }) {
+function alone(codec, { data, encodes, values, exponent }) {
   if (encodes) return { again: hex(codec.encode(fromJson(values))) };
   const value = codec.decode(new Uint8Array(Buffer.from(data, "hex")));
-  return { value: toJson(value), again: again(() => codec.encode(value)) };
+  return { value: toJson(value), again: again(() => codec.encode(value)), ...(exponent && quantity(codec, value, exponent)) };
+}
+
+/** The value in its unit, or the refusal of it, and the name of the state that it stands for. */
+function quantity({ units, absent }, value, exponent) {
+  const state = absent?.nameOf(value) ?? null;
+  let number = state === null ? value : null;
+  try {
+    if (units) number = units.inUnit(value, ...exponent);
+  } catch (error) {
+    if (error.name !== "CodecError") throw error;
+    number = `!${error.reason}`;
+  }
+  return { quantity: toJson(number), state };
 }
 
 function parameter([setName, name]) {
@@ -89,7 +106,7 @@ function answer(job) {
     if (job.kind === "parameter") return alone(parameter(job.path), job);
     return { error: [null, null] };
   } catch (error) {
-    if (error.name !== "CodecError") throw new Error(`${JSON.stringify(job)}: ${error.stack}`);
+    if (error.name !== "CodecError") return { raises: error.name, stack: `${JSON.stringify(job)}: ${error.stack}` };
     return { error: [error.reason, error.offset] };
   }
 }

@@ -18,7 +18,17 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
-from random_devices.queries import ABSENT_OFFSET, UNKNOWN, Answer, Query, flat, flat_value
+from random_devices.queries import (
+    ABSENT_OFFSET,
+    EXPONENT,
+    UNKNOWN,
+    Answer,
+    Query,
+    flat,
+    flat_value,
+    has_quantity,
+    quantity_text,
+)
 
 SCRIPT = Path(__file__).with_name("javascript_judge.mjs")
 
@@ -36,7 +46,7 @@ class JavaScript:
     def answers(self, queries: list[Query]) -> list[Answer]:
         """The answer to each query."""
         jobs = [self._job(query) for query in queries]
-        (self.folder / "jobs.json").write_text(json.dumps(jobs), "utf-8")
+        (self.folder / "jobs.json").write_text(json.dumps(jobs, default=_bytes), "utf-8")
         command = [require_tool("node"), str(SCRIPT), str(self.folder / "device/module.js"), "jobs.json"]
         run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
         if run.returncode:
@@ -49,6 +59,8 @@ class JavaScript:
         job["carriesCode"] = coded
         job["encodes"] = query.values is not None
         if query.values is None:
+            if query.kind in ("register", "parameter") and has_quantity(query.shape[0]):
+                job["exponent"] = [EXPONENT] if query.shape[0].scale_by else []
             return job
         if query.kind == "frame":
             parts = self._parts(query)
@@ -73,13 +85,23 @@ class JavaScript:
             if part.is_argument
         ]
 
+    def raised(self, result: dict[str, Any]) -> Answer:
+        """The answer where an exception is no refusal, which is a mistake of the codec or of a judge. Raises it."""
+        raise RuntimeError(result["stack"])
+
     def _answer(self, query: Query, result: dict[str, Any]) -> Answer:
+        if "raises" in result:
+            return self.raised(result)
         if "error" in result:
             reason, offset = result["error"]
             placed = query.kind in ("frame", "record")
             return Answer(reason, (ABSENT_OFFSET if offset is None else offset) if placed else None)
         if query.values is not None or query.kind == "subindex":
             return Answer(again=result["again"])
+        quantity = None
+        if "quantity" in result:
+            number = _scalar(result["quantity"])
+            quantity = quantity_text(float(number["$f"]) if isinstance(number, dict) else number, result["state"])
         values: str
         if query.kind == "frame":
             data = result["value"]
@@ -99,7 +121,7 @@ class JavaScript:
             values = flat_value(query.shape[0], _typed(query.shape[0], result["value"]))
         # Which NaN an engine writes is its own choice, and it may change while a program runs.
         again = UNKNOWN if json.dumps({"$f": "NaN"}) in json.dumps(result["value"]) else result["again"]
-        return Answer(values=values, again=again)
+        return Answer(values=values, again=again, quantity=quantity)
 
 
 def object_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -117,13 +139,13 @@ def object_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]
             continue
 
         def element(item: Any, field: Any = field) -> Any:
-            if field.record is not None:
+            if field.record is not None and isinstance(item, Mapping):
                 return object_of(field.record, item)
             if field.value is None:
                 return item
             return _element(field.value, item, field.size)
 
-        result[member.key] = [element(item) for item in value] if field.is_list else element(value)
+        result[member.key] = [element(item) for item in value] if isinstance(value, list) else element(value)
     return result
 
 
@@ -150,13 +172,18 @@ def values_of(record: RecordLayout, data: Mapping[str, Any]) -> dict[str, Any]:
     return result
 
 
+def _bytes(item: Any) -> dict[str, str]:
+    """Bytes in place of a value that has none, as JSON of the judge."""
+    return {"$b": item.hex()}
+
+
 def _element(value: Value, item: Any, size: int) -> Any:
     kind = value.type.kind
     if kind is Kind.BOOLEAN and item in (0, 1):
         return bool(item)
-    if kind is Kind.BYTES and isinstance(item, bytes | bytearray):
+    if isinstance(item, bytes | bytearray):
         return {"$b": bytes(item).hex()}
-    if kind is Kind.FLOAT and isinstance(item, float) and not math.isfinite(item):
+    if isinstance(item, float) and not math.isfinite(item):
         return {"$f": "NaN" if math.isnan(item) else "Infinity" if item > 0 else "-Infinity"}
     return _number(item, value.number_size(size))
 

@@ -14,9 +14,10 @@ from fieldspec.backends.python.backend import PACKAGE, files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.part import PartLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.value import Value
 from fieldspec.names import Name
 from python_package import built, class_of, codec_error, link_of, raw, raws, record_class
-from random_devices.queries import Answer, Query, flat, flat_value, refused
+from random_devices.queries import EXPONENT, Answer, Query, flat, flat_value, has_quantity, quantity_text, refused
 
 _TAKEN = frozenset({"frame", "message", "request", "self", "unit_address"})
 """The parameters of the generated functions that are no parts of a header."""
@@ -210,7 +211,17 @@ class Python:
             again = holder.encode(decoded).hex()
         except self.error as error:
             again = "!" + error.reason
-        return Answer(values=flat_value(value, raw(decoded)), again=again)
+        quantity = self._quantity(value, holder, decoded) if has_quantity(value) else None
+        return Answer(values=flat_value(value, raw(decoded)), again=again, quantity=quantity)
+
+    def _quantity(self, value: Value, holder: Any, decoded: Any) -> str | None:
+        if getattr(holder, "subindices", ()) and holder.subindex(0) is not None:
+            return None  # its quantities are those of its elements
+        try:
+            number = holder.in_unit(decoded, *((EXPONENT,) * bool(value.scale_by)))
+        except self.error as error:
+            number = "!" + error.reason
+        return quantity_text(number, holder.state_of(decoded))
 
     def _typed(self, value: Any, number: Any) -> Any:
         return class_of(self.module, value.flags, "Flags")(number) if value.flags else number

@@ -51,6 +51,7 @@ class Query:
 class Answer:
     """A refusal with its offset, or values and the bytes that are encoded from them; `again` may be a refusal too.
 
+    `quantity` is that of a single value: the number in its unit and its state, or the reason why it has none.
     A judge that does not say an attribute leaves it UNKNOWN. How values that are not stable are encoded is open.
     """
 
@@ -58,11 +59,12 @@ class Answer:
     offset: Any = UNKNOWN
     values: str | None = UNKNOWN
     again: str | None = UNKNOWN
+    quantity: str | None = UNKNOWN
     is_stable: bool = True
 
     def differences(self, other: Answer) -> list[str]:
         """The attributes that both say, and that differ."""
-        names = ("reason", "offset", "values", "again")
+        names = ("reason", "offset", "values", "again", "quantity")
         if self.reason and other.reason:
             names = ("reason", "offset")
         return [
@@ -73,6 +75,8 @@ class Answer:
         ]
 
 
+EXPONENT = 1
+"""The exponent of quantities whose power of ten is in another register."""
 ABSENT_OFFSET = -1
 """The offset of a refusal that has none."""
 
@@ -122,6 +126,18 @@ def flat_value(value: Value, raw: Any) -> str:
     return f"{int(raw)};"
 
 
+def has_quantity(value: Value) -> bool:
+    """Whether codecs have a quantity of a value: of counts in a unit or with a scale, and of what may be a state."""
+    if value.const is not None or value.enum or value.flags or value.type.kind not in (Kind.INTEGER, Kind.FLOAT):
+        return False
+    return bool(value.sentinels or (value.type.kind is Kind.INTEGER and (value.unit or value.scaled)))
+
+
+def quantity_text(number: float | str | None, state: str | None) -> str:
+    """A quantity as a text that does not depend on how a language writes numbers: None, a number, or a refusal."""
+    return f"{number if number is None or isinstance(number, str) else repr(float(number))} {state}"
+
+
 def is_stable(values: Any) -> bool:
     """Whether every language keeps the values whole: no NaN with bits of its own, no text that goes on after a zero."""
     if isinstance(values, Mapping):
@@ -157,15 +173,15 @@ def frame_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iter
         (link.name, direction, message)
         for link in layout.links.values()
         for direction in ("request", "response")
-        for message in _queried(link, direction)
+        for message in queried_messages(link, direction)
     ]
     reference = codec(layout)
     for number in range(count if places else 0):
         link, direction, message = places[number % len(places)]
-        yield from _frame_queries(layout, reference, link, direction, message, dice)
+        yield from message_queries(layout, reference, link, direction, message, dice)
 
 
-def _queried(link: LinkLayout, direction: str) -> list[str]:
+def queried_messages(link: LinkLayout, direction: str) -> list[str]:
     """The messages in one direction. Frames that no message has there are tried where their codes show them."""
     carried = link.carried(direction)
     return list(link.messages if carried and link.frame(direction).role("code") is not None else carried)
@@ -182,7 +198,7 @@ def _absent(layout: DeviceLayout, link: str, direction: str, message: str, dice:
     return Query("frame", (link, direction, ""), sealed(layout, link, shape, bytes(parts), dice))
 
 
-def _frame_queries(
+def message_queries(
     layout: DeviceLayout, reference: DeviceCodec, link: str, direction: str, message: str, dice: random.Random
 ) -> Iterator[Query]:
     shape, line = layout.links[link].frame(direction), layout.links[link].link

@@ -86,7 +86,8 @@ class Reference:
     def _encoded(self, shape: Any, name: str, raw: Any) -> str:
         value, order, swapped, _, size = shape
         absent = any(sentinel.value == raw for sentinel in value.sentinels)
-        if value.write_ranges is not None and raw not in value.write_ranges and not absent:
+        is_number = isinstance(raw, int | float)
+        if value.write_ranges is not None and is_number and raw not in value.write_ranges and not absent:
             raise CodecError("out_of_range", f"{name} is {raw}, and may not be written")
         # Writing a trigger takes what its enum lists, as writing anything does.
         number = encoded_value(name, value, raw, self.layout.device)

@@ -38,13 +38,14 @@ class ScriptExplainer:
     def answers(self, queries: list[Query]) -> list[Answer]:
         """Nothing about single queries."""
         dice = random.Random(len(queries))
-        jobs = [self._job(*entry) for entry in (*self._queried(queries, dice), *self._accesses(dice))]
+        jobs = [self.job(*entry) for entry in (*self._queried(queries, dice), *self._accesses(dice))]
         for job, (have,) in zip(jobs, explained_by_node(jobs), strict=True):
             wanted = explained_by_python(self.layout, job)
             assert have == wanted, f"{_difference(have, wanted)} for {job['options']} {job['request']} {job['frame']}"
         return [Answer(reason=None)] * len(queries)
 
-    def _job(self, path: tuple[str, ...], frame: bytes, request: bytes = b"") -> dict[str, Any]:
+    def job(self, path: tuple[str, ...], frame: bytes, request: bytes = b"") -> dict[str, Any]:
+        """What Node is asked about a frame, the answer to a request if there is one."""
         names = ("link", "direction", "message")
         options = {name: value for name, value in zip(names, path, strict=False) if value}
         module = str(self.folder / "device/explain.js")
@@ -69,7 +70,7 @@ class ScriptExplainer:
                 access = access or self.layout.device.bit_access(message.message)
                 if access is None or not link.request.parts:
                     continue
-                for request, response in islice(self._accessed(link, message, access, dice), ACCESSES):
+                for request, response in islice(accessed(self.layout, link, message, access, dice), ACCESSES):
                     known = (link.link.name, "request"), (link.link.name, "response")
                     yield known[0], request
                     yield known[0], spoiled(request, dice)
@@ -77,28 +78,30 @@ class ScriptExplainer:
                         yield known[1], response, request
                         yield known[1], spoiled(response, dice), request
 
-    def _accessed(
-        self, link: LinkLayout, message: MessageLayout, access: RegisterAccess, dice: random.Random
-    ) -> Iterator[tuple[bytes, bytes]]:
-        present = list(occupants(self.layout, Span(access.space, 0, 1 << 16, 0, b"")))
-        reference = codec(self.layout).links[link.link.name]
-        for _ in range(8 * ACCESSES if present else 0):
-            frames = []
-            first: Occupant = dice.choice(present)
-            fixed = {access.start: max(0, first.address - dice.choice((0, 0, 1)))}
-            for direction in ("request", "response"):
-                if message.name not in link.carried(direction):
-                    continue
-                shape, record = link.frame(direction), message.data(direction)
-                values = record_values(self.layout, record, dice)
-                own = {name: number for name, number in fixed.items() if record.named(name) is not None}
-                head = header_values(self.layout, link.link.name, shape, dice)
-                try:
-                    frames.append(reference.encode(direction, message.name, {**head, **values, **own}))
-                except CodecError:
-                    break
-            else:
-                yield frames[0], frames[1] if len(frames) > 1 else b""
+
+def accessed(
+    layout: DeviceLayout, link: LinkLayout, message: MessageLayout, access: RegisterAccess, dice: random.Random
+) -> Iterator[tuple[bytes, bytes]]:
+    """Requests for registers that there are, with their responses."""
+    present = list(occupants(layout, Span(access.space, 0, 1 << 16, 0, b"")))
+    reference = codec(layout).links[link.link.name]
+    for _ in range(8 * ACCESSES if present else 0):
+        frames = []
+        first: Occupant = dice.choice(present)
+        fixed = {access.start: max(0, first.address - dice.choice((0, 0, 1)))}
+        for direction in ("request", "response"):
+            if message.name not in link.carried(direction):
+                continue
+            shape, record = link.frame(direction), message.data(direction)
+            values = record_values(layout, record, dice)
+            own = {name: number for name, number in fixed.items() if record.named(name) is not None}
+            head = header_values(layout, link.link.name, shape, dice)
+            try:
+                frames.append(reference.encode(direction, message.name, {**head, **values, **own}))
+            except CodecError:
+                break
+        else:
+            yield frames[0], frames[1] if len(frames) > 1 else b""
 
 
 def _difference(have: dict[str, Any], wanted: dict[str, Any]) -> str:
