@@ -19,6 +19,7 @@ Files = dict[str, Spec]
 LINE = "firmware"
 DEVICE, PROTOCOL = "chance/device.yaml", "protocols/shared.yaml"
 _OF_PROTOCOL = ("links", "messages", "records", "enums")
+_OF_DERIVED = ("name", "label", "doc", "source")
 _OF_COPIES = ("name", "at", "decimal", "access", "trigger", "restart", "source", "clears_on_read", "label", "notes")
 
 
@@ -60,14 +61,14 @@ def _derived(spec: Spec, derived: Spec) -> Iterator[Spec]:
     if "flags" in derived:
         word = next(word for word in spec["flags"] if word["name"] == derived["flags"])
         for bit in word["bits"]:
-            if "bit" in bit:
+            if "bit" in bit and "name" in bit and not bit.get("reserved"):
                 place = bit["bit"] if word.get("bit_0") != "most" else 8 * SIZES[word["type"]] - 1 - bit["bit"]
-                yield {key: bit[key] for key in ("name", "label", "doc", "source") if key in bit} | {"value": 1 << place}
+                yield {key: bit[key] for key in _OF_DERIVED if key in bit} | {"value": 1 << place}
         return
     other = next(enum for enum in spec["enums"] if enum["name"] == derived["enum"])
     for member in other["members"]:
         if "number" in member:
-            yield {**{key: own for key, own in member.items() if key != "number"}, "value": member["number"]}
+            yield {key: member[key] for key in _OF_DERIVED if key in member} | {"value": member["number"]}
 
 
 def _copy(group: Spec, stated: Spec) -> Spec:
