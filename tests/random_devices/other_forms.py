@@ -11,7 +11,7 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from random_devices.draft import SIZES, Spec
+from random_devices.draft import BOUNDS, SIZES, Spec
 
 Files = dict[str, Spec]
 """The files of a project by path."""
@@ -43,7 +43,7 @@ def flat(spec: Spec, version: str = "") -> Spec:
 def _bare(node: Any, version: str) -> Any:
     """A part of a spec without the facts of other versions, and without bounds."""
     if isinstance(node, dict):
-        return {key: _bare(inner, version) for key, inner in node.items() if key not in ("since", "until", "only")}
+        return {key: _bare(inner, version) for key, inner in node.items() if key not in BOUNDS}
     if isinstance(node, list):
         return [_bare(item, version) for item in node if applies(item, version)]
     return node
@@ -78,7 +78,7 @@ def _copy(group: Spec, stated: Spec) -> Spec:
         own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
         own |= {key: held for key in ("access", "trigger") if (held := stated.get(key, row.get(key))) is not None}
-        rows.append({**own, "source": stated["source"]})
+        rows.append({**own, "copy_of": row["name"], "source": stated["source"]})
     result = {"group": stated["group"], "source": stated["source"], "rows": rows}
     return result | {key: group[key] for key in ("space", "defaults") if key in group}
 
@@ -151,7 +151,7 @@ def overlaid(spec: Spec, dice: random.Random) -> tuple[Files, Spec] | None:
             if is_now and not was:
                 if not has_order and not is_known:
                     return None  # an overlay puts a fact behind one of the base
-                added = {key: held for key, held in item.items() if key not in ("since", "until", "only")}
+                added = {key: held for key, held in item.items() if key not in BOUNDS}
                 behind = {} if has_order else {"after": last.rpartition("/")[2]}
                 entries["adds"].append({"in": place, "item": flat_item(added, second), **behind, **why})
             last, is_known = (path, bool(was and path)) if is_now else (last, is_known)
@@ -188,7 +188,7 @@ def _lists(spec: Spec) -> Iterator[tuple[str, str, list[Spec]]]:
         for fact in spec.get(section, ()):
             yield f"{section}/{fact['name']}", f"{section}/{fact['name']}", fact.get(key, [])
     for message in spec["messages"]:
-        if not {"since", "until", "only"} & set(message):
+        if not BOUNDS & set(message):
             for direction in ("request", "response"):
                 place = f"messages/{message['name']}/{direction}"
                 yield place, place, message.get(direction, [])

@@ -12,6 +12,7 @@ from fieldspec.backends.python.writing import tuple_of
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.segments import SegmentsLayout, segments_of
+from fieldspec.model.enums import Flags
 from fieldspec.model.registers import ParameterSet
 from fieldspec.model.segments import NumberPlace, initial_number
 
