@@ -50,6 +50,8 @@ SIZES = {
 SIZES |= {"u24": 3, "i24": 3, "u40": 5, "i40": 5, "u48": 6, "i48": 6, "u56": 7, "i56": 7, "f64": 8}
 INTEGERS = ("u16", "u8", "i16", "u32", "i32", "i8", "u64", "i64")
 ODD_INTEGERS = ("u24", "i24", "u40", "i40", "u48", "i48", "u56", "i56")
+BOUNDS = {"since", "until", "only"}
+"""The keys that bind a fact to some versions."""
 ODD_COUNTS = ("u24", "u40", "u48", "u56")
 ODD_WORDS = ("u48", "i48")
 """Those of them that have a whole number of words."""
@@ -165,7 +167,8 @@ class Draft:
         """A fact that some versions do not have, now and then."""
         if self.versions and self.chance(percent):
             first, second = self.versions
-            fact |= self.pick(({"since": second}, {"since": second}, {"until": first}, {"only": [second]}, {"only": [first]}))
+            only: list[Spec] = [{"only": [version]} for version in self.versions]
+            fact |= self.pick(({"since": second}, {"since": second}, {"until": first}, *only))
         return fact
 
     def intervals(self, low: int, high: int, most: int = 3) -> list[tuple[int, int]]:

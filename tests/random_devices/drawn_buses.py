@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices import drawn_messages, drawn_registers
-from random_devices.draft import Draft, Spec
+from random_devices.draft import BOUNDS, Draft, Spec
 from random_devices.drawn_records import fixed_field
 from random_devices.drawn_values import size_of
 
@@ -127,7 +127,7 @@ def _body(draft: Draft, room: int) -> list[Spec]:
     fields = []
     for _ in range(draft.number(0, 4)):
         field, size = fixed_field(draft)
-        if size <= room and not {"since", "until", "only"} & set(field):
+        if size <= room and not BOUNDS & set(field):
             fields.append(field)
             room -= size
     return fields

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from random_devices.draft import Draft, RecordDraft, Spec
+from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
 from random_devices.drawn_values import size_of, value, varying_text, varying_value
 
 
@@ -41,7 +41,7 @@ def _record(draft: Draft, words: bool) -> Spec:
         record["size"] = size
     elif draft.chance(20) and words:
         record["words"] = size // 2
-    if any({"since", "until", "only"} & set(field) for field in record["fields"]):
+    if any(BOUNDS & set(field) for field in record["fields"]):
         record.pop("size", None)
         record.pop("words", None)
     apart = any("write_range" in field for field in record["fields"])
@@ -226,7 +226,7 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
 
 def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """The size of a field whose size is fixed, before or behind it."""
-    countable = [field for field in fields if not {"reserved", "const", "since", "until", "only", "measures"} & set(field)]
+    countable = [field for field in fields if not ({"reserved", "const", "measures"} | BOUNDS) & set(field)]
     if not countable:
         return fields
     other = draft.pick(countable)

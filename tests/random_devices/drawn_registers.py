@@ -104,7 +104,7 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
         at += 1
     if gaps:
         group["gaps"] = [{"at": gap, "reason": "The manual leaves them out."} for gap in gaps]
-    elif draft.chance(15) and "scale_by" not in {key for row in group["rows"] for key in row}:
+    elif draft.chance(30) and "scale_by" not in {key for row in group["rows"] for key in row}:
         _repeat_block(draft, group, at)
         at += at - group["rows"][0]["at"]
     free[space] = at

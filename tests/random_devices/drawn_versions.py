@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from random_devices.draft import Draft, Spec
+from random_devices.draft import BOUNDS, Draft, Spec
 
 
 def tell_versions(draft: Draft) -> None:
@@ -18,9 +18,9 @@ def tell_versions(draft: Draft) -> None:
         (f"messages/{message['name']}/response/{field['name']}", field)
         for message in spec["messages"]
         for field in message.get("response", ())
-        if "name" in field and not {"since", "until", "only"} & set(message)
+        if "name" in field and not BOUNDS & set(message)
     ]
-    barred = {"since", "until", "only", "count", "repeat", "reserved", "const", "trigger", "elements", "varies"}
+    barred = BOUNDS | {"count", "repeat", "reserved", "const", "trigger", "elements", "varies"}
     telling = [
         (path, row)
         for path, row in rows

@@ -5,7 +5,18 @@ from __future__ import annotations
 from decimal import Decimal
 from itertools import pairwise
 
-from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, EnumDraft, Spec, bounds, number, range_text
+from random_devices.draft import (
+    BOUNDS,
+    ODD_COUNTS,
+    ODD_INTEGERS,
+    SIZES,
+    Draft,
+    EnumDraft,
+    Spec,
+    bounds,
+    number,
+    range_text,
+)
 from random_devices.drawn_values import value
 
 
@@ -39,7 +50,7 @@ def _enum(draft: Draft) -> Spec:
         enum["sparse"] = True
     elif gaps:
         enum["gaps"] = f"{', '.join(gaps)}: the manual leaves them out"
-    members = {m["name"]: m["value"] for m in enum["members"] if not ({"since", "until", "only", "unavailable"} & set(m))}
+    members = {m["name"]: m["value"] for m in enum["members"] if not ({"unavailable"} | BOUNDS) & set(m)}
     everything = {m["name"]: m["value"] for m in enum["members"]}
     draft.enums.append(EnumDraft(enum["name"], members if len(members) > 1 else everything, bool(enum.get("open"))))
     return enum
@@ -60,7 +71,7 @@ def _flags(draft: Draft) -> Spec:
         at += width + (draft.number(0, 9) if draft.chance(40) else 0)
     if draft.chance(20):
         word["bits"].reverse()
-    single = [bit["name"] for bit in word["bits"] if "bit" in bit and not {"reserved", "since", "until", "only"} & set(bit)]
+    single = [bit["name"] for bit in word["bits"] if "bit" in bit and not ({"reserved"} | BOUNDS) & set(bit)]
     if len(single) > 1 and draft.chance(25):
         word["states"] = [draft.fact(set=single[:1], clear=single[1:2]), draft.fact(set=single[1:2], clear=single[:1])]
     draft.flags[word["name"]] = kind
@@ -88,7 +99,7 @@ def derived_enums(draft: Draft) -> list[Spec]:
     drawn = []
     for word in draft.spec["flags"]:
         own = [bit for bit in word["bits"] if "bit" in bit and "name" in bit]
-        barred = {"since", "until", "only", "reserved"}
+        barred = {"reserved"} | BOUNDS
         if len(own) > 1 and draft.chance(25) and not any(barred & set(bit) for bit in own):
             highest = 8 * SIZES[word["type"]] - 1
             places = [highest - bit["bit"] if word.get("bit_0") == "most" else bit["bit"] for bit in own]
@@ -96,7 +107,7 @@ def derived_enums(draft: Draft) -> list[Spec]:
             drawn.append(_derived(draft, {"flags": word["name"]}, members))
     for enum in draft.spec["enums"]:
         own = enum["members"]
-        if len(own) > 1 and draft.chance(15) and not any({"since", "until", "only"} & set(member) for member in own):
+        if len(own) > 1 and draft.chance(15) and not any(BOUNDS & set(member) for member in own):
             numbers = sorted({draft.number(0, 200) for _ in own})
             if len(numbers) == len(own):
                 for member, number in zip(own, numbers, strict=True):

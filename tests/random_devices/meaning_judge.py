@@ -1,4 +1,4 @@
-"""What values mean as a judge: the texts, names and bits of the explainer, and the values that people enter for them."""
+"""What values mean as a judge: quantities, names and bits of the explainer, and what people enter for values."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from fieldspec.classes import replace
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.row import ExplanationRow
 from fieldspec.explain.values import DecodedValue, decode_value
@@ -74,7 +75,8 @@ class Meanings:
         except CodecError:
             return
         assert wanted.body is not None
-        rows = {row.path: row for row in explained(self.layout, link, direction, query.data, message).rows if row.kind == "field"}
+        explanation = explained(self.layout, link, direction, query.data, message)
+        rows = {row.path: row for row in explanation.rows if row.kind == "field"}
         for leaf in leaves(wanted.body, wanted.values):
             row = rows.get(leaf.path)
             if row is not None and leaf.value.parameter is None and not leaf.is_reserved:
@@ -127,13 +129,22 @@ class Meanings:
         is_told = any(f"bit {8 * word.type.size - 1} is its bit {most}." in note for note in read.notes)
         assert is_told == (most == 0 and any(each.bits for each in read.meanings)), f"{text}: {read.notes}"
 
+    def _read_word(self, word: Flags, number: int) -> tuple[Leaf, DecodedValue]:
+        value = replace(
+            word.bits[0].as_value, type=word.type, size=word.type.size, flags=word.name, enum="", ranges=None, unit="",
+            scale=Decimal(1), scale_text="", offset=Decimal(0), default=None,
+        )  # fmt: skip
+        data = number.to_bytes(word.type.size, "big")
+        return Leaf("", value, number, "big", False, False), decode_value(self.device, value, data, "big", False)
+
     @staticmethod
     def _is(word: Flags, name: str, bits: list[int], level: int) -> bool:
         bit = next(bit for bit in word.bits if bit.name == name)
         return all(own == level for own in bits[bit.first : bit.last + 1])
 
     def _assert_word(self, word: Flags, number: int) -> None:
-        """Generated Python has the numbers of all bits, and sets each alone."""
+        """The explainer has the numbers of all bits; generated Python has them too, and sets each alone."""
+        self._assert_meaning(word.name, *self._read_word(word, number))
         bits = [bit for bit in word.bits if not bit.reserved]
         of = class_of(self.module, word.name, "Flags")
         wanted = [number_of_bits(word, bit, number) for bit in bits]

@@ -121,4 +121,5 @@ def is_nearest(value: Value, raw: float, exact: Fraction | float, number: float)
     size += abs(Fraction(value.offset).numerator) * Fraction(value.scale).denominator
     if max(size, abs(raw) * Fraction(value.scale).numerator) < 1 << 53:
         return number == float(exact)
-    return math.isclose(number, float(exact), rel_tol=1e-15, abs_tol=float(scaled + abs(Fraction(value.offset))) * 1e-15)
+    terms = float(scaled + abs(Fraction(value.offset)))
+    return math.isclose(number, float(exact), rel_tol=1e-15, abs_tol=terms * 1e-15)

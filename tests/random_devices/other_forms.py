@@ -11,7 +11,7 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from random_devices.draft import SIZES, Spec
+from random_devices.draft import BOUNDS, SIZES, Spec
 
 Files = dict[str, Spec]
 """The files of a project by path."""
@@ -19,6 +19,7 @@ Files = dict[str, Spec]
 LINE = "firmware"
 DEVICE, PROTOCOL = "chance/device.yaml", "protocols/shared.yaml"
 _OF_PROTOCOL = ("links", "messages", "records", "enums")
+_OF_DERIVED = ("name", "label", "doc", "source")
 _OF_COPIES = ("name", "at", "decimal", "access", "trigger", "restart", "source", "clears_on_read", "label", "notes")
 
 
@@ -42,7 +43,7 @@ def flat(spec: Spec, version: str = "") -> Spec:
 def _bare(node: Any, version: str) -> Any:
     """A part of a spec without the facts of other versions, and without bounds."""
     if isinstance(node, dict):
-        return {key: _bare(inner, version) for key, inner in node.items() if key not in ("since", "until", "only")}
+        return {key: _bare(inner, version) for key, inner in node.items() if key not in BOUNDS}
     if isinstance(node, list):
         return [_bare(item, version) for item in node if applies(item, version)]
     return node
@@ -60,14 +61,14 @@ def _derived(spec: Spec, derived: Spec) -> Iterator[Spec]:
     if "flags" in derived:
         word = next(word for word in spec["flags"] if word["name"] == derived["flags"])
         for bit in word["bits"]:
-            if "bit" in bit:
+            if "bit" in bit and "name" in bit and not bit.get("reserved"):
                 place = bit["bit"] if word.get("bit_0") != "most" else 8 * SIZES[word["type"]] - 1 - bit["bit"]
-                yield {key: bit[key] for key in ("name", "label", "doc", "source") if key in bit} | {"value": 1 << place}
+                yield {key: bit[key] for key in _OF_DERIVED if key in bit} | {"value": 1 << place}
         return
     other = next(enum for enum in spec["enums"] if enum["name"] == derived["enum"])
     for member in other["members"]:
         if "number" in member:
-            yield {**{key: own for key, own in member.items() if key != "number"}, "value": member["number"]}
+            yield {key: member[key] for key in _OF_DERIVED if key in member} | {"value": member["number"]}
 
 
 def _copy(group: Spec, stated: Spec) -> Spec:
@@ -77,7 +78,7 @@ def _copy(group: Spec, stated: Spec) -> Spec:
         own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
         own |= {key: held for key in ("access", "trigger") if (held := stated.get(key, row.get(key))) is not None}
-        rows.append({**own, "source": stated["source"]})
+        rows.append({**own, "copy_of": row["name"], "source": stated["source"]})
     result = {"group": stated["group"], "source": stated["source"], "rows": rows}
     return result | {key: group[key] for key in ("space", "defaults") if key in group}
 
@@ -150,7 +151,7 @@ def overlaid(spec: Spec, dice: random.Random) -> tuple[Files, Spec] | None:
             if is_now and not was:
                 if not has_order and not is_known:
                     return None  # an overlay puts a fact behind one of the base
-                added = {key: held for key, held in item.items() if key not in ("since", "until", "only")}
+                added = {key: held for key, held in item.items() if key not in BOUNDS}
                 behind = {} if has_order else {"after": last.rpartition("/")[2]}
                 entries["adds"].append({"in": place, "item": flat_item(added, second), **behind, **why})
             last, is_known = (path, bool(was and path)) if is_now else (last, is_known)
@@ -187,7 +188,7 @@ def _lists(spec: Spec) -> Iterator[tuple[str, str, list[Spec]]]:
         for fact in spec.get(section, ()):
             yield f"{section}/{fact['name']}", f"{section}/{fact['name']}", fact.get(key, [])
     for message in spec["messages"]:
-        if not {"since", "until", "only"} & set(message):
+        if not BOUNDS & set(message):
             for direction in ("request", "response"):
                 place = f"messages/{message['name']}/{direction}"
                 yield place, place, message.get(direction, [])

@@ -13,7 +13,7 @@ Key = tuple[str, str]
 DOCUMENTATION = "It is documentation: no byte depends on it, and the tests of the pages cover it."
 COMPARED = "It is compared with another fact by a check, which has its own cases."
 HANDLING = "It says how to handle a value and is in no codec."
-PROTOCOL = "It needs a second file, which the tests of reading and of versions cover."
+FILES = "It is in a second file: a judge splits devices so, and compares the outputs of both forms."
 SIMULATED = "It is what a simulator does, and is in no codec."
 ANYWHERE = {
     "allow": "It permits a finding; one place is enough.",
@@ -30,7 +30,7 @@ ANYWHERE = {
     "printed_name": DOCUMENTATION,
     "section": DOCUMENTATION,
     "source": DOCUMENTATION,
-    "only": "It picks facts for versions as `since` and `until` do.",
+    "only": "Whether a fact has bounds does not depend on its kind; rows, fields, bits and messages have them.",
     "since": "Whether a fact has bounds does not depend on its kind; rows, fields, bits and messages have them.",
     "until": "Whether a fact has bounds does not depend on its kind; rows, fields, bits and messages have them.",
     "memory": HANDLING,
@@ -44,7 +44,6 @@ ANYWHERE = {
 """Keys that many facts may have."""
 MAPPINGS = {
     "message.segments.abort": "A program sends it; codecs have it as any other message.",
-    "message.segments": "It joins messages, which codecs read one by one; tests of segments have other stacks.",
     "behaviour": SIMULATED,
     "behaviour_action": SIMULATED,
     "behaviour_value": SIMULATED,
@@ -67,16 +66,15 @@ MAPPINGS = {
     "left_out": "It says how to read a manual, and random devices have none.",
     "unprinted": "It says how to read a manual, and random devices have none.",
     "acceptance": "It is about changes of specs.",
-    "was_is": PROTOCOL,
-    "protocol": PROTOCOL,
-    "uses": PROTOCOL,
-    "overlay": PROTOCOL,
-    "adds": PROTOCOL,
-    "changes": PROTOCOL,
-    "removes": PROTOCOL,
-    "renames": PROTOCOL,
+    "was_is": FILES,
+    "protocol": FILES,
+    "uses": FILES,
+    "overlay": FILES,
+    "adds": FILES,
+    "changes": FILES,
+    "removes": FILES,
+    "renames": FILES,
     "example": "Examples are made of the frames of the reference when a device is compared.",
-    "copy": "A copy of a block is a group of registers; the tests of glider-x cover it.",
     "device": DOCUMENTATION,
     "device.manual": DOCUMENTATION,
     "table.elements": COMPARED,
@@ -90,7 +88,7 @@ MAPPINGS = {
 KEYS = {
     ("file", key): reason
     for key, reason in {
-        **dict.fromkeys(("uses", "protocol", "overlay", "adds", "changes", "removes", "renames"), PROTOCOL),
+        **dict.fromkeys(("uses", "protocol", "overlay", "adds", "changes", "removes", "renames"), FILES),
         **dict.fromkeys(("lookups", "limits", "notes", "tasks"), DOCUMENTATION),
         **dict.fromkeys(("errata", "reviews", "audit", "accepts"), "It is about the manual or about changes of specs."),
         "examples": MAPPINGS["example"],
@@ -102,28 +100,23 @@ KEYS = {
     ("fact", "name"): "It is what the facts of the other mappings have.",
     ("link", "message_name"): DOCUMENTATION,
     ("link", "direction_names"): DOCUMENTATION,
-    ("member", "number"): "It is a column of documentation, and what an enum that is `derived` takes.",
     ("member", "problem"): DOCUMENTATION,
     ("member", "causes"): DOCUMENTATION,
     ("member", "remedies"): DOCUMENTATION,
-    ("enum", "derived"): "Its members are those of another list; the tests of glider-x cover it.",
     ("flags", "range"): COMPARED,
     ("bit", "when"): DOCUMENTATION,
-    ("flags", "bit_0"): "It says what the bits of a word mean; judges compare the word as a whole.",
     ("record", "same_as"): COMPARED,
     ("field", "at"): COMPARED,
     ("field", "words"): COMPARED,
     ("field", "span"): COMPARED,
     ("field", "word_span"): COMPARED,
     ("field", "atomic"): "It bounds the requests for a register; registers have it.",
-    ("register", "copy_of"): MAPPINGS["copy"],
+    ("register", "copy_of"): "Reading a spec adds it to the registers of a block that is copied.",
     ("register", "number"): COMPARED,
     ("register", "same_as"): COMPARED,
     ("register", "element_name"): DOCUMENTATION,
     ("register", "element_sources"): DOCUMENTATION,
     ("register_group", "order"): "It permits addresses in another order.",
-    ("register_group", "copies"): MAPPINGS["copy"],
-    ("table", "base_by"): "Several judges refuse such a table; the tests of tables that move compare the others.",
     ("table", "decimal"): COMPARED,
     ("table", "words"): COMPARED,
     ("table", "elements"): COMPARED,
@@ -134,7 +127,7 @@ KEYS = {
     ("parameter_set", "type"): "It is a default of rows, which state their own.",
     ("message", "group"): DOCUMENTATION,
     ("part", "same_as"): "A program compares the two parts; codecs read both alike.",
-    ("message", "segments"): "Controllers refuse it, and the messages are as any others; tests of segments try it.",
+    ("message.segments", "size"): "Reading in pieces has none here.",
     ("message", "supplements"): "It says beside which messages one is sent.",
     ("message", "data_words"): COMPARED,
     ("message", "frame_length"): COMPARED,

@@ -57,8 +57,8 @@ def paired(exchanges: Exchanges) -> Numbers:
     """For each response the row of its request; NONE for others, and for a response to none.
 
     A response answers the frame before it on its line, among those with the same repeated numbers, if that is a request
-    to the same unit with the same code. A response without a code answers any, one without a unit those to any, and a request without
-    a unit is answered by any.
+    to the same unit with the same code. A response without a code answers any, one without a unit those to any, and a
+    request without a unit is answered by any unit.
     """
     result = np.full(len(exchanges.stream), NONE)
     if not len(result):

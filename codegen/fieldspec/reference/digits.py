@@ -1,4 +1,4 @@
-"""Numbers that are sent as digits, as the reference codec reads and writes them: each form is one regular expression."""
+"""Numbers that are sent as digits, as the reference codec has them: each form is one regular expression."""
 
 from __future__ import annotations
 

@@ -87,7 +87,7 @@ class FrameCodec:
         return self._around(frame, direction)[0]
 
     def _around(self, frame: bytes, direction: str) -> tuple[Values, bytes]:
-        """The parts before the data, and the bytes of all parts. Raises CodecError where one around the data is wrong."""
+        """The parts before the data, and the bytes of all parts. Raises CodecError where a part is wrong."""
         data = self.parts(frame, direction)
         shape = self.link.frame(direction)
         _refuse_short(shape, data)

@@ -94,8 +94,8 @@ class Framing:
         parts = data[len(start) :]
         numbers = {
             part.role: part_construct(part).parse(parts[part.offset : part.offset + part.size])
-            for part in (self.shape.role("unit_address"), self.shape.role("length"), self.shape.role("code"))
-            if part is not None and part.role
+            for part in (self.shape.role("unit_address"), self.shape.role(self.ending))
+            if part is not None
         }
         if None in numbers.values() or not self._is_addressed(numbers.get("unit_address")):
             return NONE
