@@ -159,6 +159,8 @@ class CyclicTask:
         for step in task.steps:
             if step.action == "clear":
                 bits.append(self.places.bit(self._operand(step)))
+            elif step.action == "set":
+                self.insists.append(self.places.bit(self._operand(step)).put(True))
             elif step.action == "wait":
                 waits.append(step)
             else:
@@ -170,7 +172,7 @@ class CyclicTask:
             self.remarks.append("It clears the bits that start a motion too, in each scan while it is Busy.")
         elif isinstance(kind, Executed) and waits:
             kind.limit()
-        self.insists = cleared(bits)
+        self.insists += cleared(bits)
         draft.settle(_SETTLE)
         computed, test = self.conditions.all_of(waits, self.places.seen) if waits else ([], None)
         if test is None:
@@ -196,7 +198,8 @@ class CyclicTask:
         confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
         stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
         if stands is not None:
-            branches.append((opposite(stands), unready(self.kind, draft)))
+            assert isinstance(self.kind, Moving)
+            branches.append(unready(self.kind, draft, opposite(stands)))
         for step in first:
             _, holds = self.conditions.test(step, self.places.seen)
             branches.append((opposite(holds), [draft.fail("unready")]))
@@ -275,8 +278,8 @@ class CyclicTask:
                 self.set.append(bit)
             else:
                 self.unsettled = True
-                if task.kind == "stop":
-                    self.insists.append(bit.put(False))
+            if task.kind == "stop":
+                self.insists.append(bit.put(step.action == "set"))
             draft.add([*sent, bit.put(step.action == "set"), *taken, draft.go(on)])
         elif step.action == "write" and operand.bit is None:
             place, field = self.places.place(operand)

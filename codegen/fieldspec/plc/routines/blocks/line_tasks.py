@@ -200,7 +200,8 @@ class LineTask(ABC):
                 branches.append((opposite(holds), [draft.fail("unready")]))
             stands = conditions.stands(seen) if must_stand else None
             if stands is not None:
-                branches.append((opposite(stands), unready(draft.kind, draft)))
+                assert isinstance(draft.kind, Moving)
+                branches.append(unready(draft.kind, draft, opposite(stands)))
             visible = [operand for operand in needed if seen(operand) is not None]
             if visible:
                 self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")

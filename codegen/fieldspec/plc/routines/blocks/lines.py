@@ -67,7 +67,7 @@ class LineDraft(BlockDraft):
     def axis_port(self) -> AxisPort:
         """The members that say who moves the axis."""
         axis = self.port if self.key == AXIS else self.struct("axis", AXIS, "the same for all blocks of the device")
-        return AxisPort(*(member(self.world, AXIS, name, axis) for name in ("motion", "claims", "stops")))
+        return AxisPort(*(member(self.world, AXIS, name, axis) for name in AxisPort.MEMBERS))
 
     def limit(self) -> None:
         """Ends the block with an error when its time is over."""

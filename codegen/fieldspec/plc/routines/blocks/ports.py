@@ -36,8 +36,11 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
-URGENT = 2
-"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down."""
+URGENT = 3
+"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down.
+
+It does so twice between two calls of the block that asks, where the order of the calls changes.
+"""
 STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("state", INT, STATE_REMARK),
@@ -66,6 +69,8 @@ def ports(world: World) -> Iterator[Port]:
         ("motion", UDINT, "counts the commands that were accepted: the block of the last one has the axis"),
         ("claims", UDINT, "counts the commands that were begun: only the last one is sent"),
         ("stops", UDINT, "how many stops lock the axis"),
+        ("active", UDINT, "how many blocks have a command under way"),
+        ("exclusive", BOOL, "one of them does not see whether the device takes it: no other begins meanwhile"),
     )
     if layout.registers:
         asked = (
