@@ -72,6 +72,7 @@ class CyclicTask:
         self.lowered: list[Statement] = []
         self.insists: list[Statement] = []
         self.begun: list[Statement] = []
+        self.insisting = False
         self.unsettled = False
         self.remarks: list[str] = []
 
@@ -135,7 +136,8 @@ class CyclicTask:
         if self.task.kind not in MOVING:
             kind.restart = [*self.insists, *kind.restart]
             starts = [self.places.bit(bit) for bit in self.places.starting() if "move_start" in bit.roles]
-            kind.at_once = [*kind.goes_out(), *kind.take_over(), *self.insists, *cleared(starts)]
+            kind.fresh += [*self.insists, *cleared(starts)]
+            kind.at_once = [*kind.goes_out(), *kind.take_over()]
         kind.tries, kind.ending = 1, draft.next
         stands = self.conditions.stands(self.places.seen)
         reached = self.operands.with_role("speed_reached", self.message.name)
@@ -165,8 +167,9 @@ class CyclicTask:
                 waits.append(step)
             else:
                 raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
-        self.begun = [increment(self.places.axis_port().motion)]
+        self.insisting = True
         if isinstance(kind, Stopping):
+            self.begun = [increment(self.places.axis_port().motion)]
             levels = _BY_LEVEL | {"move_start"}
             bits += [self.places.bit(operand) for operand in self.places.starting() if levels & {*operand.roles}]
             self.remarks.append("It clears the bits that start a motion too, in each scan while it is Busy.")
@@ -191,7 +194,7 @@ class CyclicTask:
         first = task.steps[: before_effect(task)]
         noted = [
             item
-            for step in self.conditions.compared(task.steps)
+            for step in self.conditions.compared(task)
             for item in self.conditions.start_of(step, self.places.seen)
         ]
         branches: list[Branch] = []
@@ -356,9 +359,8 @@ class CyclicTask:
         draft, kind = self.draft, self.kind
         edges = kind.edges()
         guards = kind.guards()
-        insisting = bool(self.begun)
         ending = [Negation(kind.ending_flag)] if isinstance(kind, Moving) else []
-        if not insisting:
+        if not self.insisting:
             guards.append((every([Negation(self.places.valid), draft.unharmed(), *ending]), [draft.fail("transport")]))
         for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
             place, _ = self.places.place(watch.operand)
@@ -367,7 +369,8 @@ class CyclicTask:
         steps = draft.selected(asks=True)
         works = [*kind.may_ask(), draft.unharmed()]
         guards.append((every(works), steps))
-        orders = [when(kind.edge, self.begun), *self.insists] if insisting and isinstance(kind, Edged) else []
+        orders = [when(kind.edge, self.begun)] if self.begun and isinstance(kind, Edged) else []
+        orders += self.insists if self.insisting else []
         tail = kind.tail()
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         body = [*orders, chain(guards), *kind.accepted(), *tail]

@@ -184,9 +184,9 @@ class LineTask(ABC):
             seen = self.seen(own, unit)
             noted: list[Statement] = []
             needed = [watch.operand for watch in self.watches]
-            looks = (*unit.waits, *must_stand, *conditions.compared(task.steps), *refusals)
+            looks = (*unit.waits, *must_stand, *conditions.compared(task), *refusals)
             needed += [self.target(step) for step in looks]
-            for step in conditions.compared(task.steps):
+            for step in conditions.compared(task):
                 noted += conditions.start_of(step, seen) if seen(self.target(step)) is not None else []
             for step in refusals[:1]:
                 if seen(self.target(step)) is not None:
