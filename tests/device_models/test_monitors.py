@@ -38,8 +38,10 @@ from device_models.output_rules import (
 )
 from device_models.record_texts import record_of
 from device_models.stop_rules import (
+    a_halt_is_aborted_by_a_successor,
     a_jog_ends_with_its_input,
     a_jog_stops_itself,
+    a_jog_turns_at_standstill,
     a_stop_at_standstill_is_done,
     a_stop_comes_next,
     a_stop_is_done_at_standstill,
@@ -47,6 +49,7 @@ from device_models.stop_rules import (
     a_stop_locks_the_axis,
     a_stop_never_gives_up,
     both_directions_are_none,
+    nothing_starts_while_it_is_locked,
     power_comes_at_the_first_try,
     who_follows_falls_to_neutral,
 )
@@ -57,6 +60,7 @@ KINDS = {
     "Home": "home",
     "Jog": "jog",
     "Stop": "stop",
+    "Halt": "halt",
     "Speed": "velocity",
     "Power": "power_on",
     "Read": "read",
@@ -64,6 +68,7 @@ KINDS = {
 EDGE = "+Move.Execute +Move.Busy"
 MOVES = "ask:start_absolute accepted:absolute:1:500 began:absolute:1:500 n1 v100"
 JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 v100"
+MOVING = "began:absolute:1:500 w0 n1 v100"
 STANDS = "reached:absolute:1:500 n0 v0"
 DONE = "-Move.Busy +Move.Done"
 AWAY = "-Move.Execute -Move.Done"
@@ -96,6 +101,12 @@ CASES = (
     ),
     Case(an_end_is_seen_once, 7, ("", EDGE, DONE, "", AWAY), ("", EDGE, DONE, "-Move.Done")),
     Case(an_end_is_seen_once, 7, ("", EDGE, DONE, AWAY), ("", EDGE, DONE, "-Move.Execute")),
+    Case(
+        an_end_is_seen_once,
+        7,
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "+Stop.Busy -Stop.Done"),
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "-Stop.Done"),
+    ),
     Case(an_end_has_a_beginning, 8, ("", EDGE, DONE), ("", "+Move.Done")),
     Case(
         values_count_at_the_edge,
@@ -133,6 +144,18 @@ CASES = (
         ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1"),
         ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1", MOVES),
     ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=1"),
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", DONE),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("ms:50", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=1 x300"),
+        ("ms:50", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "x300"),
+    ),
     Case(a_start_has_an_edge, 13, ("", EDGE, "skip:Move", MOVES), (EDGE, MOVES)),
     Case(a_start_has_an_edge, 13, ("", EDGE, MOVES), ("", EDGE, "restart", MOVES)),
     Case(a_start_has_an_edge, 38, ("", EDGE, MOVES), ("", EDGE, MOVES, "ask:start_absolute")),
@@ -147,6 +170,18 @@ CASES = (
         15,
         ("", EDGE, MOVES, "-Move.Busy +Move.Error Move.ErrorID=2"),
         ("", EDGE, MOVES, "-Move.Busy +Move.Error Move.ErrorID=6"),
+    ),
+    Case(
+        somebody_is_responsible,
+        15,
+        ("", EDGE, "accepted:absolute:1 w1", "stop:command", "-Move.Busy +Move.Error Move.ErrorID=2", MOVING),
+        ("", EDGE, "accepted:absolute:1 w1", "stop:command", "-Move.Busy +Move.CommandAborted", MOVING),
+    ),
+    Case(
+        somebody_is_responsible,
+        15,
+        ("", EDGE, MOVES, "+Other.Error Other.ErrorID=2", ""),
+        ("", EDGE, MOVES, "+Other.Error Other.ErrorID=2", DONE),
     ),
     Case(
         who_is_aborted_has_a_successor,
@@ -194,6 +229,18 @@ CASES = (
         ("", EDGE, MOVES, "+Move.Abort -Move.Busy +Move.CommandAborted", "ask:read", "ask:read"),
     ),
     Case(
+        who_is_refused_ends_with_an_error,
+        17,
+        ("", EDGE, "refused:absolute", "accepted:relative:1", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "refused:absolute", "", "-Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        two_edges_start_once,
+        18,
+        ("ms:50", f"{EDGE} +Other.Execute +Other.Busy", "-Move.Busy +Move.CommandAborted x300"),
+        ("ms:50", f"{EDGE} +Other.Execute +Other.Busy", "x300"),
+    ),
+    Case(
         nothing_is_done_without_power,
         32,
         ("off", EDGE, "", "-Move.Busy +Move.Error Move.ErrorID=10"),
@@ -215,6 +262,18 @@ CASES = (
         ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0", "x300"),
     ),
     Case(
+        an_alarm_ends_a_motion,
+        33,
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", "stop:command", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        an_alarm_ends_a_motion,
+        33,
+        ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.Error Move.ErrorID=8 x400"),
+        ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0 x200", "-Move.Busy +Move.Error Move.ErrorID=8 x400"),
+    ),
+    Case(
         home_is_done_by_this_run,
         34,
         ("", "+Home.Execute +Home.Busy", "accepted:home:1 n1", "reached:home:1 n0", "-Home.Busy +Home.Done"),
@@ -231,16 +290,34 @@ CASES = (
     Case(
         a_valid_position_is_true,
         39,
-        ("p500", "+Read.Valid Read.diPositionRaw=500"),
-        ("p500", "+Read.Valid Read.diPositionRaw=1426063360"),
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500"),
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=1426063360"),
+    ),
+    Case(
+        a_valid_position_is_true,
+        39,
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Enable -Read.Valid"),
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Enable"),
+    ),
+    Case(
+        a_valid_position_is_true,
+        39,
+        ("ms:50 p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "p900 x100", "Read.diPositionRaw=900 x300"),
+        ("ms:50 p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "p900 x300"),
     ),
     Case(the_first_telegram_starts_nothing, 40, ("word:0406", "word:040F"), ("word:040F",)),
     Case(the_first_telegram_starts_nothing, 40, ("word:0406",), ("word:0406", "restart word:0047")),
     Case(
         a_stop_comes_next,
         22,
+        ("", "+Stop.Execute +Stop.Busy ask:read", "ask:stop"),
         ("", "+Stop.Execute +Stop.Busy", "ask:read", "ask:stop"),
-        ("", "+Stop.Execute +Stop.Busy", "ask:read", "ask:read"),
+    ),
+    Case(
+        a_stop_comes_next,
+        22,
+        ("ms:50", "+Stop.Execute +Stop.Busy", "ask:stop x300"),
+        ("ms:50", "+Stop.Execute +Stop.Busy", "x300"),
     ),
     Case(
         a_stop_comes_next,
@@ -261,6 +338,12 @@ CASES = (
         ("", "+Stop.Execute +Stop.Busy", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
     ),
     Case(
+        a_stop_never_gives_up,
+        23,
+        ("", "+Stop.Execute +Stop.Busy", "ask:stop stop:command", "-Stop.Busy +Stop.Error Stop.ErrorID=8"),
+        ("", "+Stop.Execute +Stop.Busy", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=8"),
+    ),
+    Case(
         a_stop_is_done_at_standstill,
         24,
         ("n1 v100", "+Stop.Execute +Stop.Busy", "n0 v0", "-Stop.Busy +Stop.Done"),
@@ -275,8 +358,53 @@ CASES = (
     Case(
         a_stop_locks_the_axis,
         25,
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "+Move.Execute +Move.Error"),
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", EDGE, "ask:start_absolute"),
+        ("", EDGE, "-Move.Execute", "+Stop.Execute +Stop.Busy", "", "+Move.Execute", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "-Move.Execute", "+Stop.Execute +Stop.Busy", "", "+Move.Execute", DONE),
+    ),
+    Case(
+        a_stop_locks_the_axis,
+        25,
+        ("", "+Stop.Execute +Stop.Busy", "", "skip:Stop +Move.Execute +Move.Error"),
+        ("", "+Stop.Execute +Stop.Busy", "", f"skip:Stop {EDGE}", DONE),
+    ),
+    Case(
+        a_stop_locks_the_axis,
+        25,
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error", "+Move.Execute +Move.Error"),
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error", EDGE, DONE),
+    ),
+    Case(
+        nothing_starts_while_it_is_locked,
+        25,
+        (
+            "",
+            "+Stop.Execute +Stop.Busy",
+            "-Stop.Busy +Stop.Done",
+            "-Stop.Execute -Stop.Done",
+            EDGE,
+            "ask:start_absolute",
+        ),
+        ("", EDGE, "+Stop.Execute +Stop.Busy", "ask:stop", "ask:start_absolute"),
+    ),
+    Case(
+        nothing_starts_while_it_is_locked,
+        26,
+        ("", EDGE, "ask:start_absolute"),
+        (
+            "",
+            "+Stop.Execute +Stop.Busy",
+            "",
+            EDGE,
+            "-Stop.Busy -Stop.Execute +Stop.Done",
+            "-Stop.Done",
+            "ask:start_absolute",
+        ),
+    ),
+    Case(
+        a_halt_is_aborted_by_a_successor,
+        20,
+        ("", "+Halt.Execute +Halt.Busy", "accepted:absolute:1", "-Halt.Busy +Halt.CommandAborted"),
+        ("", "+Halt.Execute +Halt.Busy", EDGE, "-Halt.Busy +Halt.CommandAborted"),
     ),
     Case(
         a_stop_locks_the_axis,
@@ -309,6 +437,30 @@ CASES = (
         ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "-Jog.Busy"),
     ),
     Case(
+        a_jog_ends_with_its_input,
+        29,
+        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:stop", "ask:read"),
+        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:read", "ask:read"),
+    ),
+    Case(
+        a_jog_ends_with_its_input,
+        29,
+        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward word:043F ask:stop"),
+        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward"),
+    ),
+    Case(
+        a_jog_ends_with_its_input,
+        29,
+        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward ask:stop", "x300"),
+        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "x300"),
+    ),
+    Case(
+        a_jog_turns_at_standstill,
+        31,
+        ("", "+Jog.JogForward +Jog.Busy", JOGS, "n0 v0", "+Jog.JogBackward accepted:jog_backward:2"),
+        ("", "+Jog.JogForward +Jog.Busy", JOGS, "", "+Jog.JogBackward accepted:jog_backward:2"),
+    ),
+    Case(
         a_jog_stops_itself,
         30,
         ("", "+Jog.JogForward +Jog.Busy", JOGS, *("ask:stop",) * 3, "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
@@ -331,6 +483,12 @@ CASES = (
         35,
         ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Done x300"),
         ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Error Power.ErrorID=9 x300"),
+    ),
+    Case(
+        who_follows_falls_to_neutral,
+        36,
+        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "lost", "ask:speed_0"),
+        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "lost", "ask:speed_5"),
     ),
     Case(
         who_follows_falls_to_neutral,
