@@ -63,17 +63,16 @@ def who_is_refused_ends_with_an_error(history: History) -> Iterator[Violation]:
                     yield Violation(17, scan, calls.name, "the device refuses, and it stays Busy")
             elif ending[1] == "Done" and calls.kind not in JOGS and not history.accepted(calls, scan + 1, ending[0]):
                 yield Violation(17, ending[0], calls.name, f"Done of a command that was refused in scan {scan}")
-            elif ending[1] == "CommandAborted" and not _is_replaced(history, scan, ending[0]):
+            elif ending[1] == "CommandAborted" and not _is_replaced(history, calls, scan, ending[0]):
                 text = f"CommandAborted of a command that was refused in scan {scan}"
                 yield Violation(17, ending[0], calls.name, text)
 
 
-def _is_replaced(history: History, first: int, last: int) -> bool:
-    """Whether the device has accepted a command or a stop between two scans, both included."""
-    return any(
-        first <= when <= last and event.kind in ("accepted", "stop") and event.about != "outside"
-        for when, event in history.events
-    )
+def _is_replaced(history: History, calls: Calls, first: int, last: int) -> bool:
+    """Whether between two scans another motion was asked for, or the device has got a stop."""
+    others = [other for other in history.of_kind(*MOTIONS, *STOPS) if other is not calls]
+    asked = any(text in STOPPING for text in history.asked_between(first, last))
+    return asked or any(other.edge_before(last) > other.index_at(first - 1) for other in others)
 
 
 def two_edges_start_once(history: History) -> Iterator[Violation]:

@@ -145,6 +145,8 @@ def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
                 continue
             when = calls.scans[place]
             another = calls.error[place] != REFUSED and not _is_locked(history, when)
+            if "CommandAborted" in calls.ends[place] and ends_first and _is_locked(history, when):
+                continue
             if calls.ends[place] != "Error" or (another and not (ends_first and _is_hindered(history, scan, when))):
                 text = f"a value out of range ends with {calls.ends[place] or 'nothing'} {calls.error[place]}"
                 yield Violation(12, when, calls.name, text)

@@ -131,11 +131,11 @@ def a_halt_is_aborted_by_a_successor(history: History) -> Iterator[Violation]:
                 continue
             edge = calls.edge_before(scan)
             first = calls.scans[edge] if edge >= 0 else scan
-            if not any(
-                event.kind in ("accepted", "stop") and event.about != "outside"
+            accepted = any(
+                event.kind in ("accepted", "stop") and event.about != "outside" and first <= when <= scan
                 for when, event in history.events
-                if first <= when <= scan
-            ):
+            )
+            if not accepted and not _others_lock(history, calls, scan, scan):
                 yield Violation(20, scan, calls.name, "a halt is aborted, and the device has accepted nothing since")
 
 
@@ -272,12 +272,12 @@ def _stop_edges(history: History) -> Iterator[tuple[Calls, int, int]]:
 
 
 def _others_lock(history: History, calls: Calls, first: int, last: int) -> bool:
-    """Whether another stop has the axis in one of some scans."""
+    """Whether another stop has the axis before one of some scans, or after it."""
     others = [lock for lock in history.of_kind(*LOCKS) if lock is not calls]
     return any(
         lock.busy_at(when) or (lock.index_at(when) >= 0 and lock.execute[lock.index_at(when)])
         for lock in others
-        for when in range(first, min(last + 1, len(history.scans)))
+        for when in range(max(first - 1, 0), min(last + 1, len(history.scans)))
     )
 
 

@@ -231,7 +231,7 @@ CASES = (
     Case(
         who_is_refused_ends_with_an_error,
         17,
-        ("", EDGE, "refused:absolute", "accepted:relative:1", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "refused:absolute", "+Other.Execute +Other.Busy", "-Move.Busy +Move.CommandAborted"),
         ("", EDGE, "refused:absolute", "", "-Move.Busy +Move.CommandAborted"),
     ),
     Case(
