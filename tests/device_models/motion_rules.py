@@ -168,12 +168,12 @@ def done_is_at_the_target(history: History) -> Iterator[Violation]:
 
 
 def silence_is_an_error(history: History) -> Iterator[Violation]:
-    """Rule 38: where no answer comes any more, a move ends with Error within a bounded time."""
-    for calls in history.of_kind(*MOVES, "home"):
+    """Rule 38: where no answer comes any more, what is asked for by an edge ends with Error within a bounded time."""
+    for calls in history.of_kind(*MOVES, "home", "power_on", "power_off", "reset"):
         for index, scan in enumerate(calls.scans):
             if not calls.edges[index] or not calls.busy[index]:
                 continue
-            end = history.after(scan, 4)
+            end = history.after(scan, 2)
             last = _last_before_edge(history, calls, index)
             fates = [fate for entry in history.scans[scan:end] for fate in entry.fates]
             if end <= last and len(fates) > 5 and set(fates) <= set(LOST) and calls.busy_at(end):

@@ -143,11 +143,11 @@ def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
                 if history.after(scan) <= last and history.clear_until[scan] > history.after(scan):
                     yield Violation(12, scan, calls.name, "a value out of range, and it stays Busy")
                 continue
-            when = calls.scans[place]
+            when, begin = calls.scans[place], calls.scans[max(calls.begin_before(scan), 0)]
             another = calls.error[place] != REFUSED and not _is_locked(history, when)
             if "CommandAborted" in calls.ends[place] and ends_first and _is_locked(history, when):
                 continue
-            if calls.ends[place] != "Error" or (another and not (ends_first and _is_hindered(history, scan, when))):
+            if calls.ends[place] != "Error" or (another and not (ends_first and _is_hindered(history, begin, when))):
                 text = f"a value out of range ends with {calls.ends[place] or 'nothing'} {calls.error[place]}"
                 yield Violation(12, when, calls.name, text)
 

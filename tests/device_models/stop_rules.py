@@ -77,8 +77,17 @@ def a_stop_is_done_at_standstill(history: History) -> Iterator[Violation]:
                 continue
             number = states[1].waiting
             begin = _begin_of(history, number)
-            if number and begin > scan and "Done" in calls.ends[calls.index_at(begin)] and not calls.busy_at(begin):
+            if not number or begin <= scan:
+                continue
+            if "Done" in calls.ends[calls.index_at(begin)] and not calls.busy_at(begin):
                 yield Violation(24, begin, calls.name, "Done, and a motion of before begins")
+                continue
+            # Done beside Busy is FALSE again as soon as an exchange can show that it moves.
+            end = history.after(begin)
+            held = calls.index_at(end) if end < len(history.scans) else -1
+            moves = all(item.state.number == number and item.state.velocity for item in history.scans[begin + 1 : end])
+            if held >= 0 and moves and all("Done" in calls.ends[place] for place in range(index, held + 1)):
+                yield Violation(24, end, calls.name, "it stays Done while a motion of before goes on")
 
 
 def a_stop_locks_the_axis(history: History) -> Iterator[Violation]:
@@ -124,10 +133,10 @@ def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
 
 
 def a_halt_is_aborted_by_a_successor(history: History) -> Iterator[Violation]:
-    """Rules 16 and 20: a halt is aborted by a command or a stop of another that was accepted since its edge."""
+    """Rules 16 and 20: a halt of a moving axis is aborted by what the device has accepted of another since its edge."""
     for calls in history.of_kind("halt"):
         for index, scan in enumerate(calls.scans):
-            if not calls.rises(index, "CommandAborted") or calls.abort[index]:
+            if not calls.rises(index, "CommandAborted") or not history.scans[scan].state.velocity:
                 continue
             edge = calls.edge_before(scan)
             first = calls.scans[edge] if edge >= 0 else scan
@@ -195,6 +204,10 @@ def a_jog_stops_itself(history: History) -> Iterator[Violation]:
                 event.kind == "stop" and event.about != "outside" and accepted <= when <= scan + 1
                 for when, event in history.events
             )
+            # Each telegram without the bits of a jog asks for its end, whether it is heard or not.
+            words = [entry.word for entry in history.scans[max(scan - TRIES + 1, 0) : scan + 1]]
+            if all(word is not None and not word & JOG_BITS for word in words):
+                continue
             if not stopped and asked < TRIES and scan + 1 < len(history.scans):
                 yield Violation(30, scan, calls.name, f"it ends with {end or 'nothing'}, and the axis jogs on")
 

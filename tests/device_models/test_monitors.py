@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 import pytest
 
-from device_models.history import History, Violation
+from device_models.history import Violation
+from device_models.monitor_cases import AWAY, DONE, EDGE, KINDS, MOVES, MOVING, STANDS, Case
 from device_models.monitors import MONITORS
 from device_models.motion_rules import (
     a_valid_position_is_true,
@@ -37,52 +35,7 @@ from device_models.output_rules import (
     values_out_of_range_are_refused,
 )
 from device_models.record_texts import record_of
-from device_models.stop_rules import (
-    a_halt_is_aborted_by_a_successor,
-    a_jog_ends_with_its_input,
-    a_jog_stops_itself,
-    a_jog_turns_at_standstill,
-    a_stop_at_standstill_is_done,
-    a_stop_comes_next,
-    a_stop_is_done_at_standstill,
-    a_stop_is_not_aborted,
-    a_stop_locks_the_axis,
-    a_stop_never_gives_up,
-    both_directions_are_none,
-    nothing_starts_while_it_is_locked,
-    power_comes_at_the_first_try,
-    who_follows_falls_to_neutral,
-)
-
-KINDS = {
-    "Move": "absolute",
-    "Other": "relative",
-    "Home": "home",
-    "Jog": "jog",
-    "Stop": "stop",
-    "Halt": "halt",
-    "Speed": "velocity",
-    "Power": "power_on",
-    "Read": "read",
-}
-EDGE = "+Move.Execute +Move.Busy"
-MOVES = "ask:start_absolute accepted:absolute:1:500 began:absolute:1:500 n1 v100"
-JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 v100"
-MOVING = "began:absolute:1:500 w0 n1 v100"
-STANDS = "reached:absolute:1:500 n0 v0"
-DONE = "-Move.Busy +Move.Done"
-AWAY = "-Move.Execute -Move.Done"
-
-
-@dataclass(frozen=True)
-class Case:
-    """A monitor, a record that keeps its rule, and one that breaks it."""
-
-    monitor: Callable[[History], object]
-    rule: int
-    keeps: tuple[str, ...]
-    breaks: tuple[str, ...]
-
+from device_models.stop_cases import STOP_CASES
 
 CASES = (
     Case(nothing_in_the_first_scan, 1, ("+Move.Execute", "", "-Move.Execute", EDGE), (EDGE, "")),
@@ -307,199 +260,10 @@ CASES = (
     ),
     Case(the_first_telegram_starts_nothing, 40, ("word:0406", "word:040F"), ("word:040F",)),
     Case(the_first_telegram_starts_nothing, 40, ("word:0406",), ("word:0406", "restart word:0047")),
-    Case(
-        a_stop_comes_next,
-        22,
-        ("", "+Stop.Execute +Stop.Busy ask:read", "ask:stop"),
-        ("", "+Stop.Execute +Stop.Busy", "ask:read", "ask:stop"),
-    ),
-    Case(
-        a_stop_comes_next,
-        22,
-        ("ms:50", "+Stop.Execute +Stop.Busy", "ask:stop x300"),
-        ("ms:50", "+Stop.Execute +Stop.Busy", "x300"),
-    ),
-    Case(
-        a_stop_comes_next,
-        22,
-        ("word:043F", "word:042F +Stop.Execute +Stop.Busy"),
-        ("word:043F", "+Stop.Execute +Stop.Busy", "word:042F"),
-    ),
-    Case(
-        a_stop_never_gives_up,
-        23,
-        ("word:043F", "word:042F +Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
-        ("word:043F", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
-    ),
-    Case(
-        a_stop_never_gives_up,
-        23,
-        ("", "+Stop.Execute +Stop.Busy", *("ask:stop",) * 3, "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
-        ("", "+Stop.Execute +Stop.Busy", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
-    ),
-    Case(
-        a_stop_never_gives_up,
-        23,
-        ("", "+Stop.Execute +Stop.Busy", "ask:stop stop:command", "-Stop.Busy +Stop.Error Stop.ErrorID=8"),
-        ("", "+Stop.Execute +Stop.Busy", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=8"),
-    ),
-    Case(
-        a_stop_is_done_at_standstill,
-        24,
-        ("n1 v100", "+Stop.Execute +Stop.Busy", "n0 v0", "-Stop.Busy +Stop.Done"),
-        ("n1 v100", "+Stop.Execute +Stop.Busy", "", "-Stop.Busy +Stop.Done"),
-    ),
-    Case(
-        a_stop_is_done_at_standstill,
-        24,
-        ("w1", "+Stop.Execute +Stop.Busy", "+Stop.Done", "began:absolute:1 w0 n1 v9"),
-        ("w1", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "began:absolute:1 w0 n1 v9"),
-    ),
-    Case(
-        a_stop_locks_the_axis,
-        25,
-        ("", EDGE, "-Move.Execute", "+Stop.Execute +Stop.Busy", "", "+Move.Execute", "-Move.Busy +Move.CommandAborted"),
-        ("", EDGE, "-Move.Execute", "+Stop.Execute +Stop.Busy", "", "+Move.Execute", DONE),
-    ),
-    Case(
-        a_stop_locks_the_axis,
-        25,
-        ("", "+Stop.Execute +Stop.Busy", "", "skip:Stop +Move.Execute +Move.Error"),
-        ("", "+Stop.Execute +Stop.Busy", "", f"skip:Stop {EDGE}", DONE),
-    ),
-    Case(
-        a_stop_locks_the_axis,
-        25,
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error", "+Move.Execute +Move.Error"),
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error", EDGE, DONE),
-    ),
-    Case(
-        nothing_starts_while_it_is_locked,
-        25,
-        (
-            "",
-            "+Stop.Execute +Stop.Busy",
-            "-Stop.Busy +Stop.Done",
-            "-Stop.Execute -Stop.Done",
-            EDGE,
-            "ask:start_absolute",
-        ),
-        ("", EDGE, "+Stop.Execute +Stop.Busy", "ask:stop", "ask:start_absolute"),
-    ),
-    Case(
-        nothing_starts_while_it_is_locked,
-        26,
-        ("", EDGE, "ask:start_absolute"),
-        (
-            "",
-            "+Stop.Execute +Stop.Busy",
-            "",
-            EDGE,
-            "-Stop.Busy -Stop.Execute +Stop.Done",
-            "-Stop.Done",
-            "ask:start_absolute",
-        ),
-    ),
-    Case(
-        a_halt_is_aborted_by_a_successor,
-        20,
-        ("", "+Halt.Execute +Halt.Busy", "accepted:absolute:1", "-Halt.Busy +Halt.CommandAborted"),
-        ("", "+Halt.Execute +Halt.Busy", EDGE, "-Halt.Busy +Halt.CommandAborted"),
-    ),
-    Case(
-        a_stop_locks_the_axis,
-        25,
-        ("ms:50", "+Stop.Execute +Stop.Busy", "", f"{EDGE}", "-Move.Busy +Move.Error x300"),
-        ("ms:50", "+Stop.Execute +Stop.Busy", "", f"{EDGE}", f"{DONE} x300"),
-    ),
-    Case(
-        a_stop_is_not_aborted,
-        27,
-        ("", "+Stop.Execute +Stop.Busy", "+Stop.Abort -Stop.Busy +Stop.CommandAborted"),
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.CommandAborted"),
-    ),
-    Case(
-        a_stop_at_standstill_is_done,
-        28,
-        ("ms:50", "+Stop.Execute +Stop.Busy", "x50", "-Stop.Busy +Stop.Done x300"),
-        ("ms:50", "+Stop.Execute +Stop.Busy", "x300"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:read", "ask:stop"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:read", "ask:read"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "n0 v0", "-Jog.Busy"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "-Jog.Busy"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:stop", "ask:read"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:read", "ask:read"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward word:043F ask:stop"),
-        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward ask:stop", "x300"),
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "x300"),
-    ),
-    Case(
-        a_jog_turns_at_standstill,
-        31,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "n0 v0", "+Jog.JogBackward accepted:jog_backward:2"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "", "+Jog.JogBackward accepted:jog_backward:2"),
-    ),
-    Case(
-        a_jog_stops_itself,
-        30,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, *("ask:stop",) * 3, "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "ask:stop", "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
-    ),
-    Case(
-        a_jog_stops_itself,
-        30,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "accepted:absolute:2", "-Jog.Busy +Jog.CommandAborted", ""),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, EDGE, "-Jog.Busy +Jog.CommandAborted", ""),
-    ),
-    Case(
-        both_directions_are_none,
-        31,
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward", "n0 v0 x300"),
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward", "x300"),
-    ),
-    Case(
-        power_comes_at_the_first_try,
-        35,
-        ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Done x300"),
-        ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Error Power.ErrorID=9 x300"),
-    ),
-    Case(
-        who_follows_falls_to_neutral,
-        36,
-        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "lost", "ask:speed_0"),
-        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "lost", "ask:speed_5"),
-    ),
-    Case(
-        who_follows_falls_to_neutral,
-        36,
-        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "-Speed.Execute ask:speed_0"),
-        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "-Speed.Execute ask:speed_5"),
-    ),
 )
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.monitor.__name__} {case.rule}")
+@pytest.mark.parametrize("case", [*CASES, *STOP_CASES], ids=lambda case: f"{case.monitor.__name__} {case.rule}")
 def test_a_monitor_finds_what_breaks_its_rule_and_nothing_else(case: Case) -> None:
     findings: list[Violation] = list(case.monitor(record_of(KINDS, case.breaks)))  # type: ignore[call-overload]
     assert case.rule in [item.rule for item in findings]
@@ -507,4 +271,4 @@ def test_a_monitor_finds_what_breaks_its_rule_and_nothing_else(case: Case) -> No
 
 
 def test_each_monitor_has_a_case() -> None:
-    assert {monitor.__name__ for monitor in MONITORS} == {case.monitor.__name__ for case in CASES}
+    assert {monitor.__name__ for monitor in MONITORS} == {case.monitor.__name__ for case in (*CASES, *STOP_CASES)}
