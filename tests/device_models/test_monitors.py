@@ -237,7 +237,7 @@ CASES = (
     Case(
         silence_is_an_error,
         38,
-        ("ms:50", EDGE, "lost x500", "-Move.Busy +Move.Error Move.ErrorID=2"),
+        ("ms:50", EDGE, "lost x250", "-Move.Busy +Move.Error Move.ErrorID=2"),
         ("ms:50", EDGE, "lost x900"),
     ),
     Case(

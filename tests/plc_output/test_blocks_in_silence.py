@@ -1,4 +1,4 @@
-"""Blocks whose device is silent, or does later what it was asked for before: scenes against the models of the manuals."""
+"""Blocks whose device is silent, or does later what it was asked for before: scenes against models of the manuals."""
 
 from __future__ import annotations
 
