@@ -441,6 +441,7 @@ def test_another_instance_changes_nothing_until_it_has_the_axis(name: str, make:
     ends, position = (("Done", "Error 11"), 1900) if name in ("ck10", "esc11") else (("CommandAborted", "Done"), -500)
     assert (rig.ended(first), rig.ended(second)) == ends
     assert rig.model.state.position == position
+    assert broken(rig, 9, 15, 16, 17, 20, 37) == []
 
 
 @pytest.mark.parametrize("name", POSITIONING)
