@@ -193,9 +193,7 @@ class CyclicTask:
         draft, task = self.draft, self.task
         first = task.steps[: before_effect(task)]
         noted = [
-            item
-            for step in self.conditions.compared(task)
-            for item in self.conditions.start_of(step, self.places.seen)
+            item for step in self.conditions.compared(task) for item in self.conditions.start_of(step, self.places.seen)
         ]
         branches: list[Branch] = []
         confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
@@ -362,15 +360,18 @@ class CyclicTask:
         ending = [Negation(kind.ending_flag)] if isinstance(kind, Moving) else []
         if not self.insisting:
             guards.append((every([Negation(self.places.valid), draft.unharmed(), *ending]), [draft.fail("transport")]))
+        alarms: list[Statement] = []
         for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
             place, _ = self.places.place(watch.operand)
             test = opposite(self.conditions.has(watch.operand, (watch.value,), place))
+            if isinstance(kind, Moving) and watch.reason == "alarm":
+                alarms += kind.alarmed([every([kind.ending_flag, self.places.valid, test])])
             guards.append((every([test, draft.unharmed(), *ending]), [draft.fail(watch.reason)]))
         steps = draft.selected(asks=True)
         works = [*kind.may_ask(), draft.unharmed()]
         guards.append((every(works), steps))
-        orders = [when(kind.edge, self.begun)] if self.begun and isinstance(kind, Edged) else []
-        orders += self.insists if self.insisting else []
+        orders: list[Statement] = [when(kind.edge, self.begun)] if self.begun and isinstance(kind, Edged) else []
+        orders += self.insists if self.insisting else alarms
         tail = kind.tail()
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         body = [*orders, chain(guards), *kind.accepted(), *tail]

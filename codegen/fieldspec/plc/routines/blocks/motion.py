@@ -38,10 +38,10 @@ _NONE = Whole(0, UINT)
 class AxisPort:
     """The members of a port that say who moves the axis."""
 
-    MEMBERS = ("motion", "claims", "stops", "active", "exclusive")
+    MEMBERS = ("motion", "claims", "stops", "active", "unseen", "exclusive")
 
-    def __init__(self, motion: Member, claims: Member, stops: Member, active: Member, exclusive: Member) -> None:
-        self.motion, self.claims, self.stops, self.active, self.exclusive = motion, claims, stops, active, exclusive
+    def __init__(self, *members: Member) -> None:
+        self.motion, self.claims, self.stops, self.active, self.unseen, self.exclusive = members
 
     @property
     def locked(self) -> Expression:
@@ -90,7 +90,6 @@ class Moving(Edged):
         self.tries = TRIES
         self.lowered: Sequence[Statement] = ()
         self.lowered_unless_done: Sequence[Statement] = ()
-        self.fresh: list[Statement] = []
 
     late: Expression | None = None
     hidden = False
@@ -111,7 +110,8 @@ class Moving(Edged):
     def goes_out(self) -> list[Statement]:
         """What notes that the command is on its way: what is accepted from now on comes behind it."""
         earlier = Assignment(self.earlier, self.still_earlier())
-        return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion)]
+        unseen = [] if self.halts else [assigned(self.axis.unseen, True)]
+        return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion), *unseen]
 
     def still_earlier(self) -> Expression:
         """Whether a command of before may be moving the axis, and no other was accepted since."""
@@ -157,7 +157,6 @@ class Moving(Edged):
             Assignment(self.owner, axis.motion),
             *(assigned(flag, False) for flag in (self.sent, self.taken)),
             *([assigned(self.ending_flag, False)] if self.halts else []),
-            *self.fresh,
             Assignment(self.first_reason, _NONE),
             Assignment(draft.reason, reason),
             when(every([*unlocked, Negation(axis.locked)]), [*claims, *self.at_once] if self.halts else start),
@@ -222,6 +221,11 @@ class Moving(Edged):
             *self.restart,
             draft.go(self.ending),
         ]
+
+    def alarmed(self, tests: Sequence[Expression]) -> list[Statement]:
+        """What notes an alarm while the motion is being ended: it is why the motion has ended, whatever was before."""
+        reason = Assignment(self.first_reason, Whole(ERRORS["alarm"][0], UINT))
+        return [when(test, [reason]) for test in tests]
 
     def urgent(self) -> Expression | None:
         """See `Kind`."""

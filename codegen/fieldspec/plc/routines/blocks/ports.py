@@ -70,6 +70,7 @@ def ports(world: World) -> Iterator[Port]:
         ("claims", UDINT, "counts the commands that were begun: only the last one is sent"),
         ("stops", UDINT, "how many stops lock the axis"),
         ("active", UDINT, "how many blocks have a command under way"),
+        ("unseen", BOOL, "the last command was not seen to move the axis: it may still begin, a stop notwithstanding"),
         ("exclusive", BOOL, "one of them does not see whether the device takes it: no other begins meanwhile"),
     )
     if layout.registers:

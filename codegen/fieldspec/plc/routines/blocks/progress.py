@@ -10,7 +10,7 @@ from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
 from fieldspec.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
 from fieldspec.plc.routines.blocks.kinds import Branch
-from fieldspec.plc.routines.blocks.motion import Moving
+from fieldspec.plc.routines.blocks.motion import Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock, holds, unit_of
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.blocks.tasks import target
@@ -175,7 +175,7 @@ class Conditions:
         if stands is not None:
             moved = draft.flag("xMoved", "the device was seen to move")
             fresh.append(moved)
-            body.append(when(Negation(standing), [assigned(moved, True)]))
+            body.append(when(Negation(standing), [assigned(moved, True), assigned(kind.axis.unseen, False)]))
             wrong = [when(moved, [draft.fail("short")], wrong)]
             evidence.append(moved)
         enough: Expression = there
@@ -187,9 +187,32 @@ class Conditions:
         elif any(step.argument for step in steps):
             enough = every([there, either([self._away(), *evidence, idle])])
         for flag in fresh:
-            if all(not isinstance(other, Assignment) or other.target != flag for other in kind.fresh):
-                kind.fresh.append(assigned(flag, False))
+            kind.forget_first(flag)
         return [*body, chain([(enough, then), (idle, wrong)], again)]
+
+    def stopped(
+        self,
+        kind: Moving | Stopping,
+        steps: Sequence[Step],
+        seen: Seen,
+        then: Sequence[Statement],
+        again: Statement,
+        resend: Statement,
+    ) -> list[Statement]:
+        """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
+
+        What begins in spite of the stop is stopped anew.
+        """
+        draft = self.draft
+        computed, stands = self.all_of(steps, seen)
+        standing = draft.flag("xStanding", "the device stands")
+        kind.forget_first(standing)
+        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        unseen = kind.axis.unseen
+        over = [assigned(unseen, False), *then]
+        moves = [assigned(unseen, False), when(standing, [resend], [again]), assigned(standing, False)]
+        waits = when(every([unseen, Negation(idle)]), [assigned(standing, True), again], over)
+        return [*computed, when(stands, [waits], moves)]
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
