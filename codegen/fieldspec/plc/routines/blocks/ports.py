@@ -41,12 +41,15 @@ URGENT = 3
 
 It does so twice between two calls of the block that asks, where the order of the calls changes.
 """
+POSTPONED = 65535
+"""The error of a request that was not sent because a stop goes first: whoever has asked asks again."""
 STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("state", INT, STATE_REMARK),
     ("error", UINT, "0, or why there is no answer: an ErrorID"),
     ("request", UDINT, "the number of the request, which whoever asks counts up"),
     ("answered", UDINT, "the number of the request that was answered"),
+    ("first", UDINT, "the number of the last request of a stop"),
     ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
