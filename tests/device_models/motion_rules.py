@@ -255,13 +255,19 @@ def _stopped(history: History, number: int, scan: int) -> bool:
 
 
 def _disclaimed(history: History, number: int, begin: int, scan: int) -> bool:
-    """Whether the block of a motion, or a stop, has said since it began that the device may be moving."""
+    """Whether who was responsible for a motion has said since it was accepted that the device may be moving.
+
+    That is its block, a stop, or the last block that was Busy.
+    """
     names = {owner for _, event, owner in history.owners if event.kind == "accepted" and event.number == number}
     names |= {calls.name for calls in history.of_kind(*STOPS)}
-    for calls in (history.blocks[name] for name in sorted(names)):
+    blocks = history.of_kind(*MOTIONS, *STOPS)
+    for calls in blocks:
         for index in range(max(calls.index_at(begin), 0), calls.index_at(scan) + 1):
-            late = calls.scans[index] >= begin and calls.rises(index, "Error")
-            if late and calls.error[index] in history.may_move:
+            when = calls.scans[index]
+            if when < begin or not calls.rises(index, "Error") or calls.error[index] not in history.may_move:
+                continue
+            if calls.name in names or not any(other.busy_at(when) for other in blocks):
                 return True
     return False
 

@@ -79,3 +79,23 @@ def test_a_motion_that_begins_after_its_stop_has_somebody_responsible(
     rig.start(rig.block(kind), False)
     rig.run(400)
     assert broken(rig, 15, 24) == []
+
+
+@pytest.mark.parametrize("name", POSITIONING)
+@pytest.mark.parametrize("stopped", [False, True], ids=["", "stopped"])
+def test_a_jog_that_begins_after_its_end_was_asked_for_comes_to_a_halt(
+    name: str, stopped: bool, make: Callable[..., Any]
+) -> None:
+    rig = make(name, delay=0.8, late_start="goes on")
+    jog, stop = rig.block("jog"), rig.block("stop")
+    rig.start(jog)
+    while not rig.model.state.waiting and len(rig.record) < 2000:
+        rig.scan()
+    rig.run(5)
+    rig.start(stop, stopped)
+    rig.run(1)
+    rig.start(stop, False)
+    rig.start(jog, False)
+    rig.run(1500)
+    assert rig.model.state.velocity == 0
+    assert broken(rig, 15, 24, 29, 30) == []
