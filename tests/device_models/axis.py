@@ -125,9 +125,7 @@ class Axis:
         self.record("stop", about, number=self.motion.number if self.motion else 0)
         waiting = self.waiting
         if waiting is not None and (
-            outside
-            or waiting.kind.startswith("jog")
-            or self.draws.reading("late start", *["cancelled"] * 7, "goes on") == "cancelled"
+            outside or self.draws.reading("late start", *["cancelled"] * 7, "goes on") == "cancelled"
         ):
             self._end("interrupted", waiting)
             self.waiting = None

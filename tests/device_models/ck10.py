@@ -2,7 +2,7 @@
 
 What is left open is drawn: "busy command", "start refusal" (exception 04 [1.4 L239], or a normal answer and nothing),
 "moving" and "in position" (flags of 3E8H as they are at acceptance), "homing" (whether a move needs a home; the manual
-demands none), "servo" after power-on, "reset" with the servo on.
+demands none), "servo" after power-on, "reset" with the servo on, and what stops it from "outside".
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ class Ck10(ModbusDevice):
         self.words: dict[int, int] = {}
         self.flash: dict[int, int] = {}
         self.point, self.running, self.cause = 0, False, 0
+        self.emergency = False
         self.servo = self.draws.reading("servo", "on", "off") == "on"
 
     @property
@@ -85,11 +86,17 @@ class Ck10(ModbusDevice):
 
     def power_cycle(self) -> None:
         self.axis.cut()
-        self.axis.homed, self.running = False, False
+        self.axis.homed, self.running, self.emergency = False, False, False
         self.alarm = self.cause
         self.servo = not self.alarm and self.draws.reading("servo", "on", "off") == "on"
         self.words = {place: word for place, word in self.words.items() if not self._is_point(place)}
         self.words |= {POINTS + offset: word for offset, word in self.flash.items()}
+
+    def stop_outside(self) -> None:
+        """Software stops it, or its input of emergency stops, whose state lasts until a reset [2.4 L335, 3.1 L653]."""
+        self.emergency = self.draws.reading("outside", "software", "emergency stop") == "emergency stop"
+        self.running = False
+        super().stop_outside()
 
     def pass_time(self, seconds: float) -> None:
         super().pass_time(seconds)
@@ -123,6 +130,7 @@ class Ck10(ModbusDevice):
         flags = SERVO_ON * self.servo | HOMED * axis.homed | ERROR * bool(self.alarm) | MOVING * moving
         flags |= IN_POSITION * (not moving) | TABLE_STOPPED * (not self.running)
         flags |= HOMING * bool(moving and axis.motion and axis.motion.kind == "home")
+        flags |= EMERGENCY * self.emergency
         flags |= SLOW_STOP * axis.stopping | DIRECTION * (axis.velocity < 0)
         return flags
 
@@ -149,6 +157,7 @@ class Ck10(ModbusDevice):
         elif address == 0x7F1:
             self._switch(bool(word))
         elif address == 0x7F3 and word == 1:
+            self.emergency = False
             needs_off = self.draws.reading("reset", "any time", "servo off") == "servo off"
             if not self.cause and not (needs_off and self.servo):
                 self.alarm = 0
@@ -170,7 +179,7 @@ class Ck10(ModbusDevice):
     def _start(self, kind: str, value: float, target: float | None, speed: float) -> None:
         busy = self.axis.expected and self.draws.reading("busy command", "refused", "taken") == "refused"
         unhomed = self.homing_needed and not self.axis.homed and kind != "home"
-        if not self.servo or self.alarm or busy or unhomed or self.draws.refuses():
+        if not self.servo or self.alarm or self.emergency or busy or unhomed or self.draws.refuses():
             self.axis.record("refused", kind, value)
             if self.draws.reading("start refusal", "exception", "exception", "nothing") == "exception":
                 raise RefusedError(FAILURE)

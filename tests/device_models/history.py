@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from device_models.axis import Event, State
 
@@ -16,6 +18,8 @@ STOPS = ("stop", "quick_stop", "halt")
 LOCKS = ("stop", "quick_stop")
 """Kinds that keep all others from moving it while their input is TRUE."""
 POWER = ("power_on", "power_off")
+STOPPING = ("stop", "off")
+"""What is asked for where an axis is to stop."""
 ENDS = ("Done", "CommandAborted", "Error")
 JOG_INPUTS = {"JogForward": "jog_forward", "JogBackward": "jog_backward"}
 SLOW = 150
@@ -212,13 +216,58 @@ class History:
             index += 1
         return min(index, len(self.scans))
 
+    @cached_property
+    def owners(self) -> list[tuple[int, Event, str]]:
+        """The commands that the device has accepted or refused, each with the block that has sent it.
+
+        Of two instances it is the one whose edge has not had its command yet; then the one with that value.
+        """
+        result: list[tuple[int, Event, str]] = []
+        used: dict[str, int] = {}
+        for scan, event in self.events:
+            if event.kind not in ("accepted", "refused"):
+                continue
+            edges = {
+                calls.name: calls.edge_before(scan)
+                for calls in self.of_kind(*MOTIONS)
+                if starts(calls.kind, event.about)
+            }
+            if not edges:
+                continue
+
+            def preference(name: str, edges: dict[str, int] = edges, scan: int = scan, event: Event = event) -> Any:
+                index, calls = edges[name], self.blocks[name]
+                wanted = self.value_of(name, self.scans[calls.scans[index]].inputs) if index >= 0 else None
+                return (
+                    index > used.get(name, -1),
+                    wanted is not None and abs(wanted - event.value) <= 0.5,
+                    calls.busy_at(scan),
+                    calls.scans[index] if index >= 0 else -1,
+                )
+
+            owner = max(edges, key=preference)
+            used[owner] = max(used.get(owner, -1), edges[owner])
+            result.append((scan, event, owner))
+        return result
+
     def accepted(self, calls: Calls, first: int, last: int) -> list[tuple[int, Event]]:
         """The commands of a block that the device has accepted between two scans, both included."""
         return [
             (scan, event)
-            for scan, event in self.events
-            if first <= scan <= last and event.kind == "accepted" and starts(calls.kind, event.about)
+            for scan, event, owner in self.owners
+            if first <= scan <= last and event.kind == "accepted" and owner == calls.name
         ]
+
+    def stop_follows(self, first: int, most: int) -> bool | None:
+        """Whether a stop is among the next requests from a scan on; None where the record ends too early to say.
+
+        Where nothing at all is sent for as long as a few exchanges take, no stop follows.
+        """
+        place = bisect_left(self.requests, (first, ""))
+        following = [text for _, text in self.requests[place : place + most]]
+        if any(text in STOPPING for text in following):
+            return True
+        return False if len(following) == most or self.after(first) < len(self.scans) else None
 
     def is_on(self, number: int, scan: int) -> bool:
         """Whether a motion is carried out, or about to be, after a scan."""

@@ -217,6 +217,8 @@ class HiwinE:
             axis.accept(kind, value, target, speed)
         if risen & HOMING and not axis.expected:
             self._start("home", 0, None, 4000.0)
+        elif risen & HOMING:
+            axis.record("refused", "home")
         elif not word & HOMING and axis.expected and self._kind() == "home":
             axis.stop()
             axis.waiting = None
@@ -237,9 +239,12 @@ class HiwinE:
             if word & both != wanted and not self.axis.stopping:
                 self.axis.stop()
                 self.axis.waiting = None
-        elif risen & both and word & both != both and not self.axis.expected:
-            sign = 1 if word & JOG_1 else -1
-            self._start("jog_forward" if sign > 0 else "jog_backward", sign, None, sign * JOG_SPEED)
+        elif risen & both and word & both != both:
+            kind, sign = ("jog_forward", 1) if word & JOG_1 else ("jog_backward", -1)
+            if self.axis.expected:
+                self.axis.record("refused", kind, sign)
+            else:
+                self._start(kind, sign, None, sign * JOG_SPEED)
 
     def _start_task(self, values: tuple[int, ...]) -> None:
         """An MDI task at the edge of bit 6 [3.12 L805-822, 3.11 L794]."""

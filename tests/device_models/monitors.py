@@ -1,7 +1,8 @@
 """All monitors over one record, each for rules of its own; see docs/trust.md for what they judge.
 
 Rule 14, two instances of one block, and rule 19, blocks that read, have no monitor of their own: an instance that
-changes another breaks rules 3 to 8 there, and a block that reads and aborts another breaks rule 20.
+changes another breaks rules 3 to 8 there, which episodes with two instances of a move and of a stop show; a block that
+reads and aborts another breaks rule 20, and one that delays a stop rule 22.
 """
 
 from __future__ import annotations

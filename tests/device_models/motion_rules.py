@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from device_models.axis import Event
-from device_models.history import JOGS, MOTIONS, MOVES, STOPS, Calls, History, Violation, starts
+from device_models.history import JOGS, MOTIONS, MOVES, SLOW, STOPPING, STOPS, Calls, History, Violation, starts
 
 ALARM = 8
 LOST = ("lost request", "lost answer", "late")
@@ -23,9 +23,9 @@ def somebody_is_responsible(history: History) -> Iterator[Violation]:
             continue
         judged.add(number)
         begin = next((when for when, event in history.events if event.number == number), 0)
-        if _begins_in_spite_of_a_stop(history, number, begin) or any(begin < item <= scan for item in history.restarts):
+        if any(begin < item <= scan for item in history.restarts):
             continue
-        if not _disclaimed(history, begin, scan):
+        if not _disclaimed(history, number, begin, scan):
             yield Violation(15, scan, "axis", f"it moves by command {number}, and no block is responsible")
 
 
@@ -53,19 +53,26 @@ def _has_successor(history: History, number: int, scan: int) -> bool:
 
 
 def who_is_refused_ends_with_an_error(history: History) -> Iterator[Violation]:
-    """Rule 17: a block whose command the device refuses ends with Error, and never with Done."""
-    for scan, event in history.events:
-        if event.kind != "refused":
-            continue
-        for calls in history.of_kind(*MOTIONS):
-            if not starts(calls.kind, event.about) or not calls.busy_at(scan):
-                continue
+    """Rule 17: a block whose command the device refuses ends with Error, never with Done, nor as if it was followed."""
+    for scan, event, owner in history.owners:
+        calls = history.blocks[owner]
+        if event.kind == "refused" and calls.busy_at(scan):
             ending = _end_after(calls, scan)
             if ending is None:
                 if _is_clear(history, scan):
                     yield Violation(17, scan, calls.name, "the device refuses, and it stays Busy")
             elif ending[1] == "Done" and calls.kind not in JOGS and not history.accepted(calls, scan + 1, ending[0]):
                 yield Violation(17, ending[0], calls.name, f"Done of a command that was refused in scan {scan}")
+            elif ending[1] == "CommandAborted" and not _is_replaced(history, calls, scan, ending[0]):
+                text = f"CommandAborted of a command that was refused in scan {scan}"
+                yield Violation(17, ending[0], calls.name, text)
+
+
+def _is_replaced(history: History, calls: Calls, first: int, last: int) -> bool:
+    """Whether between two scans another motion was asked for, or the device has got a stop."""
+    others = [other for other in history.of_kind(*MOTIONS, *STOPS) if other is not calls]
+    asked = any(text in STOPPING for text in history.asked_between(first, last))
+    return asked or any(other.edge_before(last) > other.index_at(first - 1) for other in others)
 
 
 def two_edges_start_once(history: History) -> Iterator[Violation]:
@@ -80,6 +87,9 @@ def two_edges_start_once(history: History) -> Iterator[Violation]:
         if len(edges) < 2:
             continue
         last = min(_last_before_edge(history, calls, index) for calls, index in edges)
+        end = history.after(scan)
+        if _is_clear(history, scan) and end <= last and sum(calls.busy_at(end) for calls, _ in edges) > 1:
+            yield Violation(18, end, ", ".join(calls.name for calls, _ in edges), "both stay Busy")
         kinds = [calls.kind for calls, _ in edges]
         asked = [text for text in history.asked_between(scan, last) if text.startswith("start ")]
         number = sum(any(starts(kind, text[6:]) for kind in kinds) for text in asked)
@@ -136,6 +146,10 @@ def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
                     yield Violation(33, scan, calls.name, "an alarm, and it stays Busy")
             elif ending[1] == "Done" and not _was_reached(history, number, ending[0]):
                 yield Violation(33, ending[0], calls.name, f"Done after the alarm of scan {scan}")
+            elif ending[1] == "CommandAborted" and not _has_successor(history, number, ending[0]):
+                yield Violation(33, ending[0], calls.name, f"CommandAborted after the alarm of scan {scan}")
+            elif ending[0] > history.after(scan) and _is_clear(history, scan + 1):
+                yield Violation(33, ending[0], calls.name, f"the alarm of scan {scan} ends it so late")
             elif ending[1] == "Error" and ending[2] != ALARM and ending[2] not in history.may_move:
                 if not all(history.scans[when].state.alarm for when in range(scan, ending[0] + 1)):
                     continue
@@ -154,12 +168,12 @@ def done_is_at_the_target(history: History) -> Iterator[Violation]:
 
 
 def silence_is_an_error(history: History) -> Iterator[Violation]:
-    """Rule 38: where no answer comes any more, a move ends with Error within a bounded time."""
-    for calls in history.of_kind(*MOVES, "home"):
+    """Rule 38: where no answer comes any more, what is asked for by an edge ends with Error within a bounded time."""
+    for calls in history.of_kind(*MOVES, "home", "power_on", "power_off", "reset"):
         for index, scan in enumerate(calls.scans):
             if not calls.edges[index] or not calls.busy[index]:
                 continue
-            end = history.after(scan, 4)
+            end = history.after(scan, 2)
             last = _last_before_edge(history, calls, index)
             fates = [fate for entry in history.scans[scan:end] for fate in entry.fates]
             if end <= last and len(fates) > 5 and set(fates) <= set(LOST) and calls.busy_at(end):
@@ -167,30 +181,31 @@ def silence_is_an_error(history: History) -> Iterator[Violation]:
 
 
 def a_valid_position_is_true(history: History) -> Iterator[Violation]:
-    """Rules 39 and 40: a valid position is one that the device had lately; that of another station is none."""
+    """Rules 39 and 40: a valid position is one that the device had lately; that of another station is none.
+
+    So is one that nobody asks for any more, or that stands beside an error.
+    """
     for calls in history.of_kind("read"):
         for index, scan in enumerate(calls.scans):
             entry = history.scans[scan]
-            if not entry.outputs.get((calls.name, "Valid")) or (index and not _changes(history, calls, index)):
+            if not entry.outputs.get((calls.name, "Valid")):
                 continue
+            if not calls.execute[index] or "Error" in calls.ends[index]:
+                beside = "an error" if calls.execute[index] else "Enable FALSE"
+                yield Violation(39, scan, calls.name, f"Valid is TRUE with {beside}")
             position = history.position_of(calls.name, entry.outputs)
             if position is None:
                 continue
             # What is shown after a gap in the calls is what was read before it.
             first = calls.scans[index - 1] if index else scan
-            while first and history.times[calls.scans[max(index - 1, 0)]] - history.times[first] < history.patience:
+            before = calls.scans[max(index - 1, 0)]
+            while first and (history.times[before] - history.times[first] < history.patience or before - first < SLOW):
                 first -= 1
             places = [history.scans[when].state.position for when in range(first, scan + 1)]
             if not min(places) - 5 <= position <= max(places) + 5:
                 yield Violation(
                     39, scan, calls.name, f"the position {position:g} is valid, and the axis never was there"
                 )
-
-
-def _changes(history: History, calls: Calls, index: int) -> bool:
-    """Whether what a reading block shows differs from its last call, or the line is disturbed."""
-    before, now = (history.scans[calls.scans[place]].outputs for place in (index - 1, index))
-    return any(now.get(key) != before.get(key) for key in now if key[0] == calls.name)
 
 
 def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Iterator[Violation]:
@@ -235,28 +250,26 @@ def _stopped(history: History, number: int, scan: int) -> bool:
     """Whether a stop was on the wire since a motion was accepted, or is among the next two requests."""
     accepted = next(when for when, event in history.events if event.number == number)
     asked = history.asked_between(accepted, scan)
-    following = [text for when, text in history.requests if when > scan][:2]
     begin = max((place for place, text in enumerate(asked) if text.startswith("start ")), default=0)
-    return any(text in ("stop", "off") for text in (*asked[begin:], *following)) or scan + 1 >= len(history.scans)
+    return any(text in STOPPING for text in asked[begin:]) or history.stop_follows(scan + 1, 2) is not False
 
 
-def _disclaimed(history: History, begin: int, scan: int) -> bool:
-    """Whether a block has said since a motion began that the device may be moving."""
-    for calls in history.of_kind(*MOTIONS, *STOPS):
+def _disclaimed(history: History, number: int, begin: int, scan: int) -> bool:
+    """Whether who was responsible for a motion has said since it was accepted that the device may be moving.
+
+    That is its block, a stop, or the last block that was Busy.
+    """
+    names = {owner for _, event, owner in history.owners if event.kind == "accepted" and event.number == number}
+    names |= {calls.name for calls in history.of_kind(*STOPS)}
+    blocks = history.of_kind(*MOTIONS, *STOPS)
+    for calls in blocks:
         for index in range(max(calls.index_at(begin), 0), calls.index_at(scan) + 1):
-            late = calls.scans[index] >= begin and calls.rises(index, "Error")
-            if late and calls.error[index] in history.may_move:
+            when = calls.scans[index]
+            if when < begin or not calls.rises(index, "Error") or calls.error[index] not in history.may_move:
+                continue
+            if calls.name in names or not any(other.busy_at(when) for other in blocks):
                 return True
     return False
-
-
-def _begins_in_spite_of_a_stop(history: History, number: int, accepted: int) -> bool:
-    """Whether the device has taken a stop before a motion began, and begins it all the same: no block can know."""
-    begun = next((when for when, event in history.events if event.kind == "began" and event.number == number), accepted)
-    return any(
-        event.kind == "stop" and event.about == "command" and accepted <= when <= begun
-        for when, event in history.events
-    )
 
 
 def _end_after(calls: Calls, scan: int) -> tuple[int, str, int] | None:

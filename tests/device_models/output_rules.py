@@ -75,7 +75,10 @@ def an_end_is_seen_once(history: History) -> Iterator[Violation]:
                 yield Violation(6, scan, calls.name, f"{ending} stays although Execute is FALSE")
             elif calls.execute[index] and not calls.execute[following] and remains == ending:
                 yield Violation(7, scan, calls.name, f"{ending} stays in the scan in which Execute falls")
-            elif calls.execute[index] and calls.execute[following] and remains != ending and calls.kind not in LOCKS:
+            elif calls.execute[index] and calls.execute[following] and remains != ending:
+                # A stop is not done any more where a motion of before begins late.
+                if calls.kind in LOCKS and ending == "Done" and calls.busy[following] and not remains:
+                    continue
                 yield Violation(7, scan, calls.name, f"{ending} vanishes while Execute is TRUE")
 
 
@@ -124,21 +127,34 @@ def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
 def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
     """Rule 12: a value out of range is Error 1 in the scan of the edge, and nothing is sent.
 
-    A block that is Busy ends its motion first.
+    A block that is Busy with its own motion ends that first, and then it is Error 1.
     """
     for calls in _edged(history):
         for index, scan in _edges(calls):
             if calls.name not in history.scans[scan].invalid or calls.abort[index]:
                 continue
-            another = calls.error[index] != REFUSED and not _is_locked(history, scan)
-            ends_first = index > 0 and calls.busy[index - 1] and calls.busy[index]
-            if not ends_first and ("Error" not in calls.ends[index] or another):
-                text = f"a value out of range has ErrorID {calls.error[index]}"
-                yield Violation(12, scan, calls.name, text)
             end = calls.edge_after(index)
             last = calls.scans[end] - 1 if end < len(calls.scans) else len(history.scans) - 1
-            if not (index and calls.busy[index - 1]) and history.accepted(calls, scan, last):
+            if history.accepted(calls, scan, last):
                 yield Violation(12, scan, calls.name, "it is sent although a value is out of range")
+            ends_first = index > 0 and calls.busy[index - 1] and calls.busy[index]
+            place = next((item for item in range(index, end) if calls.ends[item]), None) if ends_first else index
+            if place is None:
+                if history.after(scan) <= last and history.clear_until[scan] > history.after(scan):
+                    yield Violation(12, scan, calls.name, "a value out of range, and it stays Busy")
+                continue
+            when, begin = calls.scans[place], calls.scans[max(calls.begin_before(scan), 0)]
+            another = calls.error[place] != REFUSED and not _is_locked(history, when)
+            if "CommandAborted" in calls.ends[place] and ends_first and _is_locked(history, when):
+                continue
+            if calls.ends[place] != "Error" or (another and not (ends_first and _is_hindered(history, begin, when))):
+                text = f"a value out of range ends with {calls.ends[place] or 'nothing'} {calls.error[place]}"
+                yield Violation(12, when, calls.name, text)
+
+
+def _is_hindered(history: History, first: int, last: int) -> bool:
+    """Whether between two scans something else than a value may be what a block ends with."""
+    return history.clear_until[first] <= last or any(entry.state.alarm for entry in history.scans[first : last + 1])
 
 
 def a_start_has_an_edge(history: History) -> Iterator[Violation]:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from device_models.history import JOGS, LOCKS, MOTIONS, STOPS, Calls, History, Violation, starts
+from device_models.history import JOGS, LOCKS, MOTIONS, STOPPING, STOPS, Calls, History, Violation, starts
 from device_models.motion_rules import _ends_in_motion, _is_clear, _last_before_edge, _owner_number
 
 START_BITS = 0x0B40
 TASK_BITS = 0x0030
 """Bits of STW1 that start a motion, and those that let a task go on."""
+JOG_BITS = 0x0300
+LOST_ANSWER = "lost answer"
 TRIES = 3
 LOCKED = 12
 
@@ -24,10 +26,21 @@ def a_stop_comes_next(history: History) -> Iterator[Violation]:
             if not _asks_to_stop(word):
                 yield Violation(22, scan, calls.name, f"the telegram after the edge has the control word {word:04X}H")
             continue
+        # What another block has asked for in this scan, before the stop was called, is on its way.
+        if any(text in STOPPING for text in history.scans[scan].asked):
+            continue
         last = _last_before_edge(history, calls, index)
-        following = [text for when, text in history.requests if scan <= when <= last][:2]
-        if len(following) == 2 and not any(text in ("stop", "off") for text in following):
-            yield Violation(22, scan, calls.name, f"{' and '.join(following)} go before the stop")
+        following = next(((when, text) for when, text in history.requests if scan < when <= last), None)
+        if following is None:
+            if history.after(scan) <= last and _is_called(calls, scan, history.after(scan)):
+                yield Violation(22, scan, calls.name, "nothing is sent")
+        elif following[1] not in STOPPING and _is_called(calls, scan, following[0]):
+            yield Violation(22, scan, calls.name, f"{following[1]} goes before the stop")
+
+
+def _is_called(calls: Calls, first: int, last: int) -> bool:
+    """Whether a block is called in each of some scans, both included."""
+    return calls.index_at(last) - calls.index_at(first) == last - first
 
 
 def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
@@ -44,9 +57,10 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
             if not begins and not _asks_to_stop(word):
                 text = f"it ends with {calls.ends[end]}, and the control word {word:04X}H"
                 yield Violation(23, when, calls.name, text)
-        elif "Error" in calls.ends[end] and calls.error[end] in history.may_move:
-            number = sum(text in ("stop", "off") for text in history.asked_between(scan, when))
-            if number < TRIES:
+        elif "Error" in calls.ends[end] and not _others_lock(history, calls, scan, when):
+            number = sum(text in STOPPING for text in history.asked_between(scan, when))
+            heard = any(event.kind == "stop" for at, event in history.events if scan <= at <= when)
+            if number < TRIES and not (heard and calls.error[end] not in history.may_move):
                 text = f"Error {calls.error[end]} after {number} tries to stop"
                 yield Violation(23, when, calls.name, text)
 
@@ -63,27 +77,51 @@ def a_stop_is_done_at_standstill(history: History) -> Iterator[Violation]:
                 continue
             number = states[1].waiting
             begin = _begin_of(history, number)
-            if number and begin > scan and "Done" in calls.ends[calls.index_at(begin)] and not calls.busy_at(begin):
+            if not number or begin <= scan:
+                continue
+            if "Done" in calls.ends[calls.index_at(begin)] and not calls.busy_at(begin):
                 yield Violation(24, begin, calls.name, "Done, and a motion of before begins")
+                continue
+            # Done beside Busy is FALSE again as soon as an exchange can show that it moves.
+            end = history.after(begin)
+            held = calls.index_at(end) if end < len(history.scans) else -1
+            moves = all(item.state.number == number and item.state.velocity for item in history.scans[begin + 1 : end])
+            if held >= 0 and moves and all("Done" in calls.ends[place] for place in range(index, held + 1)):
+                yield Violation(24, end, calls.name, "it stays Done while a motion of before goes on")
 
 
 def a_stop_locks_the_axis(history: History) -> Iterator[Violation]:
-    """Rules 25 and 26: while a stop is Busy or its input TRUE, other motions end with Error and start nothing."""
+    """Rule 25: while a stop is Busy or its input TRUE, an edge of another block ends with Error."""
     for calls in history.of_kind(*MOTIONS):
         for index, scan in enumerate(calls.scans):
-            if not calls.edges[index] or calls.abort[index] or (index and calls.busy[index - 1]):
+            if not calls.edges[index] or calls.abort[index]:
                 continue
             if not any(_locked(lock, scan) for lock in history.of_kind(*LOCKS)):
                 continue
             last = _last_before_edge(history, calls, index)
-            asked = [text for text in history.asked_between(scan, last) if text.startswith("start ")]
-            if any(starts(calls.kind, text[6:]) for text in asked):
-                yield Violation(25, scan, calls.name, "it starts although a stop has the axis")
-            elif calls.busy[index] and _is_clear(history, scan):
-                ending = [calls.ends[place] for place in range(index, calls.index_at(last) + 1) if calls.ends[place]]
-                if not ending or "Error" not in ending[0]:
-                    text = f"a stop has the axis, and it ends with {ending[0] if ending else 'nothing'}"
-                    yield Violation(25, scan, calls.name, text)
+            # A motion that goes on until the stop is accepted may end as aborted by it.
+            good = ("Error", "CommandAborted") if index and calls.busy[index - 1] else ("Error",)
+            ending = next(
+                (calls.ends[place] for place in range(index, calls.index_at(last) + 1) if calls.ends[place]), ""
+            )
+            if ending not in (*good, "") or (not ending and _is_clear(history, scan) and history.after(scan) <= last):
+                text = f"a stop has the axis, and it ends with {ending or 'nothing'}"
+                yield Violation(25, scan, calls.name, text)
+
+
+def nothing_starts_while_it_is_locked(history: History) -> Iterator[Violation]:
+    """Rules 25 and 26: while a stop is Busy or its input TRUE no start is on the wire, nor one of then afterwards."""
+    blocks = history.of_kind(*MOTIONS)
+    for scan, text in history.requests:
+        if not text.startswith("start "):
+            continue
+        if any(_locked(lock, scan) for lock in history.of_kind(*LOCKS)):
+            yield Violation(25, scan, "axis", f"{text} is on the wire although a stop has the axis")
+            continue
+        owners = [calls for calls in blocks if starts(calls.kind, text[6:])]
+        edges = [calls.scans[calls.edge_before(scan)] for calls in owners if calls.edge_before(scan) >= 0]
+        if edges and all(any(_locked(lock, edge) for lock in history.of_kind(*LOCKS)) for edge in edges):
+            yield Violation(26, scan, "axis", f"{text} is on the wire, and its edge was while a stop had the axis")
 
 
 def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
@@ -92,6 +130,22 @@ def a_stop_is_not_aborted(history: History) -> Iterator[Violation]:
         for index, scan in enumerate(calls.scans):
             if calls.rises(index, "CommandAborted") and not calls.abort[index]:
                 yield Violation(27, scan, calls.name, "a stop is aborted")
+
+
+def a_halt_is_aborted_by_a_successor(history: History) -> Iterator[Violation]:
+    """Rules 16 and 20: a halt of a moving axis is aborted by what the device has accepted of another since its edge."""
+    for calls in history.of_kind("halt"):
+        for index, scan in enumerate(calls.scans):
+            if not calls.rises(index, "CommandAborted") or not history.scans[scan].state.velocity:
+                continue
+            edge = calls.edge_before(scan)
+            first = calls.scans[edge] if edge >= 0 else scan
+            accepted = any(
+                event.kind in ("accepted", "stop") and event.about != "outside" and first <= when <= scan
+                for when, event in history.events
+            )
+            if not accepted and not _others_lock(history, calls, scan, scan):
+                yield Violation(20, scan, calls.name, "a halt is aborted, and the device has accepted nothing since")
 
 
 def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
@@ -103,7 +157,8 @@ def a_stop_at_standstill_is_done(history: History) -> Iterator[Violation]:
         places = range(index, calls.index_at(end) + 1)
         if any(calls.abort[place] or (calls.edges[place] and place > index) for place in places):
             continue
-        if calls.kind == "halt" and any(calls.error[place] == LOCKED for place in places):
+        locked = any(calls.error[place] == LOCKED for place in places)
+        if locked and _others_lock(history, calls, scan, end):
             continue
         good = ("Done", "CommandAborted") if calls.kind == "halt" else ("Done",)
         if not any(end in calls.ends[place] for place in places for end in good):
@@ -118,16 +173,23 @@ def a_jog_ends_with_its_input(history: History) -> Iterator[Violation]:
             if not index or calls.fresh[index] or not calls.busy[index - 1]:
                 continue
             number = _owner_number(history, calls, scan)
-            if calls.execute[index - 1] and not calls.execute[index] and history.is_on(number, scan):
-                following = [item for item in history.requests if item[0] >= scan][:2]
-                texts = [text for _, text in following]
-                last = following[-1][0] if following else scan
-                stopped = any(text in ("stop", "off") for text in texts) or _is_followed(history, number, last)
-                if len(texts) == 2 and not stopped:
-                    yield Violation(29, scan, calls.name, f"{' and '.join(texts)} go before the stop")
+            if _releases(calls, index) and history.is_on(number, scan):
+                following = [when for when, _ in history.requests if when >= scan][:2]
+                last = following[-1] if following else scan
+                word = history.scans[scan].word
+                if word is not None and word & JOG_BITS:
+                    yield Violation(29, scan, calls.name, f"the telegram after it has the control word {word:04X}H")
+                elif history.stop_follows(scan, 2) is False and not _is_followed(history, number, last):
+                    yield Violation(29, scan, calls.name, "two other requests, or none, go before the stop")
             state = history.scans[scan].state
             if not (calls.busy[index] or calls.ends[index]) and number and state.number == number and state.velocity:
                 yield Violation(29, scan, calls.name, "it is not Busy any more, and the axis has not come to a halt")
+
+
+def _releases(calls: Calls, index: int) -> bool:
+    """Whether the direction that was asked for alone is asked for no more, or no more alone."""
+    before, now = calls.directions[index - 1], calls.directions[index]
+    return before != now and sum(before) == 1
 
 
 def a_jog_stops_itself(history: History) -> Iterator[Violation]:
@@ -137,8 +199,15 @@ def a_jog_stops_itself(history: History) -> Iterator[Violation]:
             if calls.kind not in JOGS or _is_followed(history, number, scan + 1):
                 continue
             accepted = next(when for when, event in history.events if event.number == number)
-            asked = sum(text in ("stop", "off") for text in history.asked_between(accepted, scan + 1))
-            stopped = any(event.kind == "stop" for when, event in history.events if accepted <= when <= scan + 1)
+            asked = sum(text in STOPPING for text in history.asked_between(accepted, scan + 1))
+            stopped = any(
+                event.kind == "stop" and event.about != "outside" and accepted <= when <= scan + 1
+                for when, event in history.events
+            )
+            # Each telegram without the bits of a jog asks for its end, whether it is heard or not.
+            words = [entry.word for entry in history.scans[max(scan - TRIES + 1, 0) : scan + 1]]
+            if all(word is not None and not word & JOG_BITS for word in words):
+                continue
             if not stopped and asked < TRIES and scan + 1 < len(history.scans):
                 yield Violation(30, scan, calls.name, f"it ends with {end or 'nothing'}, and the axis jogs on")
 
@@ -158,6 +227,18 @@ def both_directions_are_none(history: History) -> Iterator[Violation]:
             number = _owner_number(history, calls, end)
             if both and number and history.scans[end].state.number == number and history.scans[end].state.velocity:
                 yield Violation(31, end, calls.name, "both directions are asked for, and it moves")
+
+
+def a_jog_turns_at_standstill(history: History) -> Iterator[Violation]:
+    """Rule 31: a jog asks for the other direction where the axis stands."""
+    signs = {"jog_forward": 1, "jog_backward": -1}
+    for scan, event, owner in history.owners:
+        if event.kind != "accepted" or event.about not in signs or history.blocks[owner].kind not in JOGS or not scan:
+            continue
+        state = history.scans[scan - 1].state
+        before = {item.number: item.about for when, item, _ in history.owners if when <= scan}.get(state.number)
+        if before in signs and state.number and state.velocity * signs[event.about] < 0:
+            yield Violation(31, scan, owner, f"it turns at {state.velocity:.0f} counts in a second")
 
 
 def power_comes_at_the_first_try(history: History) -> Iterator[Violation]:
@@ -190,8 +271,10 @@ def who_follows_falls_to_neutral(history: History) -> Iterator[Violation]:
         for index, scan in enumerate(calls.scans):
             fell = index > 0 and calls.execute[index - 1] and not calls.execute[index]
             following = [text for text in history.scans[scan].asked if text.startswith("speed ")]
-            if (fell or calls.falls_busy(index)) and any(text != "speed 0" for text in following):
-                yield Violation(36, scan, calls.name, f"its input falls or it ends, and it asks for {following[-1]}")
+            blind = scan > 0 and calls.execute[index] and LOST_ANSWER in history.scans[scan - 1].fates
+            if (fell or calls.falls_busy(index) or blind) and any(text != "speed 0" for text in following):
+                reason = "its telegram is invalid" if blind else "its input falls or it ends"
+                yield Violation(36, scan, calls.name, f"{reason}, and it asks for {following[-1]}")
 
 
 def _stop_edges(history: History) -> Iterator[tuple[Calls, int, int]]:
@@ -199,6 +282,16 @@ def _stop_edges(history: History) -> Iterator[tuple[Calls, int, int]]:
         for index, scan in enumerate(calls.scans):
             if calls.edges[index]:
                 yield calls, index, scan
+
+
+def _others_lock(history: History, calls: Calls, first: int, last: int) -> bool:
+    """Whether another stop has the axis before one of some scans, or after it."""
+    others = [lock for lock in history.of_kind(*LOCKS) if lock is not calls]
+    return any(
+        lock.busy_at(when) or (lock.index_at(when) >= 0 and lock.execute[lock.index_at(when)])
+        for lock in others
+        for when in range(max(first - 1, 0), min(last + 1, len(history.scans)))
+    )
 
 
 def _asks_to_stop(word: int) -> bool:
@@ -219,11 +312,9 @@ def _begin_of(history: History, number: int) -> int:
 def _locked(lock: Calls, scan: int) -> bool:
     """Whether a stop has the axis before the calls of a scan, and still after them."""
     before, now = lock.index_at(scan - 1), lock.index_at(scan)
-    if before < 0 or now <= before or lock.edge_before(scan - 1) < 0 or lock.edges[now]:
+    if before < 0 or lock.edge_before(scan - 1) < 0 or lock.fresh[now]:
         return False
-    if any(end in lock.ends[place] for end in ("Error", "CommandAborted") for place in (before, now)):
-        return False
-    begun = lock.busy[before] or (lock.execute[before] and "Done" in lock.ends[before])
+    begun = lock.busy[before] or (lock.execute[before] and lock.ends[before] != "")
     return begun and (lock.busy[now] or lock.execute[now])
 
 
@@ -232,11 +323,14 @@ STOP_RULES = (
     a_stop_never_gives_up,
     a_stop_is_done_at_standstill,
     a_stop_locks_the_axis,
+    nothing_starts_while_it_is_locked,
     a_stop_is_not_aborted,
+    a_halt_is_aborted_by_a_successor,
     a_stop_at_standstill_is_done,
     a_jog_ends_with_its_input,
     a_jog_stops_itself,
     both_directions_are_none,
+    a_jog_turns_at_standstill,
     power_comes_at_the_first_try,
     who_follows_falls_to_neutral,
 )

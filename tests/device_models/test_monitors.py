@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 import pytest
 
-from device_models.history import History, Violation
+from device_models.history import Violation
+from device_models.monitor_cases import AWAY, DONE, EDGE, KINDS, MOVES, MOVING, STANDS, Case
 from device_models.monitors import MONITORS
 from device_models.motion_rules import (
     a_valid_position_is_true,
@@ -37,47 +35,7 @@ from device_models.output_rules import (
     values_out_of_range_are_refused,
 )
 from device_models.record_texts import record_of
-from device_models.stop_rules import (
-    a_jog_ends_with_its_input,
-    a_jog_stops_itself,
-    a_stop_at_standstill_is_done,
-    a_stop_comes_next,
-    a_stop_is_done_at_standstill,
-    a_stop_is_not_aborted,
-    a_stop_locks_the_axis,
-    a_stop_never_gives_up,
-    both_directions_are_none,
-    power_comes_at_the_first_try,
-    who_follows_falls_to_neutral,
-)
-
-KINDS = {
-    "Move": "absolute",
-    "Other": "relative",
-    "Home": "home",
-    "Jog": "jog",
-    "Stop": "stop",
-    "Speed": "velocity",
-    "Power": "power_on",
-    "Read": "read",
-}
-EDGE = "+Move.Execute +Move.Busy"
-MOVES = "ask:start_absolute accepted:absolute:1:500 began:absolute:1:500 n1 v100"
-JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 v100"
-STANDS = "reached:absolute:1:500 n0 v0"
-DONE = "-Move.Busy +Move.Done"
-AWAY = "-Move.Execute -Move.Done"
-
-
-@dataclass(frozen=True)
-class Case:
-    """A monitor, a record that keeps its rule, and one that breaks it."""
-
-    monitor: Callable[[History], object]
-    rule: int
-    keeps: tuple[str, ...]
-    breaks: tuple[str, ...]
-
+from device_models.stop_cases import STOP_CASES
 
 CASES = (
     Case(nothing_in_the_first_scan, 1, ("+Move.Execute", "", "-Move.Execute", EDGE), (EDGE, "")),
@@ -96,6 +54,12 @@ CASES = (
     ),
     Case(an_end_is_seen_once, 7, ("", EDGE, DONE, "", AWAY), ("", EDGE, DONE, "-Move.Done")),
     Case(an_end_is_seen_once, 7, ("", EDGE, DONE, AWAY), ("", EDGE, DONE, "-Move.Execute")),
+    Case(
+        an_end_is_seen_once,
+        7,
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "+Stop.Busy -Stop.Done"),
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "-Stop.Done"),
+    ),
     Case(an_end_has_a_beginning, 8, ("", EDGE, DONE), ("", "+Move.Done")),
     Case(
         values_count_at_the_edge,
@@ -133,6 +97,18 @@ CASES = (
         ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1"),
         ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1", MOVES),
     ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=1"),
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", DONE),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("ms:50", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=1 x300"),
+        ("ms:50", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "x300"),
+    ),
     Case(a_start_has_an_edge, 13, ("", EDGE, "skip:Move", MOVES), (EDGE, MOVES)),
     Case(a_start_has_an_edge, 13, ("", EDGE, MOVES), ("", EDGE, "restart", MOVES)),
     Case(a_start_has_an_edge, 38, ("", EDGE, MOVES), ("", EDGE, MOVES, "ask:start_absolute")),
@@ -147,6 +123,18 @@ CASES = (
         15,
         ("", EDGE, MOVES, "-Move.Busy +Move.Error Move.ErrorID=2"),
         ("", EDGE, MOVES, "-Move.Busy +Move.Error Move.ErrorID=6"),
+    ),
+    Case(
+        somebody_is_responsible,
+        15,
+        ("", EDGE, "accepted:absolute:1 w1", "stop:command", "-Move.Busy +Move.Error Move.ErrorID=2", MOVING),
+        ("", EDGE, "accepted:absolute:1 w1", "stop:command", "-Move.Busy +Move.CommandAborted", MOVING),
+    ),
+    Case(
+        somebody_is_responsible,
+        15,
+        ("", EDGE, MOVES, "+Other.Error Other.ErrorID=2", ""),
+        ("", EDGE, MOVES, "+Other.Error Other.ErrorID=2", DONE),
     ),
     Case(
         who_is_aborted_has_a_successor,
@@ -194,6 +182,18 @@ CASES = (
         ("", EDGE, MOVES, "+Move.Abort -Move.Busy +Move.CommandAborted", "ask:read", "ask:read"),
     ),
     Case(
+        who_is_refused_ends_with_an_error,
+        17,
+        ("", EDGE, "refused:absolute", "+Other.Execute +Other.Busy", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "refused:absolute", "", "-Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        two_edges_start_once,
+        18,
+        ("ms:50", f"{EDGE} +Other.Execute +Other.Busy", "-Move.Busy +Move.CommandAborted x300"),
+        ("ms:50", f"{EDGE} +Other.Execute +Other.Busy", "x300"),
+    ),
+    Case(
         nothing_is_done_without_power,
         32,
         ("off", EDGE, "", "-Move.Busy +Move.Error Move.ErrorID=10"),
@@ -215,6 +215,18 @@ CASES = (
         ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0", "x300"),
     ),
     Case(
+        an_alarm_ends_a_motion,
+        33,
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", "stop:command", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        an_alarm_ends_a_motion,
+        33,
+        ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.Error Move.ErrorID=8 x400"),
+        ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0 x200", "-Move.Busy +Move.Error Move.ErrorID=8 x400"),
+    ),
+    Case(
         home_is_done_by_this_run,
         34,
         ("", "+Home.Execute +Home.Busy", "accepted:home:1 n1", "reached:home:1 n0", "-Home.Busy +Home.Done"),
@@ -225,123 +237,33 @@ CASES = (
     Case(
         silence_is_an_error,
         38,
-        ("ms:50", EDGE, "lost x500", "-Move.Busy +Move.Error Move.ErrorID=2"),
+        ("ms:50", EDGE, "lost x250", "-Move.Busy +Move.Error Move.ErrorID=2"),
         ("ms:50", EDGE, "lost x900"),
     ),
     Case(
         a_valid_position_is_true,
         39,
-        ("p500", "+Read.Valid Read.diPositionRaw=500"),
-        ("p500", "+Read.Valid Read.diPositionRaw=1426063360"),
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500"),
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=1426063360"),
+    ),
+    Case(
+        a_valid_position_is_true,
+        39,
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Enable -Read.Valid"),
+        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Enable"),
+    ),
+    Case(
+        a_valid_position_is_true,
+        39,
+        ("ms:50 p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "p900 x100", "Read.diPositionRaw=900 x300"),
+        ("ms:50 p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "p900 x300"),
     ),
     Case(the_first_telegram_starts_nothing, 40, ("word:0406", "word:040F"), ("word:040F",)),
     Case(the_first_telegram_starts_nothing, 40, ("word:0406",), ("word:0406", "restart word:0047")),
-    Case(
-        a_stop_comes_next,
-        22,
-        ("", "+Stop.Execute +Stop.Busy", "ask:read", "ask:stop"),
-        ("", "+Stop.Execute +Stop.Busy", "ask:read", "ask:read"),
-    ),
-    Case(
-        a_stop_comes_next,
-        22,
-        ("word:043F", "word:042F +Stop.Execute +Stop.Busy"),
-        ("word:043F", "+Stop.Execute +Stop.Busy", "word:042F"),
-    ),
-    Case(
-        a_stop_never_gives_up,
-        23,
-        ("word:043F", "word:042F +Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
-        ("word:043F", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
-    ),
-    Case(
-        a_stop_never_gives_up,
-        23,
-        ("", "+Stop.Execute +Stop.Busy", *("ask:stop",) * 3, "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
-        ("", "+Stop.Execute +Stop.Busy", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
-    ),
-    Case(
-        a_stop_is_done_at_standstill,
-        24,
-        ("n1 v100", "+Stop.Execute +Stop.Busy", "n0 v0", "-Stop.Busy +Stop.Done"),
-        ("n1 v100", "+Stop.Execute +Stop.Busy", "", "-Stop.Busy +Stop.Done"),
-    ),
-    Case(
-        a_stop_is_done_at_standstill,
-        24,
-        ("w1", "+Stop.Execute +Stop.Busy", "+Stop.Done", "began:absolute:1 w0 n1 v9"),
-        ("w1", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "began:absolute:1 w0 n1 v9"),
-    ),
-    Case(
-        a_stop_locks_the_axis,
-        25,
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "+Move.Execute +Move.Error"),
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", EDGE, "ask:start_absolute"),
-    ),
-    Case(
-        a_stop_locks_the_axis,
-        25,
-        ("ms:50", "+Stop.Execute +Stop.Busy", "", f"{EDGE}", "-Move.Busy +Move.Error x300"),
-        ("ms:50", "+Stop.Execute +Stop.Busy", "", f"{EDGE}", f"{DONE} x300"),
-    ),
-    Case(
-        a_stop_is_not_aborted,
-        27,
-        ("", "+Stop.Execute +Stop.Busy", "+Stop.Abort -Stop.Busy +Stop.CommandAborted"),
-        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.CommandAborted"),
-    ),
-    Case(
-        a_stop_at_standstill_is_done,
-        28,
-        ("ms:50", "+Stop.Execute +Stop.Busy", "x50", "-Stop.Busy +Stop.Done x300"),
-        ("ms:50", "+Stop.Execute +Stop.Busy", "x300"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:read", "ask:stop"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:read", "ask:read"),
-    ),
-    Case(
-        a_jog_ends_with_its_input,
-        29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "n0 v0", "-Jog.Busy"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "-Jog.Busy"),
-    ),
-    Case(
-        a_jog_stops_itself,
-        30,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, *("ask:stop",) * 3, "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "ask:stop", "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
-    ),
-    Case(
-        a_jog_stops_itself,
-        30,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "accepted:absolute:2", "-Jog.Busy +Jog.CommandAborted", ""),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, EDGE, "-Jog.Busy +Jog.CommandAborted", ""),
-    ),
-    Case(
-        both_directions_are_none,
-        31,
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward", "n0 v0 x300"),
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward", "x300"),
-    ),
-    Case(
-        power_comes_at_the_first_try,
-        35,
-        ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Done x300"),
-        ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Error Power.ErrorID=9 x300"),
-    ),
-    Case(
-        who_follows_falls_to_neutral,
-        36,
-        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "-Speed.Execute ask:speed_0"),
-        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "-Speed.Execute ask:speed_5"),
-    ),
 )
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.monitor.__name__} {case.rule}")
+@pytest.mark.parametrize("case", [*CASES, *STOP_CASES], ids=lambda case: f"{case.monitor.__name__} {case.rule}")
 def test_a_monitor_finds_what_breaks_its_rule_and_nothing_else(case: Case) -> None:
     findings: list[Violation] = list(case.monitor(record_of(KINDS, case.breaks)))  # type: ignore[call-overload]
     assert case.rule in [item.rule for item in findings]
@@ -349,4 +271,4 @@ def test_a_monitor_finds_what_breaks_its_rule_and_nothing_else(case: Case) -> No
 
 
 def test_each_monitor_has_a_case() -> None:
-    assert {monitor.__name__ for monitor in MONITORS} == {case.monitor.__name__ for case in CASES}
+    assert {monitor.__name__ for monitor in MONITORS} == {case.monitor.__name__ for case in (*CASES, *STOP_CASES)}

@@ -43,12 +43,15 @@ class Driver:
     def __init__(self, name: str, seed: int, folder: Path) -> None:
         self.dice = random.Random(f"{name} {seed}")
         dice = self.dice
-        self.rig: Any = rig(name, folder, Draws(f"{name} {seed}", refusal=dice.choice([0.0, 0.0, 0.05])))
+        draws = Draws(f"{name} {seed}", refusal=dice.choice([0.0, 0.0, 0.05]))
+        self.rig: Any = rig(name, folder, draws, twice=dice.random() < 0.3)
         self.cycle = dice.choice(CYCLES)
         self.rate = dice.choice([0.3, 1.0, 3.0])
         self.faults = dice.choice([0.0, 0.0, 0.02, 0.1])
         self.rough = dice.random() < 0.5
         self.shuffled = dice.random() < 0.5
+        self.patient = dice.random() < 0.3
+        self.first = dice.random() < 0.2
         self.gaps: dict[str, int] = {}
         self.order = list(self.rig.names)
         self.blind = 0
@@ -59,6 +62,8 @@ class Driver:
 
     def run(self, scans: int = SCANS) -> History:
         """Runs the episode."""
+        if self.first:
+            self._begin_with_inputs()
         if self.dice.random() < 0.8:
             self._switch_on()
         if isinstance(self.rig, FrameRig):
@@ -66,6 +71,14 @@ class Driver:
         while len(self.rig.record) < scans:
             self._scan()
         return self.rig.history  # type: ignore[no-any-return]
+
+    def _begin_with_inputs(self) -> None:
+        """Some inputs are TRUE in the first scan, and FALSE after a while."""
+        chosen = self.dice.sample(self.driven, self.dice.randint(1, len(self.driven)))
+        for level in (True, False):
+            for block in chosen:
+                self.rig.set(block, **dict.fromkeys(self.starts[block], level))
+            self.rig.run(20 if level else 2, self.cycle)
 
     def _switch_on(self) -> None:
         """Mostly the servo is on and the axis at home, with nothing disturbed."""
@@ -90,14 +103,17 @@ class Driver:
         self.rig.scan(self.cycle * (3 if jitter else 1), called)
 
     def _chosen(self) -> str:
-        """A block to touch: mostly one that moves the axis, or what it needs to move."""
+        """A block to touch: mostly one that moves the axis, or what it needs to move.
+
+        A stop that is asked for is mostly withdrawn soon; a patient driver holds it.
+        """
         state = self.rig.model.state
         lacks = {"power_on": not state.servo, "reset": state.alarm, "home": state.servo and not state.homed}
         weights = []
         for block in self.driven:
             kind = self.rig.kinds[block]
             pressed = any(self.rig.bench.now[block, name] for name in self.starts[block])
-            hinders = pressed and kind in (*STOPS, "power_off")
+            hinders = pressed and kind in (*STOPS, "power_off") and not self.patient
             weights.append(WEIGHTS.get(kind, 1.0) * (8.0 if lacks.get(kind) or hinders else 1.0))
         return self.dice.choices(self.driven, weights)[0]
 
@@ -143,7 +159,7 @@ class Driver:
             if owner != block:
                 continue
             value = fitting(rig.name, kind, name, of, self.dice)
-            bad = invalid(rig.name, kind, name, of) if wrong and kind != "read" else None
+            bad = invalid(rig.name, kind, name, of, self.dice) if wrong and kind != "read" else None
             if bad is not None and value is not None:
                 value = bad
                 rig.invalid.add(block)

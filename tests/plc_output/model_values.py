@@ -73,24 +73,37 @@ def fitting(device: str, kind: str, name: str, of: str, dice: random.Random) -> 
     return None
 
 
-def invalid(device: str, kind: str, name: str, of: str) -> float | None:
+def invalid(device: str, kind: str, name: str, of: str, dice: random.Random) -> float | None:
     """A value of an input that the device does not take; None where each value of the type is taken."""
     if PERCENT.search(name):
         return None
+    no_number = dice.choice([math.nan, math.inf, -math.inf])
     if SPEED.search(name):
-        return 1e9 if kind == "velocity" else INVALID.get(device)
+        refused = 1e9 if kind == "velocity" else INVALID.get(device)
+        return no_number if of == "lreal" and dice.random() < 0.5 else refused
     if of == "lreal" and (POSITION.search(name) or DISTANCE.search(name)):
-        return math.nan
+        return no_number
     return None
 
 
 def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
     """The position or the distance that a block asks its device for, in counts."""
+    if kind == "point":
+        return _point_of(block, inputs)
     pattern = {"absolute": POSITION, "relative": DISTANCE}.get(kind)
     for (owner, name), value in inputs.items():
         if owner == block and pattern is not None and pattern.search(name):
             return round(value * SCALES.get(device, 1.0) * 1e6) / 1e6 if name.startswith("lr") else float(value)
     return None
+
+
+def _point_of(block: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
+    """The number of the point that a block asks for: an input of its own, or one a bit."""
+    numbers = {name: value for (owner, name), value in inputs.items() if owner == block and "oint" in name}
+    bits = {int(name.rsplit("Bit", 1)[1]): value for name, value in numbers.items() if re.search(r"Bit\d+$", name)}
+    if bits:
+        return float(sum(bool(value) << bit for bit, value in bits.items()))
+    return next((float(value) for value in numbers.values()), None)
 
 
 def position_of(device: str, block: str, outputs: Mapping[tuple[str, str], float]) -> float | None:

@@ -138,9 +138,14 @@ def needs_begin(task: Task, index: int, accepted: int) -> bool:
     steps = task.steps[index:]
     stop = next((number for number, step in enumerate(steps) if step.action != "wait"), len(steps))
     is_last = all(step.action != "wait" for step in steps[stop:])
-    proved = task.kind in ("move_absolute", "move_relative") and any(step.argument for step in steps)
+    proved = proves_target(task) and any(step.argument for step in steps)
     begun = any(step.action == "wait" for step in task.steps[accepted + 1 : index])
     return is_last and not proved and not begun
+
+
+def proves_target(task: Task) -> bool:
+    """Whether a wait with an argument compares a position with the target."""
+    return task.kind in ("move_absolute", "move_relative")
 
 
 def end_steps(task: Task) -> tuple[int, int] | None:

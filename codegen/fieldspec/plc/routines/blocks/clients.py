@@ -15,6 +15,7 @@ from fieldspec.plc.routines.blocks.ports import (
     AXIS,
     FRAMES,
     FREE,
+    POSTPONED,
     URGENT,
     increment,
     member,
@@ -200,7 +201,17 @@ class _Client:
         begin = [Assignment(self.taken, self._of_axis("request")), Assignment(tries, number(0)), go(_ASK)]
         goes = either([compared(busy, "=", number(0)), compared(urgent, ">", number(0))])
         waits = every([compared(urgent, ">", number(0)), compared(step, "=", number(_ASK))])
+        unsent = either([compared(step, "=", number(_IDLE)), compared(step, "=", number(_ASK))])
+        other = compared(self._of_axis("first"), "<>", self._of_axis("request"))
+        gives_way = every([compared(urgent, ">", number(0)), compared(axis_state, "=", number(ASKED)), other, unsent])
+        postponed = [
+            Assignment(self._of_axis("error"), Whole(POSTPONED, UINT)),
+            Assignment(self._of_axis("answered"), self._of_axis("request")),
+            Assignment(axis_state, number(ANSWERED)),
+            go(_IDLE),
+        ]
         body: list[Statement] = [
+            when(gives_way, postponed),
             when(
                 compared(step, "=", number(_IDLE)),
                 [

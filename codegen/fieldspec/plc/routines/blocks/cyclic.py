@@ -72,6 +72,7 @@ class CyclicTask:
         self.lowered: list[Statement] = []
         self.insists: list[Statement] = []
         self.begun: list[Statement] = []
+        self.insisting = False
         self.unsettled = False
         self.remarks: list[str] = []
 
@@ -135,7 +136,8 @@ class CyclicTask:
         if self.task.kind not in MOVING:
             kind.restart = [*self.insists, *kind.restart]
             starts = [self.places.bit(bit) for bit in self.places.starting() if "move_start" in bit.roles]
-            kind.at_once = [*kind.goes_out(), *kind.take_over(), *self.insists, *cleared(starts)]
+            kind.fresh += [*self.insists, *cleared(starts)]
+            kind.at_once = [*kind.goes_out(), *kind.take_over()]
         kind.tries, kind.ending = 1, draft.next
         stands = self.conditions.stands(self.places.seen)
         reached = self.operands.with_role("speed_reached", self.message.name)
@@ -159,18 +161,21 @@ class CyclicTask:
         for step in task.steps:
             if step.action == "clear":
                 bits.append(self.places.bit(self._operand(step)))
+            elif step.action == "set":
+                self.insists.append(self.places.bit(self._operand(step)).put(True))
             elif step.action == "wait":
                 waits.append(step)
             else:
                 raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
-        self.begun = [increment(self.places.axis_port().motion)]
+        self.insisting = True
         if isinstance(kind, Stopping):
+            self.begun = [increment(self.places.axis_port().motion)]
             levels = _BY_LEVEL | {"move_start"}
             bits += [self.places.bit(operand) for operand in self.places.starting() if levels & {*operand.roles}]
             self.remarks.append("It clears the bits that start a motion too, in each scan while it is Busy.")
         elif isinstance(kind, Executed) and waits:
             kind.limit()
-        self.insists = cleared(bits)
+        self.insists += cleared(bits)
         draft.settle(_SETTLE)
         computed, test = self.conditions.all_of(waits, self.places.seen) if waits else ([], None)
         if test is None:
@@ -188,15 +193,14 @@ class CyclicTask:
         draft, task = self.draft, self.task
         first = task.steps[: before_effect(task)]
         noted = [
-            item
-            for step in self.conditions.compared(task.steps)
-            for item in self.conditions.start_of(step, self.places.seen)
+            item for step in self.conditions.compared(task) for item in self.conditions.start_of(step, self.places.seen)
         ]
         branches: list[Branch] = []
         confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
         stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
         if stands is not None:
-            branches.append((opposite(stands), unready(self.kind, draft)))
+            assert isinstance(self.kind, Moving)
+            branches.append(unready(self.kind, draft, opposite(stands)))
         for step in first:
             _, holds = self.conditions.test(step, self.places.seen)
             branches.append((opposite(holds), [draft.fail("unready")]))
@@ -275,8 +279,8 @@ class CyclicTask:
                 self.set.append(bit)
             else:
                 self.unsettled = True
-                if task.kind == "stop":
-                    self.insists.append(bit.put(False))
+            if task.kind == "stop":
+                self.insists.append(bit.put(step.action == "set"))
             draft.add([*sent, bit.put(step.action == "set"), *taken, draft.go(on)])
         elif step.action == "write" and operand.bit is None:
             place, field = self.places.place(operand)
@@ -353,18 +357,21 @@ class CyclicTask:
         draft, kind = self.draft, self.kind
         edges = kind.edges()
         guards = kind.guards()
-        insisting = bool(self.begun)
         ending = [Negation(kind.ending_flag)] if isinstance(kind, Moving) else []
-        if not insisting:
+        if not self.insisting:
             guards.append((every([Negation(self.places.valid), draft.unharmed(), *ending]), [draft.fail("transport")]))
+        alarms: list[Statement] = []
         for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
             place, _ = self.places.place(watch.operand)
             test = opposite(self.conditions.has(watch.operand, (watch.value,), place))
+            if isinstance(kind, Moving) and watch.reason == "alarm":
+                alarms += kind.alarmed([every([kind.ending_flag, self.places.valid, test])])
             guards.append((every([test, draft.unharmed(), *ending]), [draft.fail(watch.reason)]))
         steps = draft.selected(asks=True)
         works = [*kind.may_ask(), draft.unharmed()]
         guards.append((every(works), steps))
-        orders = [when(kind.edge, self.begun), *self.insists] if insisting and isinstance(kind, Edged) else []
+        orders: list[Statement] = [when(kind.edge, self.begun)] if self.begun and isinstance(kind, Edged) else []
+        orders += self.insists if self.insisting else alarms
         tail = kind.tail()
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         body = [*orders, chain(guards), *kind.accepted(), *tail]

@@ -135,7 +135,7 @@ class MessageTask(LineTask):
         """See `LineTask`."""
         task, first = self.task, before_effect(self.task)
         looks = [(task, replace(unit, again=False)) for unit in self.units(task, 0, first)]
-        compared_later = self.conditions.compared(task.steps)
+        compared_later = self.conditions.compared(task)
         later = self.units(task, first, len(task.steps))
         at_start = [unit for unit in later if any(wait in compared_later for wait in unit.waits)]
         looks += [(task, Unit(unit.index, unit.behind, False)) for unit in at_start]

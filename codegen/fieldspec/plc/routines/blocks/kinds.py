@@ -70,6 +70,7 @@ class Edged(Kind):
 
     def __init__(self, draft: BlockDraft, aborted: bool) -> None:
         super().__init__(draft)
+        self.fresh: list[Statement] = []
         self.declare_start()
         draft.outputs("Done", aborted)
         draft.steps_from(0)
@@ -100,7 +101,12 @@ class Edged(Kind):
     def begun(self) -> list[Statement]:
         """What begins."""
         draft = self.draft
-        return [*self.release, *draft.cleared(), assigned(draft.busy, True), draft.go(1)]
+        return [*self.release, *draft.cleared(), assigned(draft.busy, True), draft.go(1), *self.fresh]
+
+    def forget_first(self, flag: Expression) -> None:
+        """Makes a flag FALSE where the block begins."""
+        if assigned(flag, False) not in self.fresh:
+            self.fresh.append(assigned(flag, False))
 
     def may_ask(self) -> list[Expression]:
         """See `Kind`."""

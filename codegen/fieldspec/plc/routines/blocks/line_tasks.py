@@ -27,7 +27,7 @@ from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unre
 from fieldspec.plc.routines.blocks.operands import outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, Seen, opposite
-from fieldspec.plc.routines.blocks.standard import chain
+from fieldspec.plc.routines.blocks.standard import assigned, chain
 from fieldspec.plc.routines.blocks.tasks import end_steps, target
 from fieldspec.plc.routines.expressions import Variable
 from fieldspec.plc.routines.routine import Assignment, Statement, when
@@ -162,7 +162,12 @@ class LineTask(ABC):
             here, seen = draft.next, self.seen(*watching)
             branches = self.conditions.watched(self.watches, seen)
             needed = [watch.operand for watch in self.watches]
-            self.perform(*watching, needed, lambda behind: [chain(branches, [draft.go(here)])], "it moves")
+            stands = self.conditions.stands(seen)
+            moves: list[Statement] = []
+            if stands is not None:
+                needed += [self.target(step) for step in self.conditions.standstill]
+                moves = [when(opposite(stands), [assigned(kind.axis.unseen, False)])]
+            self.perform(*watching, needed, lambda behind: [*moves, chain(branches, [draft.go(here)])], "it moves")
         kind.ending = draft.next
         assert ends[0] is not None
         last = ends[0][1]
@@ -184,9 +189,9 @@ class LineTask(ABC):
             seen = self.seen(own, unit)
             noted: list[Statement] = []
             needed = [watch.operand for watch in self.watches]
-            looks = (*unit.waits, *must_stand, *conditions.compared(task.steps), *refusals)
+            looks = (*unit.waits, *must_stand, *conditions.compared(task), *refusals)
             needed += [self.target(step) for step in looks]
-            for step in conditions.compared(task.steps):
+            for step in conditions.compared(task):
                 noted += conditions.start_of(step, seen) if seen(self.target(step)) is not None else []
             for step in refusals[:1]:
                 if seen(self.target(step)) is not None:
@@ -200,7 +205,8 @@ class LineTask(ABC):
                 branches.append((opposite(holds), [draft.fail("unready")]))
             stands = conditions.stands(seen) if must_stand else None
             if stands is not None:
-                branches.append((opposite(stands), unready(draft.kind, draft)))
+                assert isinstance(draft.kind, Moving)
+                branches.append(unready(draft.kind, draft, opposite(stands)))
             visible = [operand for operand in needed if seen(operand) is not None]
             if visible:
                 self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")
@@ -275,6 +281,12 @@ class LineTask(ABC):
         if judged:
             needed += [self.target(step) for step in conditions.standstill]
         branches = conditions.watched(watched, seen)
+        alarms: list[Statement] = []
+        if ending and isinstance(kind, Moving):
+            alarming = [watch for watch in self.watches if watch.reason == "alarm"]
+            needed += [watch.operand for watch in alarming]
+            alarms = kind.alarmed([test for test, _ in conditions.watched(alarming, seen)])
+        stops = bool(unit.waits) and not refusing and not unit.commands and (ending or task.kind == "stop")
 
         def decide(behind: int) -> list[Statement]:
             then = [*extra, go(behind)]
@@ -286,6 +298,10 @@ class LineTask(ABC):
             if judged:
                 assert isinstance(kind, Moving)
                 body = conditions.judged(kind, unit.waits, seen, must_begin, then, [draft.go(here)])
+            elif stops:
+                assert isinstance(kind, Moving | Stopping)
+                resend = draft.go(kind.ending if ending and isinstance(kind, Moving) else 1)
+                body = conditions.stopped(kind, unit.waits, seen, then, draft.go(here), resend)
             elif unit.waits:
                 computed, holds = conditions.all_of(unit.waits, seen)
                 missing: list[Statement] = [draft.go(here)]
@@ -296,7 +312,7 @@ class LineTask(ABC):
                 body = [*computed, when(holds, then, missing)]
             else:
                 body = then
-            return [chain(branches, body)] if branches else body
+            return [*alarms, chain(branches, body)] if branches else [*alarms, *body]
 
         if refusing:
             remark = "whether the device has accepted the command"

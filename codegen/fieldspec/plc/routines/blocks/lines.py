@@ -6,7 +6,17 @@ from collections.abc import Iterable
 
 from fieldspec.plc.routines.blocks.kinds import Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.motion import AxisPort, Stopping
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FREE, URGENT, increment, member
+from fieldspec.plc.routines.blocks.ports import (
+    ABANDONED,
+    ANSWERED,
+    ASKED,
+    AXIS,
+    FREE,
+    POSTPONED,
+    URGENT,
+    increment,
+    member,
+)
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
     BOOL,
@@ -67,7 +77,7 @@ class LineDraft(BlockDraft):
     def axis_port(self) -> AxisPort:
         """The members that say who moves the axis."""
         axis = self.port if self.key == AXIS else self.struct("axis", AXIS, "the same for all blocks of the device")
-        return AxisPort(*(member(self.world, AXIS, name, axis) for name in ("motion", "claims", "stops")))
+        return AxisPort(*(member(self.world, AXIS, name, axis) for name in AxisPort.MEMBERS))
 
     def limit(self) -> None:
         """Ends the block with an error when its time is over."""
@@ -96,18 +106,21 @@ class LineDraft(BlockDraft):
         calm = compared(urgent, "=", number(0))
         may_ask = [*kind.may_ask(), self.unharmed(), Negation(self.asked), compared(state, "=", number(FREE))]
         may_ask.append(calm if first is None else either([calm, first]))
+        judged = chain(
+            [
+                (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
+                (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
+            ],
+            self.selected(asks=False),
+        )
         take: list[Statement] = [
             assigned(self.asked, False),
             Assignment(state, number(FREE)),
-            chain(
-                [
-                    (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
-                    (compared(error, "<>", Whole(0, UINT)), [Assignment(self.reason, error)]),
-                ],
-                self.selected(asks=False),
-            ),
+            when(compared(error, "<>", Whole(POSTPONED, UINT)), [judged]),
         ]
         asking = [increment(request), Assignment(number_asked, request), Assignment(state, number(ASKED))]
+        if first is not None:
+            asking.append(when(first, [Assignment(self.of_port("first"), request)]))
         ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
         working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
         claims = [when(first, [Assignment(urgent, number(URGENT))])] if first is not None else []

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Kind
+from fieldspec.plc.routines.blocks.kinds import Branch, Edged
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
 from fieldspec.plc.routines.expressions import (
@@ -38,8 +38,10 @@ _NONE = Whole(0, UINT)
 class AxisPort:
     """The members of a port that say who moves the axis."""
 
-    def __init__(self, motion: Member, claims: Member, stops: Member) -> None:
-        self.motion, self.claims, self.stops = motion, claims, stops
+    MEMBERS = ("motion", "claims", "stops", "active", "unseen", "exclusive")
+
+    def __init__(self, *members: Member) -> None:
+        self.motion, self.claims, self.stops, self.active, self.unseen, self.exclusive = members
 
     @property
     def locked(self) -> Expression:
@@ -76,6 +78,7 @@ class Moving(Edged):
         self.taken = draft.flag("xTaken", "the device has accepted the command: the block has the axis")
         self.accepts = draft.flag("xAccepted", "the device has accepted the command in this scan")
         self.ending_flag = draft.flag("xEnding", "the motion is being ended")
+        self.counted = draft.flag("xActive", "the port counts the command of this block as one that is under way")
         self.owner = draft.declare("udiOwner", UDINT, "local", "the count of motions when the block had the axis last")
         self.claim = draft.declare("udiClaim", UDINT, "local", "the count of starts with the one of this block")
         self.first_reason = draft.declare("uiFirstReason", UINT, "local", "why the motion is being ended")
@@ -87,9 +90,10 @@ class Moving(Edged):
         self.tries = TRIES
         self.lowered: Sequence[Statement] = ()
         self.lowered_unless_done: Sequence[Statement] = ()
-        self.fresh: list[Statement] = []
 
     late: Expression | None = None
+    hidden = False
+    """Whether the device does not show that it takes the command: no other may be under way then."""
     remembers = True
     """Whether an edge that comes while the motion is being ended begins afterwards."""
 
@@ -106,7 +110,8 @@ class Moving(Edged):
     def goes_out(self) -> list[Statement]:
         """What notes that the command is on its way: what is accepted from now on comes behind it."""
         earlier = Assignment(self.earlier, self.still_earlier())
-        return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion)]
+        unseen = [] if self.halts else [assigned(self.axis.unseen, True)]
+        return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion), *unseen]
 
     def still_earlier(self) -> Expression:
         """Whether a command of before may be moving the axis, and no other was accepted since."""
@@ -143,6 +148,7 @@ class Moving(Edged):
         reason = draft.refusal if draft.at_start else _NONE
         claims = [increment(axis.claims), Assignment(self.claim, axis.claims)]
         unlocked = [] if reason == _NONE else [draft.unharmed()]
+        start = [when(self._clashes(), [draft.fail("unready")], [*claims, *self.at_once])]
         same = compared(self.owner, "=", axis.motion)
         return [
             *([assigned(self.pending, False)] if self.pending is not None else []),
@@ -151,10 +157,9 @@ class Moving(Edged):
             Assignment(self.owner, axis.motion),
             *(assigned(flag, False) for flag in (self.sent, self.taken)),
             *([assigned(self.ending_flag, False)] if self.halts else []),
-            *self.fresh,
             Assignment(self.first_reason, _NONE),
             Assignment(draft.reason, reason),
-            when(every([*unlocked, Negation(axis.locked)]), [*claims, *self.at_once]),
+            when(every([*unlocked, Negation(axis.locked)]), [*claims, *self.at_once] if self.halts else start),
         ]
 
     def guards(self) -> list[Branch]:
@@ -162,15 +167,19 @@ class Moving(Edged):
         draft, axis = self.draft, self.axis
         assert draft.aborted is not None
         displaced = compared(self.owner, "<>", axis.motion)
-        ended = [
-            Assignment(draft.reason, _NONE if self.halts else self.first_reason),
-            Assignment(draft.aborted, draft.unharmed()),
-            *(assigned(flag, False) for flag in self._flags()),
-            *([Assignment(self.pending, self.edge)] if self.pending is not None else []),
-        ]
+        superseded = compared(self.claim, "<>", axis.claims)
+        # A motion that was being ended because another one was to begin was not too short.
+        short = compared(self.first_reason, "=", Whole(ERRORS["short"][0], UINT))
+        ended: list[Statement] = [draft.forgotten()]
+        if not self.halts:
+            ended.append(when(Negation(every([superseded, short])), [Assignment(draft.reason, self.first_reason)]))
+        ended.append(Assignment(draft.aborted, draft.unharmed()))
+        if self.pending is not None:
+            # An edge in this very scan begins in the next one, and nothing is told of the motion before.
+            ended = [Assignment(self.pending, self.edge), draft.forgotten(), when(Negation(self.edge), ended[1:])]
+        ended += [assigned(flag, False) for flag in self._flags()]
         waits = [Negation(self.taken), Negation(self.ending_flag)]
         locked = [assigned(self.earlier, False), when(draft.unharmed(), [draft.fail("locked")])]
-        superseded = compared(self.claim, "<>", axis.claims)
         goes_on = [*self.drop, *self.take_over(), draft.go(self.look)]
         # What is asked for over a line is answered before another start goes out, so that its own answer decides.
         unsent = [Negation(self.sent)] if self.stop else []
@@ -213,6 +222,11 @@ class Moving(Edged):
             draft.go(self.ending),
         ]
 
+    def alarmed(self, tests: Sequence[Expression]) -> list[Statement]:
+        """What notes an alarm while the motion is being ended: it is why the motion has ended, whatever was before."""
+        reason = Assignment(self.first_reason, Whole(ERRORS["alarm"][0], UINT))
+        return [when(test, [reason]) for test in tests]
+
     def urgent(self) -> Expression | None:
         """See `Kind`."""
         if not self.stop:
@@ -240,7 +254,24 @@ class Moving(Edged):
         lowered = [*self.lowered]
         if self.lowered_unless_done:
             lowered.append(when(Negation(draft.done), self.lowered_unless_done))
-        return [chain(branches), self.over(*flags, *lowered)]
+        return [chain(branches), self.over(*flags, *lowered), self._count()]
+
+    def _count(self) -> Statement:
+        """What counts the command of the block in the port, from where it goes out until the block has ended."""
+        active = self.axis.active
+        less = Assignment(active, Operation("-", (active, Whole(1, UDINT)), UDINT))
+        lost = when(compared(active, ">", Whole(0, UDINT)), [less])
+        changes = compared(self.counted, "<>", either([self.sent, self.taken, self.ending_flag, self.still_earlier()]))
+        counts = when(self.counted, [lost], [increment(active)])
+        alone = [Assignment(self.axis.exclusive, self.counted)] if self.hidden else []
+        return when(changes, [counts, Assignment(self.counted, Negation(self.counted)), *alone])
+
+    def _clashes(self) -> Expression:
+        """Whether the device does not show which of two commands it carries out: this one, or that of another block."""
+        if not self.hidden:
+            return self.axis.exclusive
+        active, one = self.axis.active, Whole(1, UDINT)
+        return either([compared(active, ">", one), every([compared(active, "=", one), Negation(self.counted)])])
 
     def _ending(self, late: Expression) -> list[Statement]:
         """What is done while the motion is being ended: tries, and what comes after."""
@@ -266,10 +297,11 @@ class Moving(Edged):
         ]
 
 
-def unready(kind: Kind, draft: BlockDraft) -> list[Statement]:
+def unready(kind: Moving, draft: BlockDraft, moves: Expression) -> Branch:
     """What is done where the axis has to stand: a motion of the block itself is ended, and it begins again."""
-    again = [Assignment(kind.pending, kind.earlier)] if isinstance(kind, Moving) and kind.pending is not None else []
-    return [*again, draft.fail("unready")]
+    kind.hidden = True
+    again = [Assignment(kind.pending, kind.still_earlier())] if kind.pending is not None else []
+    return either([moves, kind.still_earlier()]), [*again, draft.fail("unready")]
 
 
 class Jogging(Moving):

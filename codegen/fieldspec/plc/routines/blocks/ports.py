@@ -37,14 +37,20 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
-URGENT = 2
-"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down."""
+URGENT = 3
+"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down.
+
+It does so twice between two calls of the block that asks, where the order of the calls changes.
+"""
+POSTPONED = 65535
+"""The error of a request that was not sent because a stop goes first: whoever has asked asks again."""
 STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("state", INT, STATE_REMARK),
     ("error", UINT, "0, or why there is no answer: an ErrorID"),
     ("request", UDINT, "the number of the request, which whoever asks counts up"),
     ("answered", UDINT, "the number of the request that was answered"),
+    ("first", UDINT, "the number of the last request of a stop"),
     ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
@@ -67,6 +73,9 @@ def ports(world: World) -> Iterator[Port]:
         ("motion", UDINT, "counts the commands that were accepted: the block of the last one has the axis"),
         ("claims", UDINT, "counts the commands that were begun: only the last one is sent"),
         ("stops", UDINT, "how many stops lock the axis"),
+        ("active", UDINT, "how many blocks have a command under way"),
+        ("unseen", BOOL, "the last command was not seen to move the axis: it may still begin, a stop notwithstanding"),
+        ("exclusive", BOOL, "one of them does not see whether the device takes it: no other begins meanwhile"),
     )
     if layout.registers:
         asked = (

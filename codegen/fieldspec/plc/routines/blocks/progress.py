@@ -8,9 +8,9 @@ from fractions import Fraction as Ratio
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import Watch, halting_task, last_command, shows_acceptance
+from fieldspec.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
 from fieldspec.plc.routines.blocks.kinds import Branch
-from fieldspec.plc.routines.blocks.motion import Moving
+from fieldspec.plc.routines.blocks.motion import Moving, Stopping
 from fieldspec.plc.routines.blocks.operands import NoBlock, holds, unit_of
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
 from fieldspec.plc.routines.blocks.tasks import target
@@ -50,9 +50,9 @@ class Conditions:
         """What a step acts on."""
         return target(self.operands, step, self.message)
 
-    def compared(self, steps: Sequence[Step]) -> list[Step]:
+    def compared(self, task: Task) -> list[Step]:
         """The steps for which the block looks before the command where the device is."""
-        return [step for step in steps if step.relative or step.within is not None]
+        return [step for step in task.steps if step.action == "wait" and step.argument and proves_target(task)]
 
     def start_of(self, step: Step, seen: Seen) -> list[Statement]:
         """What notes where the device is before the command: the value there, and whether that is away from the target.
@@ -61,7 +61,7 @@ class Conditions:
         """
         raw = self._raw(step, seen)
         noted: list[Statement] = [Assignment(self._at_start(step, raw), raw)] if step.relative else []
-        if step.within is not None and step.argument in self.arguments:
+        if step.argument in self.arguments:
             computed, there = self.test(step, seen)
             noted += [*computed, Assignment(self._away(), opposite(there))]
         return noted
@@ -175,7 +175,7 @@ class Conditions:
         if stands is not None:
             moved = draft.flag("xMoved", "the device was seen to move")
             fresh.append(moved)
-            body.append(when(Negation(standing), [assigned(moved, True)]))
+            body.append(when(Negation(standing), [assigned(moved, True), assigned(kind.axis.unseen, False)]))
             wrong = [when(moved, [draft.fail("short")], wrong)]
             evidence.append(moved)
         enough: Expression = there
@@ -184,12 +184,35 @@ class Conditions:
             fresh.append(changed)
             body.append(when(Negation(there), [assigned(changed, True)]))
             enough = every([there, changed])
-        elif any(step.within is not None for step in steps):
+        elif any(step.argument for step in steps):
             enough = every([there, either([self._away(), *evidence, idle])])
         for flag in fresh:
-            if all(not isinstance(other, Assignment) or other.target != flag for other in kind.fresh):
-                kind.fresh.append(assigned(flag, False))
+            kind.forget_first(flag)
         return [*body, chain([(enough, then), (idle, wrong)], again)]
+
+    def stopped(
+        self,
+        kind: Moving | Stopping,
+        steps: Sequence[Step],
+        seen: Seen,
+        then: Sequence[Statement],
+        again: Statement,
+        resend: Statement,
+    ) -> list[Statement]:
+        """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
+
+        What begins in spite of the stop is stopped anew.
+        """
+        draft = self.draft
+        computed, stands = self.all_of(steps, seen)
+        standing = draft.flag("xStanding", "the device stands")
+        kind.forget_first(standing)
+        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        unseen = kind.axis.unseen
+        over = [assigned(unseen, False), *then]
+        moves = [assigned(unseen, False), when(standing, [resend], [again]), assigned(standing, False)]
+        waits = when(every([unseen, Negation(idle)]), [assigned(standing, True), again], over)
+        return [*computed, when(stands, [waits], moves)]
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:

@@ -44,7 +44,7 @@ class TelegramPlaces:
 
     def axis_port(self) -> AxisPort:
         """The members of the port that say who moves the axis."""
-        return AxisPort(*(self._member(name) for name in ("motion", "claims", "stops")))
+        return AxisPort(*(self._member(name) for name in AxisPort.MEMBERS))
 
     def _member(self, name: str) -> Member:
         return member(self.world, axis_key(self.message), name, self.axis)

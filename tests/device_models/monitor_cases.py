@@ -1,0 +1,38 @@
+"""What the records by hand of the monitors have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from device_models.history import History
+
+KINDS = {
+    "Move": "absolute",
+    "Other": "relative",
+    "Home": "home",
+    "Jog": "jog",
+    "Stop": "stop",
+    "Halt": "halt",
+    "Speed": "velocity",
+    "Power": "power_on",
+    "Read": "read",
+}
+EDGE = "+Move.Execute +Move.Busy"
+MOVES = "ask:start_absolute accepted:absolute:1:500 began:absolute:1:500 n1 v100"
+JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 v100"
+STOP = "+Stop.Execute +Stop.Busy"
+MOVING = "began:absolute:1:500 w0 n1 v100"
+STANDS = "reached:absolute:1:500 n0 v0"
+DONE = "-Move.Busy +Move.Done"
+AWAY = "-Move.Execute -Move.Done"
+
+
+@dataclass(frozen=True)
+class Case:
+    """A monitor, a record that keeps its rule, and one that breaks it."""
+
+    monitor: Callable[[History], object]
+    rule: int
+    keeps: tuple[str, ...]
+    breaks: tuple[str, ...]
