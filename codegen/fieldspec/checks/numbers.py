@@ -119,7 +119,7 @@ def in_counts(device: Device, value: Value, text: object) -> int | None:
     return value.from_unit(number) if number is not None else None
 
 
-def no_plain_number(register: Register, meaning: str) -> str:
+def number_objection(register: Register, meaning: str) -> str:
     """Why a register has no whole number that can be read, such as an address; empty where it has."""
     value = register.value
     if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
