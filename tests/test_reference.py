@@ -176,14 +176,8 @@ def test_a_message_of_another_link_is_unknown() -> None:
 
 
 DECODING = {
-    "decoded_text",
-    "digits_bytes",
-    "digits_number",
-    "in_unit",
-    "number_in",
-    "sentinel",
-    "text_bytes",
-    "text_fault",
+    *("decoded_text", "digits_bytes", "digits_number", "in_unit"),
+    *("number_in", "sentinel", "text_bytes", "text_fault"),
 }
 """What other decoders have of digits, texts, quantities, special values and numbers."""
 
@@ -195,6 +189,6 @@ def test_the_reference_shares_no_code_that_decodes() -> None:
     modules = {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}
     rooms = {module.split(".")[1] for module in modules if module.startswith("fieldspec.")}
     assert rooms <= {"classes", "layout", "model", "reference"}
-    names = {node.id for node in nodes if isinstance(node, ast.Name)}
+    names = {name.name for node in nodes if isinstance(node, ast.ImportFrom) for name in node.names}
     names |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
     assert names & DECODING == set()
