@@ -157,6 +157,16 @@ def decode_value(
     return _whole(device, value, number)
 
 
+def decode_answer(
+    device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
+) -> DecodedValue:
+    """The meaning of the bytes of a value that is read: a constant binds only what is written. Never raises."""
+    read = decode_value(device, value, data, order, swapped, reserved)
+    if read.reason != "wrong_const":
+        return read
+    return decode_value(device, value.as_answer(False), data, order, swapped, reserved)
+
+
 def _float(value: Value, number: float) -> DecodedValue:
     """The meaning of a floating-point number, which is a quantity in the unit of the value."""
     sentinel = value.sentinel(number)
