@@ -155,5 +155,5 @@ def _has_size(record: RecordLayout) -> bool:
     """Whether a record has one size, or one list at its end which a field counts."""
     if record.size is not None:
         return True
-    has_one_form = not record.spans and record.inner_lists is None and record.selector is None
-    return has_one_form and len(_counts(record)) == 1
+    ends_with_list = not record.spans and record.inner_lists is None and record.selector is None
+    return ends_with_list and len(_counts(record)) == 1
