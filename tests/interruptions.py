@@ -17,8 +17,6 @@ from bounded import wait_until
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 OUTPUTS = "c,vectors"
-SECONDS = 20
-"""How long a process may outlive its killed parent; far above what is needed."""
 
 
 class Place:

@@ -16,7 +16,6 @@ from external_tools import without
 EXCEPTIONS = 112345678
 """What libmodbus adds to the code of an exception response, for `errno`."""
 LONGEST = 260
-WORDS = 125
 
 
 @cache

@@ -7,6 +7,7 @@ folder, which both sides have. `expected.txt` holds all changes that are found.
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -16,9 +17,10 @@ from fieldspec import rules
 from fieldspec.changes import RULES, changes
 from fieldspec.changes import rules as functions_of_rules
 from fieldspec.changes.change import Change, Effect
+from fieldspec.line_text import visible_text
 from fieldspec.model.device import Device
 from fieldspec.reading.project import read
-from fieldspec.render.changes_formats import concise
+from fieldspec.render.changes import places
 
 CASES = Path(__file__).parent / "changes"
 FOLDERS = sorted(path for path in CASES.iterdir() if path.is_dir())
@@ -39,6 +41,17 @@ def devices(folder: Path) -> tuple[Device, Device]:
         assert [finding.message for finding in findings] == []
         device_models.append(device)
     return device_models[0], device_models[1]
+
+
+def concise(changes: Iterable[Change]) -> str:
+    """A short form: class, rule, path and message; then the values, the places and the outputs."""
+    text = ""
+    for change in changes:
+        text += visible_text(f"{change.effect.value} {change.rule} {change.path}: {change.message}") + "\n"
+        values = f"{change.old or '-'} -> {change.new or '-'}"
+        outputs = f"; {', '.join(change.outputs)}" if change.outputs else ""
+        text += visible_text(f"  {values}; {places(change)}{outputs}") + "\n"
+    return text
 
 
 def changes_of(folder: Path) -> list[Change]:

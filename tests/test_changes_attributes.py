@@ -145,7 +145,6 @@ def classes() -> Iterator[type]:
                 yield member
 
 
-Step = tuple[str, Any]
 Position = tuple[Device, str, Any, tuple[Any, ...]]
 
 

@@ -10,7 +10,7 @@ import crccheck.crc
 import pytest
 
 from fieldspec.layout.checksums import checksum
-from fieldspec.model.checksums import MOST_BITS, algorithm_name, catalogue_name, checksum_named
+from fieldspec.model.checksums import algorithm_name, catalogue_name, checksum_named
 from fieldspec.model.crc_catalogue import CRC_CATALOGUE, OTHER_NAMES
 from fieldspec.reference.checksums import checksum as reference_checksum
 from fieldspec.schema import schema
@@ -37,7 +37,7 @@ def test_a_crc_is_that_of_anycrc(name: str) -> None:
 
 
 def test_the_catalogue_has_each_crc_of_crccheck_with_all_names() -> None:
-    judges = [judge for judge in crccheck.crc.ALLCRCCLASSES if judge._width <= MOST_BITS]
+    judges = [judge for judge in crccheck.crc.ALLCRCCLASSES if judge._width <= 64]  # a checksum is an integer
     assert len(judges) == len(ROWS)
     for judge in judges:
         names = {_name(name) for name in judge._names if name.upper().startswith("CRC")}

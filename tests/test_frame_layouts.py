@@ -8,7 +8,7 @@ from fieldspec.layout.bits import packed_bits, packed_size, unpacked_bits
 from fieldspec.layout.frame import original_parts
 from layouts import TEST_SPECS, newest
 
-BEACON, CALLER = newest(TEST_SPECS, "beacon"), newest(TEST_SPECS, "caller")
+CALLER = newest(TEST_SPECS, "caller")
 
 
 @pytest.mark.parametrize("count", range(18))

@@ -244,6 +244,20 @@ def test_lines_are_printed_only_where_they_are_escaped() -> None:
     assert uses == set()
 
 
+def test_html_comes_from_templates_which_escape_it() -> None:
+    # Pages have too many cells and lines for templates.
+    homes = tuple(f"backends/docs/{name}.py" for name in ("html", "markdown"))
+    end_tag = re.compile("</(a|body|code|d[dlt]|div|h[1-6]|li|ol|p|script|span|strong|style|svg|table|t[dhr]|ul)>")
+    uses = {
+        f"{inside(path)}:{node.lineno}"
+        for path in MODULES
+        if inside(path) not in homes
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and end_tag.search(node.value)
+    }
+    assert uses == set()
+
+
 def test_texts_are_read_and_written_as_utf8() -> None:
     uses = {
         f"{path.name}:{node.lineno}: {named(node)}"

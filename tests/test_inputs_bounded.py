@@ -303,9 +303,6 @@ def test_an_output_that_is_no_regular_file_is_replaced(kind: str, tmp_path: Path
         assert path.read_bytes() == before
 
 
-OVERLAY = '{id: "%d", line: main, based_on: "%d", source: 1 L1}'
-
-
 def uses(*names: str) -> str:
     return "uses: [" + ", ".join(f"{{protocol: {name}}}" for name in names) + "]\n"
 

@@ -19,12 +19,11 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 from fieldspec.testing import simulation
 from layouts import TEST_SPECS, layouts, newest
 from pymodbus_server import free_port, running
-from python_package import codec_error, link_of, module_of
+from python_package import link_of, module_of
 from serial_lines import SECONDS, Line, serial_line
 
 STATION = module_of(newest(TEST_SPECS, "station"))
 METERS = {layout.device.version: module_of(layout) for layout in layouts(TEST_SPECS)["wattmeter"]}
-CodecError = codec_error()
 LINKS = ("tcp", "rtu", "ascii")
 IDENTITY = ModbusDeviceIdentification(
     info_name={"VendorName": "Nobody", "ProductCode": "S", "MajorMinorRevision": "1.0"}

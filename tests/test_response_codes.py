@@ -38,7 +38,7 @@ SPECS = str(TEST_SPECS)
 ECU = newest(TEST_SPECS, "ecu")
 MODULE = module_of(ECU)
 LINK = codec(ECU).links["datagrams"]
-SPEED, ANSWERED, MISCODED = (bytes.fromhex(text) for text in ("22 01 10", "62 01 10 05 DC", "22 01 10 05 DC"))
+ANSWERED, MISCODED = (bytes.fromhex(text) for text in ("62 01 10 05 DC", "22 01 10 05 DC"))
 TEMPERATURES = bytes.fromhex("FA 3C FB")
 SILENT = bytes.fromhex("3E 80")
 

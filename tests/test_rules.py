@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -92,6 +93,15 @@ def test_every_module_that_documents_a_check_is_in_the_table() -> None:
         if text is not None and "Cure: " in text:
             documented.add(f"fieldspec.checks.{path.stem}")
     assert documented == in_table
+
+
+def test_every_other_module_of_their_folder_is_used() -> None:
+    # A check that is neither documented nor in the table would judge nothing, and nobody would notice.
+    pattern = re.compile(r"from fieldspec\.checks\.(\w+) import")
+    used = {name for path in PACKAGE.rglob("*.py") for name in pattern.findall(path.read_text("utf-8"))}
+    in_table = {name for name, _ in checks.CHECKS}
+    modules = {path.stem for path in (PACKAGE / "checks").glob("*.py")}
+    assert modules - used - in_table == {"__init__"}
 
 
 def test_page_of_rules_is_fresh(accept: bool) -> None:

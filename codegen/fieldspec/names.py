@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Container
 from functools import cache
 
 from fieldspec.classes import dataclass
@@ -70,3 +71,11 @@ def _joined(words: list[str]) -> str:
     for word in words:
         text += "_" + word if text[-1:].isdigit() and word[:1].isdigit() else word
     return text
+
+
+def free_name(taken: Container[str], *names: str) -> str:
+    """The first of some names that is not taken; where each is, the last one with underscores appended."""
+    name = next((name for name in names if name not in taken), names[-1])
+    while name in taken:
+        name += "_"
+    return name

@@ -30,12 +30,6 @@ def inline(tokens: list[Token]) -> list[Token]:
     return [child for token in tokens for child in token.children or ()]
 
 
-def text_of(tokens: list[Token]) -> str:
-    return visible_text(
-        " ".join(token.content for token in tokens if token.type in ("text", "code_inline", "text_special"))
-    )
-
-
 def flowing(tokens: list[Token]) -> str:
     return visible_text(
         "".join(token.content for token in inline(tokens) if token.type in ("text", "code_inline", "softbreak"))

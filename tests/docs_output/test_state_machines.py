@@ -40,7 +40,7 @@ def drawings() -> Iterator[StateDrawing]:
 
 def test_no_arrow_lies_on_another() -> None:
     for drawing in drawings():
-        svg = "".join(state_drawing(drawing))
+        svg = state_drawing(drawing)
         lines = list(segments(svg))
         assert len(lines) == 3 * len(drawing.arrows)
         for (number, kind, place, low), (other, other_kind, other_place, high) in combinations(lines, 2):

@@ -6,9 +6,17 @@ from collections.abc import Iterator
 from functools import cache
 
 from fieldspec.backends import OUTPUTS
-from fieldspec.backends.usages import usage_text
+from fieldspec.backends.usages import Usage
 from fieldspec.layout.device import DeviceLayout
 from layouts import SPECS, TEST_SPECS, layouts
+
+
+def usage_text(usage: Usage, variables: dict[str, str]) -> str:
+    """The code of a usage, as `facts.js` makes it."""
+    text = usage.template
+    for name, value in (*((str(n), value) for n, value in enumerate(usage.arguments)), *variables.items()):
+        text = text.replace(f"@{name}@", value)
+    return text
 
 
 @cache

@@ -8,8 +8,6 @@ from random_devices.draft import INTEGERS, ODD_INTEGERS, ODD_WORDS, SIZES, Draft
 
 SCALES = ("0.01", "0.1", "0.5", "10", "0.001", "100/2^14", "1/1000", "1/8")
 UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
-PLACES = ("field", "register", "parameter", "part", "signal", "case", "subindex", "table")
-"""Where a value may be; some keys belong to some places only."""
 
 
 def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:

@@ -18,7 +18,6 @@ from fieldspec.names import Name
 from python_package import built, class_of, codec_error, link_of, raw, raws, record_class
 from random_devices.queries import Answer, Query, flat, flat_value, refused
 
-_MODULES = (".chance",)
 _TAKEN = frozenset({"frame", "message", "request", "self", "unit_address"})
 """The parameters of the generated functions that are no parts of a header."""
 

@@ -17,8 +17,6 @@ from random_devices.draft import SIZES, Spec
 from random_devices.queries import Answer, Query, is_stable
 from random_devices.reference_answers import Reference
 
-DOCUMENTED = ("doc", "label", "notes", "printed_name", "title")
-"""Keys that no byte depends on."""
 _ALIKE = {"u8": "i8", "u16": "i16", "u32": "i32", "u64": "i64", "i8": "u8", "i16": "u16", "i32": "u32", "i64": "u64"}
 
 

@@ -15,7 +15,6 @@ from fieldspec.audit.plan import Omission, Pattern, Plan
 from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
-STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)
 Ruled = TypeVar("Ruled", Pattern, Omission)
 
 LONGEST_SERIES = 4096
@@ -31,7 +30,8 @@ class Candidate:
     """A piece of a line that looks like a fact.
 
     `line` is its line in the text at hand, `cited` the number by which the spec cites that line. `status` is one of
-    STATUSES. `missing` are the values that no fact and no erratum has; a line with a number and no pattern has none.
+    the four above. `missing` are the values that no fact and no erratum has; a line with a number and no pattern has
+    none.
     `omission` is the omission that applies.
     """
 

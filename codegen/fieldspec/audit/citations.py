@@ -40,7 +40,7 @@ class Missing:
 
 @dataclass(frozen=True, slots=True)
 class CitationResults:
-    """How many claims were looked up, which ones fail, how many are excepted, and the exceptions without use.
+    """How many claims were looked up, which ones fail, and the exceptions without use.
 
     `numbered` are the facts with an identifying number, by path: its place in the spec, and its place in the manual.
     """
@@ -48,7 +48,6 @@ class CitationResults:
     looked_up: int
     numbered: Mapping[str, tuple[Span, Citation]]
     missing: tuple[Missing, ...]
-    excepted: int
     unused: tuple[Unprinted, ...]
 
 
@@ -91,8 +90,7 @@ def citation_results(devices: Sequence[Device], manual: AlignedManual, plan: Pla
         if claim.key in NUMBERS:
             numbered.setdefault(claim.path.partition("/restated/")[0], (claim.span, claim.sources[0]))
     unused = tuple(entry for entry in plan.unprinted if id(entry) not in used)
-    excepted = sum(_excepted(plan, claim.path) is not None for claim in claims.values())
-    return CitationResults(looked_up, numbered, tuple(missing), excepted, unused)
+    return CitationResults(looked_up, numbered, tuple(missing), unused)
 
 
 def misplaced(devices: Sequence[Device], manual: AlignedManual, plan: Plan) -> Iterator[Missing]:

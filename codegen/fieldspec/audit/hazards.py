@@ -96,7 +96,7 @@ KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class Hazard:
-    """A hazard of a fact: its kind, the address, the reason in a few words, and the `other` fact involved.
+    """A hazard of a fact: its kind, the address, and the reason in a few words.
 
     `key` is the key of the spec that says so.
     """
@@ -105,7 +105,6 @@ class Hazard:
     name: str
     where: str
     why: str
-    other: str
     path: str
     place: Place
     key: str
@@ -149,7 +148,7 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
         yield _hazard("write_only", register, where, "access wo", key="access")
     yield from _shared(device, register, register.value, register.access, where, alone)
     if register.same_as:
-        yield _hazard("alias", register, where, f"the same as {register.same_as}", register.same_as, "same_as")
+        yield _hazard("alias", register, where, f"the same as {register.same_as}", "same_as")
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
         span = f"{register.address:04X}h..{last:04X}h{place}"
@@ -206,10 +205,10 @@ def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iter
     if handling.clears_on_read:
         yield _hazard("clears_on_read", fact, where, "cleared by reading", key="clears_on_read")
     if handling.opposite_of:
-        yield _hazard("opposite", fact, where, f"against {handling.opposite_of}", handling.opposite_of, "opposite_of")
+        yield _hazard("opposite", fact, where, f"against {handling.opposite_of}", "opposite_of")
     if handling.saved_by:
         why = "lost when the power is switched off, unless " if handling.memory == "volatile" else ""
-        yield _hazard("save", fact, where, f"{why}saved by {handling.saved_by}", handling.saved_by, "saved_by")
+        yield _hazard("save", fact, where, f"{why}saved by {handling.saved_by}", "saved_by")
     access = getattr(fact, "access", "")
     if handling.endurance or (handling.memory == "nonvolatile" and access != "ro"):
         yield _hazard(
@@ -251,7 +250,7 @@ def _shared(
         spare_text = f", {spare} bits without a meaning" if spare else ""
         also = f", {alone} of them with registers of their own" if alone else ""
         why = f"{len(named)} things{spare_text}{also}"
-        yield _hazard("shared_word", fact, where, why, word.place.path, "flags")
+        yield _hazard("shared_word", fact, where, why, "flags")
 
 
 def _alone(device: Device) -> frozenset[str]:
@@ -269,8 +268,8 @@ def _code(message: Message) -> str:
     return "" if number is None else f"{number:02X}h" if message.code is not None else str(number)
 
 
-def _hazard(kind: str, fact: Fact, where: str, why: str, other: str = "", key: str = "name") -> Hazard:
-    return Hazard(KINDS[kind], fact.name, where, why, other, fact.place.path, fact.place, key, fact.sources)
+def _hazard(kind: str, fact: Fact, where: str, why: str, key: str = "name") -> Hazard:
+    return Hazard(KINDS[kind], fact.name, where, why, fact.place.path, fact.place, key, fact.sources)
 
 
 def undivided(device: Device) -> list[Register]:

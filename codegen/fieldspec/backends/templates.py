@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import fieldspec
+from fieldspec.html_text import clean
 
 if TYPE_CHECKING:
     import jinja2
@@ -72,7 +73,7 @@ def _environment() -> jinja2.Environment:
         def get_cache_key(self, name: str, filename: str | None = None) -> str:
             return f"jinja2 {jinja2.__version__} {name} {filename}"
 
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.ChoiceLoader([jinja2.PackageLoader("fieldspec", folder) for folder in _FOLDERS]),
         undefined=jinja2.StrictUndefined,
         autoescape=lambda name: name is not None and name.endswith(".html.j2"),
@@ -81,3 +82,5 @@ def _environment() -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    environment.filters["clean"] = clean
+    return environment

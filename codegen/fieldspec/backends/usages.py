@@ -31,14 +31,6 @@ class VersionUsages:
     rows: tuple[Usage, ...]
 
 
-def usage_text(usage: Usage, variables: dict[str, str]) -> str:
-    """The code of a usage."""
-    text = usage.template
-    for name, value in (*((str(n), value) for n, value in enumerate(usage.arguments)), *variables.items()):
-        text = text.replace(f"@{name}@", value)
-    return text
-
-
 def sample_count(value: Value, device: Device) -> int | None:
     """A raw value that may be written; None for texts, bytes and floating-point numbers."""
     if value.type.kind in (Kind.TEXT, Kind.BYTES, Kind.FLOAT):

@@ -137,7 +137,3 @@ class Behaviour:
     def assumptions(self) -> Iterable[Part]:
         """The parts that rest on what no manual prints."""
         return (part for part in self.parts if part.assumed)
-
-
-NONE = Behaviour(())
-"""The behaviour of a device whose spec states none."""

@@ -17,12 +17,11 @@ from collections.abc import Iterator
 
 from fieldspec.checks.addresses import table_words
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.numbers import no_plain_number
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Register, Table
 from fieldspec.model.sizes import RecordSizes
-from fieldspec.model.value import Kind
 
 _CODE = "bases_apply"
 
@@ -34,28 +33,12 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
         if register is None:
             continue
         extent = (table.count - 1) * table.stride + table_words(table, sizes)
-        wrong = _no_base(register) or _no_address(device, table, register, extent)
+        wrong = no_plain_number(register, "address") or _no_address(device, table, register, extent)
         if wrong:
             text = f"{register.name} cannot be the address of {table.name}: {wrong}"
             about = "name the register with the address of the first element, or correct that register"
             yield finding(_CODE, table.place, "base_by", text, about, label(register.place, "name", "the register"))
         yield from _detections(device, table)
-
-
-def _no_base(register: Register) -> str:
-    """Why a register has no address of a table; empty where it may."""
-    value = register.value
-    if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
-        return "it is not a whole number without a scale and without names"
-    if register.count > 1:
-        return f"it stands for {register.count} registers"
-    if register.reserved or register.trigger or not readable(register.access):
-        return "the spec does not say that it can be read"
-    if value.const is not None:
-        return f"it is always {value.const}"
-    if value.sentinels:
-        return "its special value is no address"
-    return "its `write_range` differs from what it may be" if value.write_ranges is not None else ""
 
 
 def _no_address(device: Device, table: Table, register: Register, extent: int) -> str:

@@ -15,11 +15,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.numbers import no_plain_number
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Register, Table
-from fieldspec.model.value import Kind
 
 _CODE = "counts_apply"
 
@@ -39,18 +38,8 @@ def _no_count(device: Device, table: Table, register: Register) -> str:
     value = register.value
     if device.space_name(register.space) != device.space_name(table.space):
         return "it is in another address space"
-    if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
-        return "it is not a whole number without a scale and without names"
-    if register.count > 1:
-        return f"it stands for {register.count} registers"
-    if register.reserved or register.trigger or not readable(register.access):
-        return "the spec does not say that it can be read"
-    if value.const is not None:
-        return f"it is always {value.const}"
-    if value.sentinels:
-        return "its special value is no number of elements"
-    if value.write_ranges is not None:
-        return "its `write_range` differs from what it may be"
+    if wrong := no_plain_number(register, "number of elements"):
+        return wrong
     if value.ranges is None or value.ranges.low < 0 or value.ranges.high > table.count:
         return f"its `range` is not within 0..{table.count}"
     first, last = register.address, register.end - 1

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.fact import Fact
 from fieldspec.model.quantity import count_of
 from fieldspec.model.record import Case, Choice, Field
+from fieldspec.model.registers import Register
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
@@ -115,3 +117,19 @@ def in_counts(device: Device, value: Value, text: object) -> int | None:
         return count
     number = device.entered_quantity(value, text)
     return value.from_unit(number) if number is not None else None
+
+
+def no_plain_number(register: Register, meaning: str) -> str:
+    """Why a register has no whole number that can be read, such as an address; empty where it has."""
+    value = register.value
+    if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
+        return "it is not a whole number without a scale and without names"
+    if register.count > 1:
+        return f"it stands for {register.count} registers"
+    if register.reserved or register.trigger or not readable(register.access):
+        return "the spec does not say that it can be read"
+    if value.const is not None:
+        return f"it is always {value.const}"
+    if value.sentinels:
+        return f"its special value is no {meaning}"
+    return "its `write_range` differs from what it may be" if value.write_ranges is not None else ""

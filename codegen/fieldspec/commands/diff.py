@@ -18,7 +18,6 @@ from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.proofs.running import previous
 from fieldspec.render.changes import AcceptedChange, Difference, hurts
 
-FORMATS = ("text", "json", "markdown", "html", "sarif", "github")
 REVIEWS = ("sarif", "github")
 """The formats for code reviews."""
 

@@ -16,8 +16,6 @@ from fieldspec.render.blocks import Block, Line, Table, aligned, split
 if TYPE_CHECKING:
     from rich.console import Console
 
-FORMATS = ("text", "json", "sarif", "github", "junit")
-
 
 def on_terminal() -> bool:
     """Whether the output is a terminal and colours are welcome."""
@@ -25,7 +23,7 @@ def on_terminal() -> bool:
 
 
 def print_findings(findings: Sequence[Diagnostic], form: str, when_none: str) -> None:
-    """Prints findings in one of FORMATS. As text, `when_none` is printed where there are none."""
+    """Prints findings in a format of `check`. As text, `when_none` is printed where there are none."""
     if form == "text" and not findings:
         print(when_none)
     elif form == "text":

@@ -7,8 +7,6 @@ from functools import cache
 
 from fieldspec.classes import dataclass, replace
 
-MOST_BITS = 64
-
 
 @dataclass(frozen=True, slots=True)
 class Checksum:

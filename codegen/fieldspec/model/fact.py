@@ -74,14 +74,7 @@ class Claim:
 
 
 PRINTED, INFERRED, STANDARD, COMPUTED, REPORTED = "printed", "inferred", "standard", "computed", "reported"
-PROVENANCES: Mapping[str, str] = {
-    PRINTED: "the manual prints it, in a section and on a line",
-    INFERRED: "the manual implies it, and a reason says how",
-    STANDARD: "a standard gives it in a clause, and the manual does not print it",
-    COMPUTED: "we have computed it from other facts",
-    REPORTED: "somebody reports it, and the manual does not print it",
-}
-"""The provenances of a fact and their meanings."""
+"""The provenances of a fact: the manual prints or implies it, a standard has it, we compute it, somebody reports it."""
 
 
 @dataclass(frozen=True, slots=True)

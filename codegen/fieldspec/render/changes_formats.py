@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from fieldspec.backends.templates import fill
-from fieldspec.changes.change import Change, Effect
+from fieldspec.changes.change import Effect
 from fieldspec.classes import dataclass
 from fieldspec.html_text import clean
 from fieldspec.line_text import visible_json, visible_text
@@ -32,17 +32,6 @@ def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
                     f"  {entry.change.rule}: {entry.change.message}" + (f" ({remark_text})" if remark_text else "")
                 )
                 yield Line(f"    {entry.change.path}, {places(entry.change)}".rstrip(", "), "dim")
-
-
-def concise(changes: Iterable[Change]) -> str:
-    """A short form for tests: class, rule, path and message; then the values, the places and the outputs."""
-    text = ""
-    for change in changes:
-        text += visible_text(f"{change.effect.value} {change.rule} {change.path}: {change.message}") + "\n"
-        values = f"{change.old or '-'} -> {change.new or '-'}"
-        outputs = f"; {', '.join(change.outputs)}" if change.outputs else ""
-        text += visible_text(f"  {values}; {places(change)}{outputs}") + "\n"
-    return text
 
 
 def json_text(differences: Sequence[Difference]) -> str:

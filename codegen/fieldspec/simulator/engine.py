@@ -86,10 +86,6 @@ class Engine(Operation):
         self.now = max(self.now, now)
         self.refresh()
 
-    def due(self) -> float:
-        """The time of the next event that is known; infinite if none is."""
-        return min(self.axis.end, self._queue[0][0] if self._queue else inf)
-
     # Events
 
     def raise_event(self, name: str, seconds: float = 0.0) -> None:

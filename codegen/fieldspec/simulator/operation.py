@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from decimal import Decimal
 from math import inf
 
@@ -183,7 +183,3 @@ class Operation(ABC):
         """Tells the listeners of something."""
         for listener in self.listeners:
             listener(kind, text)
-
-    def loaded(self) -> Iterator[str]:
-        """The names of the fields of the record that was loaded last."""
-        yield from self.element

@@ -8,7 +8,7 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.layout.value_texts import spec_text
-from fieldspec.model.record import Message, RegisterAccess
+from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Kind, Value
 from fieldspec.simulator.refusal import Refusal
 
@@ -100,11 +100,6 @@ def write_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]
         bits = list(unpacked_bits(bytes(content)))[:count]
     words = [int.from_bytes(bytes((bit, 0)), engine.memory.order) for bit in bits]
     write_registers(engine, access, {**values, access.values: words})
-
-
-def is_register_message(engine: Engine, message: Message) -> RegisterAccess | None:
-    """How a message accesses registers; None where it does not."""
-    return engine.layout.device.register_access(message)
 
 
 def _count(access: RegisterAccess, values: Mapping[str, Any]) -> int:

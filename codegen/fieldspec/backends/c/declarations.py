@@ -110,7 +110,6 @@ class Source:
 Declaration: TypeAlias = Comment | Blank | Directive | Define | Typedef | Struct | Enumeration | Function | Source
 
 BLANK = Blank()
-EMPTY_COMMENT = Comment(())
 
 
 _WIDTH = 108

@@ -47,6 +47,21 @@ def is_set_by_user(field: FieldLayout) -> bool:
     return not (constant or field.field.measures or field.field.reserved)
 
 
+def words_around_images(naming: Naming, record: RecordLayout) -> dict[str, str]:
+    """The names in the functions of a record that call those of its image, where each field has a place of its own."""
+    struct = naming.type("record", record.name) if members(record) else ""
+    verbs = ("encode", "decode", "encode_image", "decode_image")
+    return {
+        **{verb: naming.function("record", record.name, verb) for verb in verbs},
+        "ok": naming.status("ok").name,
+        "status": naming.own("codec_status"),
+        "argument": f"const {struct} *in, " if struct else "",
+        "passed": "in, " if struct else "",
+        "result": f", {struct} *out" if struct else "",
+        "returned": ", out" if struct else "",
+    }
+
+
 def members(record: RecordLayout) -> list[FieldLayout]:
     """The fields that are members of the struct."""
     return [field for field in record.fields if is_set_by_user(field)]

@@ -41,7 +41,8 @@ from fieldspec.backends.c.naming import Naming, Noun, frame_member
 from fieldspec.backends.c.packing import is_packed
 from fieldspec.backends.c.printer import Printer
 from fieldspec.backends.c.quantities import EXACT_BYTES, scaled_values
-from fieldspec.backends.c.runtime_files import all_records, copy_runtime, is_bit, runtime_parts
+from fieldspec.backends.c.runtime_files import all_records, copy_runtime, runtime_parts
+from fieldspec.backends.c.sample_values import lone_values
 from fieldspec.backends.c.statements import (
     Break,
     Constant,
@@ -58,7 +59,7 @@ from fieldspec.backends.c.values import WireValue, accessed_type, declare_value,
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.layout.record import RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.value import Kind
 
@@ -146,23 +147,8 @@ def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
 
 
 def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
-    device = layout.device
-    for register in layout.registers:
-        if is_bit(register):
-            continue
-        value = register.register.value
-        wire = WireValue(value, register.order, register.swapped)
-        yield _value_macro(naming, device, "register", (register.name,), wire, register.size, register.register.trigger)
-    orders = Orders(device.byte_order, device.word_order)
-    for parameters in device.parameters.values():
-        for parameter in parameters.parameters:
-            if parameter.reserved:
-                continue
-            names = (parameters.name, parameter.name)
-            inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
-            for full_names, value in [(names, parameter.value), *inner]:
-                wire = WireValue(value, *orders.of(value))
-                yield _value_macro(naming, device, "parameter", full_names, wire, value.size, parameter.trigger)
+    for noun, names, wire, size, trigger in lone_values(layout):
+        yield _value_macro(naming, layout.device, noun, names, wire, size, trigger)
 
 
 def _value_macro(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.declarations import Source
-from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.fields import words_around_images
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.layout.record import RecordLayout
@@ -46,8 +46,6 @@ def decode_inner_lists(naming: Naming, record: RecordLayout, inner: InnerLists) 
 
 def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str, str | int]:
     """The names and numbers in both functions."""
-    struct = naming.type("record", record.name) if members(record) else ""
-    verbs = ("encode", "decode", "encode_image", "decode_image")
     tails = [
         f"    static const {naming.own('inner_list')} {row.name}_tail = {_row(row.tail)};"
         for row in inner.lists
@@ -56,15 +54,9 @@ def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
     rows = ",\n".join(f"        {_row(row)}" for row in inner.lists)
     declared = f"    static const {naming.own('inner_list')} lists[] = {{\n{rows},\n    }};"
     return {
-        **{verb: naming.function("record", record.name, verb) for verb in verbs},
-        "ok": naming.status("ok").name,
-        "status": naming.own("codec_status"),
+        **words_around_images(naming, record),
         "place": naming.own("place_lists"),
         "take": naming.own("take_lists"),
-        "argument": f"const {struct} *in, " if struct else "",
-        "passed": "in, " if struct else "",
-        "result": f", {struct} *out" if struct else "",
-        "returned": ", out" if struct else "",
         "lists": "\n".join([*tails, declared]),
         "count": len(inner.lists),
         "size": inner.last.room + inner.last.most,

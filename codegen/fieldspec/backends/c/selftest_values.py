@@ -39,12 +39,10 @@ from fieldspec.backends.c.flags import named_bits
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.parameters import wire_number_type
 from fieldspec.backends.c.quantities import EXACT_BYTES
-from fieldspec.backends.c.runtime_files import is_bit
-from fieldspec.backends.c.sample_values import legal_numbers, value_bytes
+from fieldspec.backends.c.sample_values import legal_numbers, lone_values, value_bytes
 from fieldspec.backends.c.statements import Block, CompileIf, Statement, Variable, assign, discard
 from fieldspec.backends.c.values import accessed_type, type_name
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.registers import ParameterSet
@@ -193,25 +191,9 @@ _REFERENCE = 3000
 
 def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
     """Each register's and each parameter's value at its bounds."""
-    device = layout.device
-    for register in layout.registers:
-        if is_bit(register):
-            continue
-        value, order = register.register.value, (register.order, register.swapped)
-        size = register.size
-        trigger = register.register.trigger
-        yield from _test_value(device, naming, "register", (register.name,), value, order, size, trigger)
-    orders = Orders(device.byte_order, device.word_order)
-    for parameters in device.parameters.values():
-        for parameter in parameters.parameters:
-            if parameter.reserved:
-                continue
-            names = (parameters.name, parameter.name)
-            inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
-            for full_names, value in [(names, parameter.value), *inner]:
-                order = orders.of(value)
-                trigger = parameter.trigger
-                yield from _test_value(device, naming, "parameter", full_names, value, order, value.size, trigger)
+    for noun, names, wire, size, trigger in lone_values(layout):
+        order = wire.order, wire.swapped
+        yield from _test_value(layout.device, naming, noun, names, wire.value, order, size, trigger)
 
 
 def _test_value(

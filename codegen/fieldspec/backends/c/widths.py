@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.declarations import Source
-from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.fields import words_around_images
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.digits import has_sign
@@ -48,22 +48,11 @@ def decode_widths(naming: Naming, record: RecordLayout) -> Source:
 
 def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
     """The names and numbers in both functions."""
-    struct = naming.type("record", record.name) if members(record) else ""
     rows = ",\n".join(f"        {_row(record, number)}" for number in range(len(record.spans)))
-    functions = {
-        verb: naming.function("record", record.name, verb)
-        for verb in ("encode", "decode", "encode_image", "decode_image")
-    }
     return {
-        **functions,
-        "ok": naming.status("ok").name,
-        "status": naming.own("codec_status"),
+        **words_around_images(naming, record),
         "narrow": naming.own("narrow_fields"),
         "widen": naming.own("widen_fields"),
-        "argument": f"const {struct} *in, " if struct else "",
-        "passed": "in, " if struct else "",
-        "result": f", {struct} *out" if struct else "",
-        "returned": ", out" if struct else "",
         "widths": f"    static const {naming.own('width')} widths[] = {{\n{rows},\n    }};",
         "size": f"{sum(span.size for span in record.spans)}u",
         "count": str(len(record.spans)),

@@ -10,12 +10,6 @@ _TEXTS = {
     "lrc": "two's complement of the sum of all bytes",
     "sum8": "low byte of the sum of all bytes",
 }
-_REFLECTED = {
-    (False, False): "",
-    (True, True): ", reflected",
-    (True, False): ", with reflected bytes",
-    (False, True): ", with a reflected result",
-}
 DIGITS = {
     "decimal": "sent as decimal digits",
     "upper_hex": "sent as hexadecimal digits in capitals",

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 
 from fieldspec.backends.docs.document import Arrow, StateDrawing
-from fieldspec.html_text import escaped
+from fieldspec.backends.templates import fill
+from fieldspec.classes import dataclass
 
 # All lengths are in pixels.
 _HEIGHT, _GAP = 44, 44
@@ -19,36 +20,59 @@ _PORT = 9
 """The distance of two arrows that touch the same side of a state."""
 
 
-def state_drawing(block: StateDrawing) -> Iterator[str]:
-    """The lines of the drawing. Arrows that lead down are on the right, those that lead up on the left."""
+@dataclass(frozen=True, slots=True)
+class _State:
+    top: int
+    height: int
+    baseline: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """The line of an arrow and its tip, as data of paths, with the place of its text."""
+
+    line: str
+    tip: str
+    x: int = 0
+    baseline: int = 0
+    text: str = ""
+    assumed: bool = False
+
+
+def state_drawing(block: StateDrawing) -> str:
+    """The drawing. Arrows that lead down are on the right, those that lead up on the left."""
     right, left = _lanes(block.arrows, down=True), _lanes(block.arrows, down=False)
     labels = [max([0, *(_LABEL * len(arrow.text) + 14 for arrow in lanes)]) for lanes in (left, right)]
     left_lane, right_lane = (max(_LEAST_LANE, label) for label in labels)
     box = _CHARACTER * max(map(len, block.states)) + 28
     before = left_lane * max(left.values(), default=0) + 8 + labels[0] // 2
-    width = before + box + right_lane * max(right.values(), default=0) + 8 + labels[1] // 2
-    height = _TOP + len(block.states) * (_HEIGHT + _GAP) - _GAP + 12
-    yield '<div class="scroll machine">\n'
-    yield f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"'
-    yield f' aria-label="{escaped(_description(block))}">\n'
     middle = before + box // 2
-    yield f'<circle class="tip" cx="{middle}" cy="7" r="5"/><path class="arrow" d="M{middle} 12V{_TOP - _TIP}"/>'
-    yield f"{_tip(middle, _TOP, 0, 1)}\n"
     ports = _ports(block.arrows, left, right)
-    for number, state in enumerate(block.states):
-        top = _top(number)
-        yield f'<rect x="{before}" y="{top}" width="{box}" height="{_HEIGHT}" rx="6"/>'
-        yield f'<text x="{middle}" y="{top + _HEIGHT // 2 + 5}">{escaped(state)}</text>\n'
+    arrows = []
     for arrow in block.arrows:
         side = right if arrow.target > arrow.origin else left
         sign, edge = (1, before + box) if side is right else (-1, before)
         out = edge + sign * side[arrow] * (right_lane if side is right else left_lane)
         start, end = (ports[arrow, place] for place in ("origin", "target"))
-        style = "arrow assumed" if arrow.assumed else "arrow"
-        yield f'<path class="{style}" d="M{edge} {start}H{out}V{end}H{edge + sign * _TIP}"/>{_tip(edge, end, -sign, 0)}'
+        line = f"M{edge} {start}H{out}V{end}H{edge + sign * _TIP}"
         between = _top(arrow.origin) + (_HEIGHT + _GAP // 2 if side is right else -(_GAP // 2))
-        yield f'<text class="number" x="{out}" y="{between + 5}">{escaped(arrow.text)}</text>\n'
-    yield "</svg>\n</div>\n"
+        arrows.append(_Way(line, f"M{edge} {end}l{sign * _TIP} -4v8z", out, between + 5, arrow.text, arrow.assumed))
+    return fill(
+        "docs/drawing.html.j2",
+        width=before + box + right_lane * max(right.values(), default=0) + 8 + labels[1] // 2,
+        height=_TOP + len(block.states) * (_HEIGHT + _GAP) - _GAP + 12,
+        description=_description(block),
+        left=before,
+        middle=middle,
+        box=box,
+        start=_Way(f"M{middle} 12V{_TOP - _TIP}", f"M{middle} {_TOP}l-4 -{_TIP}h8z"),
+        states=[
+            _State(_top(number), _HEIGHT, _top(number) + _HEIGHT // 2 + 5, state)
+            for number, state in enumerate(block.states)
+        ],
+        arrows=arrows,
+    )
 
 
 def _description(block: StateDrawing) -> str:
@@ -65,13 +89,6 @@ def _description(block: StateDrawing) -> str:
 
 def _top(number: int) -> int:
     return _TOP + number * (_HEIGHT + _GAP)
-
-
-def _tip(x: int, y: int, across: int, down: int) -> str:
-    """The head of an arrow that points at a place, across or down."""
-    if down:
-        return f'<path class="tip" d="M{x} {y}l-4 -{_TIP}h8z"/>'
-    return f'<path class="tip" d="M{x} {y}l{-across * _TIP} -4v8z"/>'
 
 
 def _lanes(arrows: Iterable[Arrow], down: bool) -> dict[Arrow, int]:

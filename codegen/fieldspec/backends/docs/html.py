@@ -24,7 +24,7 @@ from fieldspec.backends.docs.document import (
     paths_of,
 )
 from fieldspec.backends.docs.drawing import state_drawing
-from fieldspec.backends.docs.site import PagePlace, panel, policy, scripts
+from fieldspec.backends.docs.site import SCRIPTS, PagePlace, policy
 from fieldspec.backends.templates import fill, text
 from fieldspec.html_text import escaped
 
@@ -49,8 +49,8 @@ def page(document: Document, place: PagePlace) -> str:
         identity=document.identity,
         style=style,
         policy=policy(style, scripts=True),
-        panel=panel(place),
-        scripts=scripts(place),
+        place=place,
+        scripts=SCRIPTS,
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
         contents="".join(map(writer.entry, document.sections)),
         sections="".join([piece for section in document.sections for piece in writer.section(section, 2)]),
@@ -163,7 +163,7 @@ class _Page:
                 yield f"<div><dt>{escaped(strip.title)}</dt><dd>{terms}</dd></div>\n"
             yield "</dl>\n"
         elif isinstance(block, StateDrawing):
-            yield from state_drawing(block)
+            yield state_drawing(block)
         else:
             yield '<div class="scroll">\n'
             yield from map(self._bits, block.rows)

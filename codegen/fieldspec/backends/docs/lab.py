@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from fieldspec.backends.docs.changes import page_name
-from fieldspec.backends.docs.site import PagePlace, panel, policy, scripts
+from fieldspec.backends.docs.site import PagePlace, policy
 from fieldspec.backends.templates import fill, text
 from fieldspec.explain import script
 from fieldspec.explain.hazards import hazards_by_fact, only_reads
@@ -50,9 +50,9 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
         identity=newest.identity,
         style=style,
         policy=f"{policy(style, scripts=True)}; connect-src {CONNECTIONS}",
-        panel=panel(place),
+        place=place,
         versions=[(page_name(layout.device.version), layout.device.version) for layout in versions],
-        scripts=scripts(place, SCRIPTS),
+        scripts=SCRIPTS,
     )
     data = {
         f"{device.id}/{NAME}-{page_name(layout.device.version)}.js": "fieldspecLab.add("

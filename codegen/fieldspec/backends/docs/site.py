@@ -1,20 +1,16 @@
-"""What makes pages a site: the search box, the scripts, the way up, and what a page may load."""
+"""What makes pages a site: where each stands, its scripts, and what it may load. `site.html.j2` has the rest."""
 
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Sequence
 from hashlib import sha256
 from urllib.parse import quote
 
 from fieldspec.backends.docs import search_index
 from fieldspec.classes import dataclass
-from fieldspec.html_text import escaped
 
 SCRIPTS = ("search.js", "tables.js", "facts.js", "compare.js")
 """The scripts of all pages, copied as they are."""
-
-PLACEHOLDER = "address, name, label, code"
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,34 +50,3 @@ def policy(style: str, scripts: bool) -> str:
         "form-action": "'none'",
     }
     return "; ".join(f"{name} {source}" for name, source in sources.items() if source)
-
-
-def panel(place: PagePlace) -> str:
-    """The way up and the search box, which is hidden where no script runs."""
-    ways = "".join([f'<a href="{escaped(link)}">{escaped(text)}</a>' for text, link in place.parents])
-    return (
-        (f'<p class="parents">{ways}</p>\n' if ways else "")
-        + f'<div id="search" data-sources="{escaped(" ".join(place.sources))}" data-page="{escaped(place.page)}"'
-        + ' role="search" hidden>\n<label for="query">Search <kbd>/</kbd></label>\n'
-        + f'<input id="query" type="search" autocomplete="off" spellcheck="false" placeholder="{PLACEHOLDER}">\n'
-        + '<p id="found" role="status"></p>\n<ul id="results" aria-label="Results" hidden></ul>\n</div>\n'
-        + _menu(place)
-    )
-
-
-def _menu(place: PagePlace) -> str:
-    """The choice of a version to compare with, which is hidden where no script runs."""
-    if len(place.versions) < 2:
-        return ""
-    options = "".join(
-        [f'<option value="{number}">{escaped(name)}</option>' for number, name in enumerate(place.versions)]
-    )
-    return (
-        '<p class="menu" hidden><label for="versions">Compare with</label>\n'
-        + f'<select id="versions"><option value="">no other version</option>{options}</select></p>\n'
-    )
-
-
-def scripts(place: PagePlace, names: Sequence[str] = SCRIPTS) -> str:
-    """The elements that load the scripts."""
-    return "".join([f'<script src="{escaped(place.top + name)}" defer></script>\n' for name in names])

@@ -13,9 +13,6 @@ from fieldspec.layout.needed_bits import needed_bits
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.names import Name
 
-TEXTS = ("alarm", "error", "exception", "fault", "warning")
-"""The kinds of enums whose members have texts that people look up."""
-
 
 def member_keys(enum: Enum) -> dict[str, str]:
     """The key of each member of an enum in JavaScript, by its name in the spec; unavailable members have none."""

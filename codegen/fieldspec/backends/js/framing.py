@@ -17,9 +17,6 @@ from fieldspec.model.link import LARGEST_SET
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
 
-_SIZES = {DELIMITED: -2, OPEN: -1}
-"""What an extent has in place of the size of a count."""
-
 
 def framer(
     link: LinkLayout, direction: str, carried: list[MessageLayout], names: Names, frames: str, spoken: str

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fieldspec.names import free_name
+
 
 def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
@@ -46,12 +48,7 @@ class Scope:
 
     def take(self, name: str, *others: str) -> str:
         """The first free name of several; where none is free, the last one with underscores appended."""
-        for candidate in (name, *others):
-            if candidate not in self._taken:
-                break
-        else:
-            while candidate in self._taken:
-                candidate += "_"
+        candidate = free_name(self._taken, name, *others)
         self._taken.add(candidate)
         return candidate
 

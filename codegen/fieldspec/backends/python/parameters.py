@@ -57,7 +57,7 @@ class ParameterSetView:
     @property
     def tables(self) -> list[list[str]]:
         """The lines of each table that the messages need."""
-        return [message.table for message in (self.read, self.write) if message is not None and message.table]
+        return _tables(self.read, self.write)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,11 @@ class SpaceView:
     @property
     def tables(self) -> list[list[str]]:
         """The lines of each table that the messages need."""
-        return [message.table for message in (self.read, self.write) if message is not None and message.table]
+        return _tables(self.read, self.write)
+
+
+def _tables(*messages: ParameterMessageView | None) -> list[list[str]]:
+    return [message.table for message in messages if message is not None and message.table]
 
 
 def parameter_set_view(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.wireshark.text import Data, joined, line_text
 from fieldspec.classes import dataclass, field
@@ -11,9 +9,6 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
-
-Names = Mapping[int, str] | str | None
-"""The names of numbers: an enum by its name, or a table."""
 
 _LONGEST = 200
 """The characters of a description, which Wireshark shows in its status line."""

@@ -53,8 +53,6 @@ ERRORS = {
     "short": (14, "the motion ended before its target"),
 }
 """The numbers of ErrorID, and what they mean."""
-MAY_MOVE = ("timeout", "damaged", "transport", "late")
-"""The errors behind which a device may be moving: that its end has reached it is not known."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,66 @@
+"""What a module of the compiler defines is used: by the module, by another one, or by name, with the reason."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import fieldspec
+
+PACKAGE = Path(fieldspec.__file__).parent
+# Python that is copied into an output is used by what is generated.
+MODULES = sorted(path for path in PACKAGE.rglob("*.py") if "runtime" not in path.parts)
+USED_ELSEWHERE = {
+    "add_live": "cli.py joins the name of each verb behind `add_`",
+    "add_mcp": "cli.py joins the name of each verb behind `add_`",
+    "add_redact": "cli.py joins the name of each verb behind `add_`",
+    "add_simulate": "cli.py joins the name of each verb behind `add_`",
+    "changes_page": "a test writes docs/changes.md with it and keeps it fresh",
+    "ManualClock": "tests of other projects set the time of a simulated device by it, see docs/simulate.md",
+}
+
+
+def defined(tree: ast.Module) -> Iterator[tuple[str, ast.stmt]]:
+    """The names that a module defines, with their definitions."""
+    for node in tree.body:
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            yield node.name, node
+        elif isinstance(node, (ast.Assign, ast.AnnAssign)):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            yield from (
+                (name.id, node) for target in targets for name in ast.walk(target) if isinstance(name, ast.Name)
+            )
+
+
+def read(tree: ast.AST) -> Counter[str]:
+    """How often each name is read."""
+    return Counter(node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
+
+
+def named_from_outside(trees: list[ast.Module]) -> set[str]:
+    """The names that modules import, read as attributes, or have in a text, as lazy imports of the command line do."""
+    names: set[str] = set()
+    for node in (node for tree in trees for node in ast.walk(tree)):
+        if isinstance(node, ast.ImportFrom):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.Attribute):
+            names.add(node.attr)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and re.fullmatch(r"\w+", node.value):
+            names.add(node.value)
+    return names
+
+
+def test_every_name_that_a_module_defines_is_used() -> None:
+    trees = {path: ast.parse(path.read_text("utf-8")) for path in MODULES}
+    outside = named_from_outside([*trees.values()])
+    unused = set()
+    for path, tree in trees.items():
+        reads = read(tree)
+        for name, definition in defined(tree):
+            if reads[name] == read(definition)[name] and name not in outside and not name.startswith("__"):
+                unused.add((name, path.relative_to(PACKAGE).as_posix()))
+    assert {(name, path) for name, path in unused if name not in USED_ELSEWHERE} == set()
+    assert USED_ELSEWHERE.keys() - {name for name, _ in unused} == set()
