@@ -28,7 +28,7 @@ def run(folder: Path, *words: str) -> int:
 @pytest.mark.parametrize("protocol", ["modbus", "packet", "telegram"])
 def test_a_new_device_passes_the_check(protocol: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(folder, "new", "device", "my-drive", "--protocol", protocol) == 0
-    assert capsys.readouterr().out == f"{folder}/my-drive/device.yaml\n"
+    assert capsys.readouterr().out == f"{folder}/fieldspec.schema.json\n{folder}/my-drive/device.yaml\n"
     assert run(folder, "check", "my-drive") == 0
     assert capsys.readouterr().out == "no findings in my-drive\n"
 
@@ -62,6 +62,9 @@ def test_a_version_of_another_line_follows_the_last_one_of_that_line(folder: Pat
     [
         (("device", "tc100", "--protocol", "modbus"), "already exists"),
         (("device", "x", "--protocol", "modbuss"), "there is no protocol modbuss; did you mean modbus?"),
+        (("device",), "name the device; see: fieldspec new device --help"),
+        (("schema", "tc100"), "--name has no effect on a new schema; leave it out"),
+        (("schema", "--protocol", "modbus"), "--protocol has no effect on a new schema; leave it out"),
         (("device", "x"), "name the protocol with --protocol: "),
         (("device", "My Drive", "--protocol", "packet"), "My Drive is not a valid name of a device"),
         (("device", "../x", "--protocol", "packet"), "../x is not a valid name of a device"),
@@ -93,19 +96,36 @@ def test_a_device_is_new_where_there_are_no_specs_yet(
     assert main(["new", "device", "my_meter", "--protocol", "modbus", *option]) == 0
     assert f"{folder}/my_meter/device.yaml" in capsys.readouterr().out
     assert main(["check", *option]) == 0
-    assert "yaml-language-server" not in (tmp_path / folder / "my_meter" / "device.yaml").read_text("utf-8")
 
 
-def test_a_new_file_in_a_checkout_leads_editors_to_the_schema(tmp_path: Path) -> None:
-    schema = tmp_path / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
-    schema.parent.mkdir(parents=True)
-    schema.touch()
-    folder = tmp_path / "deep" / "specs"
-    folder.mkdir(parents=True)
-    assert run(folder, "new", "device", "my-drive", "--protocol", "packet") == 0
-    first, *_ = (folder / "my-drive" / "device.yaml").read_text("utf-8").splitlines()
-    path = first.partition("$schema=")[2]
-    assert (folder / "my-drive" / path).resolve() == schema.resolve()
+def test_the_schema_for_editors_is_written_beside_the_devices_and_kept(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    schema = folder / "fieldspec.schema.json"
+    expected = SPECS.joinpath("fieldspec.schema.json").read_bytes()
+    for words, printed in (
+        (("device", "one", "--protocol", "packet"), [schema, folder / "one/device.yaml"]),
+        (("device", "two", "--protocol", "packet"), [folder / "two/device.yaml"]),
+        (("schema",), []),
+    ):
+        assert run(folder, "new", *words) == 0
+        assert capsys.readouterr().out.splitlines() == [str(path) for path in printed]
+        assert schema.read_bytes() == expected
+    schema.write_text("{}\n", "utf-8")
+    assert run(folder, "new", "schema") == 0
+    assert (capsys.readouterr().out, schema.read_bytes()) == (f"{schema}\n", expected)
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["", "# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.schema.json\n", "# $schema=nowhere\n"],
+)
+def test_no_verb_reads_the_line_for_editors(line: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = folder / "tc100" / "device.yaml"
+    _, _, rest = file.read_text("utf-8").partition("\n")
+    file.write_text(line + rest, "utf-8")
+    assert run(folder, "check", "tc100") == 0
+    assert capsys.readouterr().out == "no findings in tc100\n"
 
 
 def test_an_empty_folder_here_gets_the_new_device(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,12 +10,15 @@ from pathlib import Path
 import pytest
 
 from external_tools import require_tool
+from fieldspec.cli import main
 from fieldspec.schema import described, schema
 from language_server import LanguageServer
 
 ROOT = Path(__file__).parent.parent
-SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])
+FOLDERS = ("specs", "tests/specs", "tests/audit")
+SPECS = sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.yaml"))
 REAL = [path for path in SPECS if path.is_relative_to(ROOT / "specs")]
+PAGES = sorted(path for path in (ROOT / "docs").glob("*.md") if "yaml-language-server: " in path.read_text("utf-8"))
 MODELINE = re.compile(r"# yaml-language-server: \$schema=(\S+)\n")
 CURSOR = "¦"
 PROPERTY = 10
@@ -64,8 +68,45 @@ def test_every_spec_file_names_the_schema(spec: Path) -> None:
     modeline = MODELINE.match(spec.read_text("utf-8"))
     assert modeline
     named = (spec.parent / modeline[1]).resolve()
-    assert named == ROOT / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
+    assert named == ROOT / "specs" / "fieldspec.schema.json"
     assert named.is_file()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_spec_file_of_the_documentation_names_the_schema(page: Path) -> None:
+    files = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", page.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    named = {path: MODELINE.match(text) for path, text in files}
+    paths = {path: modeline and posixpath.normpath(f"{path}/../{modeline[1]}") for path, modeline in named.items()}
+    assert paths == dict.fromkeys(paths, "specs/fieldspec.schema.json")
+
+
+@pytest.fixture(scope="module")
+def started(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Specs that fieldspec has written for users of an installed fieldspec, with those of the protocols."""
+    specs = tmp_path_factory.mktemp("project") / "specs"
+    specs.mkdir()
+    assert main(["new", "device", "pump", "--protocol", "modbus", "--specs", str(specs)]) == 0
+    assert main(["new", "device", "valve", "--protocol", "packet", "--specs", str(specs)]) == 0
+    device = specs / "valve" / "device.yaml"
+    line = "versions:\n  - {line: firmware, builds: true, members: [{id: '1.0', source: 1 L1}]}\n"
+    device.write_text(device.read_text("utf-8") + line, "utf-8")
+    assert main(["new", "version", "valve", "1.1", "--specs", str(specs)]) == 0
+    table = specs.parent / "list.csv"
+    table.write_text("address,name\n1,speed\n", "utf-8")
+    assert main(["import", str(table), "--to", str(specs / "oven" / "device.yaml")]) == 0
+    return specs
+
+
+NEW = ("pump/device.yaml", "protocols/modbus.yaml", "valve/device.yaml", "valve/versions/1.1.yaml", "oven/device.yaml")
+
+
+@pytest.mark.parametrize("path", NEW)
+def test_an_editor_finds_the_schema_from_every_file_that_fieldspec_writes(
+    server: LanguageServer, started: Path, path: str
+) -> None:
+    file = started / path
+    (finding,) = server.opened(file, file.read_text("utf-8") + "acess: rw\n")
+    assert "acess" in finding["message"]
 
 
 def test_real_specs_have_no_finding_in_the_editor(server: LanguageServer) -> None:

@@ -8,70 +8,13 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
 from fieldspec import rules
+from package_site import DEVICE, EXAMPLE, HERE, Site
 
-HERE = Path(__file__).resolve().parent
-EXAMPLE = HERE / "example_package"
-DEVICE = """
-device:
-  id: pump
-  name: Pump
-  vendor: Acme
-  manual: {title: Manual, file: pump.txt, sha256: "%s", lines: 99}
-uses:
-  - {protocol: acme_bus}
-enums:
-  - {name: acme_state, source: 1 L1}
-registers:
-  - group: motion
-    section: "2"
-    defaults: {type: u16, words: 1}
-    rows:
-      - {at: 0x2000, name: state, enum: acme_state, access: ro, source: L2}
-      - {at: 0x2001, name: speed, access: rw, range: 1..100, source: L3}
-""" % ("0" * 64)
 UNLIMITED = DEVICE.replace(", range: 1..100", "")
-
-
-class RunResult(NamedTuple):
-    """What a run has left."""
-
-    code: int
-    out: str
-    err: str
-
-
-class Site:
-    """A folder with installed packages, specs beside it, and a cache of its own."""
-
-    def __init__(self, folder: Path, packages: Path) -> None:
-        self.folder, self.packages = folder, packages
-
-    def write(self, path: str, text: str) -> Path:
-        file = self.folder / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8", newline="\n")
-        return file
-
-    def run(self, *arguments: str) -> RunResult:
-        environment = {
-            **os.environ,
-            "PYTHONPATH": str(self.packages),
-            "FIELDSPEC_CACHE": str(self.folder / "cache"),
-            "PYTHONDONTWRITEBYTECODE": "1",
-            "COLUMNS": "500",
-        }
-        command = [sys.executable, "-m", "fieldspec", *arguments]
-        ran = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, encoding="utf-8")
-        return RunResult(ran.returncode, ran.stdout, ran.stderr)
-
-    def manifest(self) -> dict[str, dict[str, str]]:
-        data: dict[str, dict[str, str]] = json.loads((self.folder / "generated/manifest.json").read_text("utf-8"))
-        return data
 
 
 @pytest.fixture(scope="session")
@@ -166,7 +109,7 @@ def test_a_protocol_of_an_installed_package_is_used_and_its_findings_show_its_fi
 
 def test_a_new_device_may_use_a_protocol_of_an_installed_package(site: Site) -> None:
     result = site.run("new", "device", "valve", "--protocol", "acme_bus")
-    assert (result.code, result.out) == (0, "specs/valve/device.yaml\n")
+    assert (result.code, result.out) == (0, "specs/fieldspec.schema.json\nspecs/valve/device.yaml\n")
     assert site.run("check", "valve").code == 0
     assert not (site.folder / "specs/protocols").exists()
 
@@ -203,97 +146,6 @@ def test_without_the_package_its_output_is_unknown_and_its_protocol_missing(site
     assert "error[file_missing]" in site.run("check").out
 
 
-GOOD_OUTPUT = "TITLE = 'Lists'\ndef files(versions):\n    return {}\n"
-GOOD_CHECK = '''"""What holds.
-
-Why: because.
-
-Example: this.
-
-Cure: that.
-"""
-from fieldspec.diagnostics import Diagnostic
-def good(device):
-    return iter(())
-'''
-BROKEN = {
-    "name of an output": ("outputs", "python", "bad", GOOD_OUTPUT, "fieldspec has its own output python"),
-    "name of a check": ("checks", "bits_unique", "bad:good", GOOD_CHECK, "fieldspec has its own check bits_unique"),
-    "name of a rule of changes": ("checks", "register_moved", "bad:good", GOOD_CHECK, "its own check register_moved"),
-    "name of a protocol": ("protocols", "modbus", "bad", "", "fieldspec has its own protocol modbus"),
-    "malformed name": ("outputs", "A/../b", "bad", GOOD_OUTPUT, "a name begins with a small letter"),
-    "no module": ("outputs", "extra", "absent", "", "there is no module absent"),
-    "failing module": ("outputs", "extra", "bad", "1 / 0", "ZeroDivisionError: division by zero"),
-    "module that exits": ("outputs", "extra", "bad", "raise ImportError('a\\nb')", "ImportError: a b"),
-    "no title": (
-        "outputs",
-        "extra",
-        "bad",
-        "def files(versions): return {}",
-        "needs a text TITLE and a function files",
-    ),
-    "failing output": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{}['x']"), "KeyError: 'x'"),
-    "path out": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'../x': ''}"), "'../x' is no path of a file"),
-    "absolute path": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'/x': ''}"), "'/x' is no path of a file"),
-    "bytes": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'x': b''}"), "neither a text nor a workbook"),
-    "no dict": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "[]"), "its files are not a dict"),
-    "no documentation": ("checks", "extra", "bad:good", "def good(device): return ()", "has not the parts Why"),
-    "no function": ("checks", "extra", "bad:other", GOOD_CHECK, "has no attribute 'other'"),
-    "not callable": ("checks", "extra", "bad:__doc__", GOOD_CHECK, "bad:__doc__ is no function"),
-    "failing check": ("checks", "extra", "bad:good", GOOD_CHECK.replace("iter(())", "1 / 0"), "ZeroDivisionError"),
-    "no findings": (
-        "checks",
-        "extra",
-        "bad:good",
-        GOOD_CHECK.replace("iter(())", "[1]"),
-        "yields something that is not a Diagnostic",
-    ),
-    "another code": (
-        *("checks", "extra", "bad:good"),
-        GOOD_CHECK.replace("iter(())", "[Diagnostic('other', '', device.place.whole)]"),
-        "its finding has the code other, and not extra",
-    ),
-    "no file": ("protocols", "acme_bus", "bad", "", "the package bad has no file acme_bus.yaml"),
-}
-
-
-def declare(folder: Path, package: str, group: str, name: str, value: str, code: str = "") -> None:
-    """Installs a package by hand: what pip leaves of it."""
-    info = folder / f"{package}-1.0.dist-info"
-    info.mkdir(parents=True)
-    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {package}\nVersion: 1.0\n", encoding="utf-8")
-    (info / "entry_points.txt").write_text(f"[fieldspec.{group}]\n{name} = {value}\n", encoding="utf-8")
-    (folder / "bad.py").write_text(code, encoding="utf-8")
-
-
-@pytest.mark.parametrize("case", BROKEN)
-def test_a_broken_entry_point_is_one_line_that_names_the_package(tmp_path: Path, case: str) -> None:
-    group, name, value, code, reason = BROKEN[case]
-    site = Site(tmp_path, tmp_path / "site")
-    declare(site.packages, "acme-broken", group, name, value, code)
-    text = DEVICE if group == "protocols" else DEVICE.replace("{protocol: acme_bus}", "{protocol: own}")
-    site.write("specs/pump/device.yaml", text)
-    site.write("specs/protocols/own.yaml", (EXAMPLE / PROTOCOL).read_text("utf-8").replace("acme_bus", "own"))
-    ran = site.run("build")
-    assert ran.code == 2, ran
-    assert ran.err.startswith(f"fieldspec: the {group[:-1]} {name} of the installed package acme-broken 1.0 cannot")
-    assert reason in ran.err
-    assert ran.err.count("\n") == 1
-    assert ran.out == ""
-    assert not (tmp_path / "generated").exists()
-
-
-PROTOCOL = "src/acme_fieldspec/protocols/acme_bus.yaml"
-
-
-def test_two_packages_with_the_same_name_are_refused(tmp_path: Path) -> None:
-    site = Site(tmp_path, tmp_path / "site")
-    for package in ("acme-one", "acme-two"):
-        declare(site.packages, package, "outputs", "extra", "bad", GOOD_OUTPUT)
-    ran = site.run("build")
-    assert (ran.code, "the package acme-one has one of this name" in ran.err) == (2, True)
-
-
 def test_the_documentation_of_rules_has_none_of_installed_packages(site: Site) -> None:
     code = "from fieldspec.commands.plugin_loading import load_checks; load_checks(); from fieldspec import rules; "
     code += "print(rules.page(), end=''); assert rules.rule('writable_ranges_present')"
@@ -306,7 +158,8 @@ LAZY = """
 import sys
 from fieldspec.cli import main
 main(sys.argv[1:])
-print(sorted({"importlib.metadata", "fieldspec.commands.plugin_loading"} & {*sys.modules}))
+loaded = {"importlib.metadata", "fieldspec.commands.plugin_loading", "fieldspec.extension"}
+print(sorted(loaded & {*sys.modules}))
 """
 
 
@@ -333,7 +186,7 @@ def test_specs_without_the_protocols_of_fieldspec_can_use_them(tmp_path: Path, v
     site = Site(tmp_path, tmp_path / "site")
     (tmp_path / "specs").mkdir()
     new = site.run("new", "device", "pump", "--protocol", "modbus", "--specs", "specs")
-    assert new.out == "specs/protocols/modbus.yaml\nspecs/pump/device.yaml\n"
+    assert new.out == "specs/fieldspec.schema.json\nspecs/protocols/modbus.yaml\nspecs/pump/device.yaml\n"
     shutil.rmtree(tmp_path / "specs/protocols")
     ran = site.run(*verb)
     assert (ran.code, ran.err) == (0, "")

@@ -20,10 +20,11 @@ from example_counts import FACTOR
 from fieldspec.reading.nodes import json_data
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
-from fieldspec.schema import described, schema
+from fieldspec.schema import ADDRESS, described, schema
 
 ROOT = Path(__file__).parent.parent
 SCHEMA = ROOT / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
+BESIDE_THE_SPECS = ROOT / "specs" / ADDRESS
 SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])
 WIDTH = 120
 MUTATIONS = 8 * FACTOR
@@ -91,6 +92,12 @@ def test_schema_is_formatted(accept: bool) -> None:
     if accept:
         SCHEMA.write_text(text, "utf-8", newline="\n")
     assert SCHEMA.read_text("utf-8") == text
+
+
+def test_the_schema_beside_the_specs_is_the_one_of_the_compiler(accept: bool) -> None:
+    if accept:
+        BESIDE_THE_SPECS.write_bytes(SCHEMA.read_bytes())
+    assert BESIDE_THE_SPECS.read_bytes() == SCHEMA.read_bytes()
 
 
 def test_schema_is_a_valid_schema_of_draft_2020_12() -> None:

@@ -53,6 +53,7 @@ class Project:
         self.folder = folder
         for name in ("protocols", "tc100"):
             shutil.copytree(ROOT / "specs" / name, folder / "specs" / name)
+        shutil.copy(ROOT / "specs" / "fieldspec.schema.json", folder / "specs")
         self.differing: list[tuple[str, str, str]] = []
         self.codes: list[tuple[str, int]] = []
 

@@ -311,9 +311,9 @@ def _parser() -> argparse.ArgumentParser:
     blame.add_argument("device", metavar="DEVICE[@VERSION]")
     blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
 
-    new = verb("new", "create the first file of a device or the file of a version")
-    new.add_argument("kind", choices=("device", "version"))
-    new.add_argument("name", metavar="DEVICE")
+    new = verb("new", "create the first file of a device, the file of a version, or the schema for editors")
+    new.add_argument("kind", choices=("device", "version", "schema"))
+    new.add_argument("name", nargs="?", metavar="DEVICE")
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
     new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")
     new.add_argument("--line", help="the line of the version (default: the line of the version it is based on)")

@@ -18,12 +18,12 @@ from typing import Any
 
 from fieldspec.behaviour.reading import behaviour_of
 from fieldspec.commands import specs
-from fieldspec.simulator.clock import Clock, SystemClock
+from fieldspec.simulator.clock import Clock, ManualClock, SystemClock
 from fieldspec.simulator.control import carried_out
 from fieldspec.simulator.faults import fault_of
 from fieldspec.simulator.simulation import Simulation, settings_of, usual_place, usual_unit_address
 
-__all__ = ["SimulatedDevice", "simulated", "simulation"]
+__all__ = ["ManualClock", "SimulatedDevice", "simulated", "simulation"]
 
 
 class SimulatedDevice:

@@ -95,7 +95,6 @@ def record(specs_option: str | None, device: Device, name: str | None) -> int:
 
 
 ALL = "all"
-_HEAD = "# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.schema.json\n"
 
 
 def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> int:
@@ -115,8 +114,9 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     folder = specs.writable_folder(arguments.specs)
     path = folder / spec.id / FILE
     with exclusive_folder(path.parent):  # from reading to writing, so that no entry of another process is lost
-        text = (_before(path) or f"{_HEAD}reviews:\n") + entry
+        text = (_before(path) or f"{specs.editor_line()}reviews:\n") + entry
         _must_be_sound(folder, spec.id, text)
+        specs.bring_schema(folder)
         replace(path, text.encode("utf-8"))
     count = sum(len(state.digests) for state in signed.values())
     print_line(

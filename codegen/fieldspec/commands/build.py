@@ -107,8 +107,14 @@ def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
 
 
 def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
-    """The hashes of all files of the requested outputs, rebuilt or not."""
-    holders = [result.shared, *(device.outputs for device in result.devices.values())]
+    """The hashes of all files of the requested outputs, rebuilt or not. Raises UsageError for a file of two."""
+    from fieldspec.commands.plugin_loading import refuse_same_files
+
+    devices = {device: built.outputs for device, built in result.devices.items()}
+    for name in wanted.outputs:
+        owners = {"no device": result.shared, **devices}
+        refuse_same_files(name, ((owner, outputs.get(name, ())) for owner, outputs in owners.items()))
+    holders = [result.shared, *devices.values()]
     return {
         path: digest
         for hashes_by_output in holders

@@ -42,13 +42,15 @@ def run(arguments: argparse.Namespace) -> int:
         if low is not None:
             raise ListError(f"has an address below 0 in row {low.row}, with the offset {arguments.offset}")
         origin = Origin(file, hashlib.sha256(data).hexdigest(), max(sheet.lines, 1))
-        text = specs.editor_line(path) + skeleton(device, origin, rows)
+        text = specs.editor_line() + skeleton(device, origin, rows)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
     _passes(device, text, arguments.file)
     if arguments.to == "-":
         print_document(text)
         return 0
+    if path.name == MAIN:
+        specs.bring_schema(path.resolve().parent.parent)
     storage.write(path, text.encode("utf-8"), new=True)
     skipped = f", {len(register_list.skipped)} rows without an address" if register_list.skipped else ""
     print_line(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")

@@ -1,4 +1,4 @@
-"""`fieldspec new`: the first file of a device or the file of a version, with comments on the next steps."""
+"""`fieldspec new`: the first file of a device, the file of a version, or the schema for editors."""
 
 from __future__ import annotations
 
@@ -27,6 +27,13 @@ from fieldspec.schema import schema
 SHAPES = ("packet", "telegram")
 """The skeletons of devices without a protocol."""
 
+_WITHOUT_EFFECT = {
+    "device": ("based_on", "line"),
+    "version": ("protocol",),
+    "schema": ("name", "version", "based_on", "line", "protocol"),
+}
+"""The options of other kinds of files."""
+
 # The sections of a protocol whose entries a device must cite, and the keys that an entry needs there.
 _CITED: dict[str, tuple[str, ...]] = {
     "links": (),
@@ -39,25 +46,29 @@ _CITED: dict[str, tuple[str, ...]] = {
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file; never overwrites one. Raises UsageError."""
-    other = ("protocol",) if arguments.kind == "version" else ("based_on", "line")
+    """Writes the file, and overwrites none but an older schema. Raises UsageError."""
+    other = _WITHOUT_EFFECT[arguments.kind]
     for name in other:
         if getattr(arguments, name) is not None:
             raise UsageError(f"--{name.replace('_', '-')} has no effect on a new {arguments.kind}; leave it out")
-    if arguments.kind == "version":
-        path, text = _version(arguments)
-    else:
-        path, text = _device(arguments)
+    if arguments.kind == "schema":
+        specs.bring_schema(specs.writable_folder(arguments.specs))
+        return 0
+    if arguments.name is None:
+        raise UsageError(f"name the device; see: fieldspec new {arguments.kind} --help")
+    folder, path, text = _version(arguments) if arguments.kind == "version" else _device(arguments)
     if path.exists():
         raise UsageError(f"the file {path} already exists")
+    specs.bring_schema(folder)
     if arguments.protocol is not None and arguments.protocol not in SHAPES:
-        _bring_protocols(path.parent.parent, arguments.protocol)
+        _bring_protocols(folder, arguments.protocol)
     write(path, text.encode("utf-8"), new=True)
     print_line(specs.relative_path(path))
     return 0
 
 
-def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
+def _version(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
+    """The folder with the specs, the path of the file, and its text."""
     if arguments.version is None:
         raise UsageError("name the version; use: fieldspec new version DEVICE VERSION --based-on VERSION")
     spec, newest = specs.spec_at(arguments.specs, arguments.name)
@@ -80,14 +91,20 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
             for version in version_line.versions
         ]
         after = f'  after: "{members[-1]}"\n'
-    path = specs.writable_folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
-    return path, specs.editor_line(path) + _fill_skeleton(
-        "version",
-        device=arguments.name,
-        version=arguments.version,
-        base=base,
-        line=line,
-        after=after,
+    folder = specs.writable_folder(arguments.specs)
+    path = folder / arguments.name / VERSIONS / f"{arguments.version}.yaml"
+    return (
+        folder,
+        path,
+        specs.editor_line(2)
+        + _fill_skeleton(
+            "version",
+            device=arguments.name,
+            version=arguments.version,
+            base=base,
+            line=line,
+            after=after,
+        ),
     )
 
 
@@ -97,7 +114,8 @@ def _line_of(spec: DeviceSpec, version: str) -> str:
     return identity(lines[spec.lines.place[version][0]]) or ""
 
 
-def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
+def _device(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
+    """The same of a device."""
     if arguments.version is not None:
         raise UsageError("a new device has no version yet; use: fieldspec new device NAME --protocol PROTOCOL")
     name = arguments.name
@@ -112,11 +130,11 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol, [*protocols, *SHAPES])
     path = folder / name / MAIN
-    text = specs.editor_line(path) + _fill_skeleton("device", name=name)
+    text = specs.editor_line() + _fill_skeleton("device", name=name)
     if arguments.protocol in SHAPES:
-        return path, text + _fill_skeleton(arguments.protocol)
+        return folder, path, text + _fill_skeleton(arguments.protocol)
     overlays = "\n".join(_overlays(places[arguments.protocol]))
-    return path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
+    return folder, path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
 
 
 def _folder(specs_option: str | None) -> Path:

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import import_module
 from typing import Any
 
 from fieldspec.backends import BUILT_IN, OUTPUTS, Files, Output
 from fieldspec.commands.plugins import CHECKS as CHECK_GROUP
+from fieldspec.commands.plugins import FAILURES, Plugin, plugins
 from fieldspec.commands.plugins import OUTPUTS as OUTPUT_GROUP
-from fieldspec.commands.plugins import Plugin, plugins
 from fieldspec.commands.usage import UsageError
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
+from fieldspec.names import folded
 from fieldspec.reserved import file_name_fault
+from fieldspec.source import Span
 from fieldspec.spreadsheet import Workbook
 
 
@@ -63,8 +65,11 @@ class PluginBackend:
 
     def _module(self) -> Any:
         module = _loaded(self.plugin)
-        if not isinstance(getattr(module, "TITLE", None), str) or not callable(getattr(module, "files", None)):
-            raise self.plugin.error(f"the module {self.plugin.value} needs a text TITLE and a function files")
+        title = getattr(module, "TITLE", None)
+        if not isinstance(title, str) or not title.isprintable() or not callable(getattr(module, "files", None)):
+            raise self.plugin.error(
+                f"the module {self.plugin.value} needs a text TITLE of one line and a function files"
+            )
         return module
 
     def _call(self, function: str, *arguments: object) -> Any:
@@ -72,7 +77,7 @@ class PluginBackend:
             return getattr(self._module(), function)(*arguments)
         except UsageError:
             raise
-        except Exception as error:
+        except FAILURES as error:
             raise self.plugin.failed(error) from error
 
 
@@ -87,7 +92,51 @@ def _checked_files(plugin: Plugin, files: Any) -> Files:
             raise plugin.error(f"{path!r} is no path of a file below the folder of the output: a name in it {fault}")
         if not isinstance(value, (str, Workbook)):
             raise plugin.error(f"the content of {path} is neither a text nor a workbook")
+        _refuse_content(plugin, path, value)
+    _refuse_same_places(plugin, files)
     return files
+
+
+def _refuse_content(plugin: Plugin, path: str, content: str | Workbook) -> None:
+    if isinstance(content, str):
+        try:
+            content.encode("utf-8")
+        except UnicodeError:
+            raise plugin.error(f"the content of {path} is no text in UTF-8: it has half of a surrogate pair") from None
+        return
+    from fieldspec.lists.packing import packed
+
+    try:
+        packed(content)  # the pipeline does so again, where nobody knows whose workbook it is
+    except Exception as error:
+        raise plugin.error(f"the workbook {path} cannot be packed: {type(error).__name__}: {error}") from None
+
+
+def _refuse_same_places(plugin: Plugin, paths: Iterable[str]) -> None:
+    """Refuses paths that some file system cannot have beside each other."""
+    by_place: dict[str, str] = {}
+    for path in paths:
+        if (other := by_place.setdefault(folded(path), path)) != path:
+            raise plugin.error(f"{path!r} and {other!r} are one file on some systems")
+    for place in by_place:
+        for end in (index for index, sign in enumerate(place) if sign == "/"):
+            if (file := by_place.get(place[:end])) is not None:
+                raise plugin.error(f"{file!r} is a file and a folder")
+
+
+def refuse_same_files(name: str, owners: Iterable[tuple[str, Iterable[str]]]) -> None:
+    """Refuses an output of a package that gives a file twice: for two devices, or for one and for none.
+
+    `owners` are devices with the paths of their files. Raises UsageError.
+    """
+    backend = OUTPUTS[name].backend
+    if not isinstance(backend, PluginBackend):
+        return
+    by_place: dict[str, str] = {}
+    for owner, paths in owners:
+        for path in paths:
+            if (other := by_place.setdefault(folded(path), owner)) != owner:
+                raise backend.plugin.error(f"it gives {path} for {other} and for {owner}; each needs a path of its own")
 
 
 def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
@@ -95,11 +144,27 @@ def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
         result = list(findings)
     except UsageError:
         raise
-    except Exception as error:
+    except FAILURES as error:
         raise plugin.failed(error) from error
-    if not all(isinstance(finding, Diagnostic) for finding in result):
-        raise plugin.error("it yields something that is not a Diagnostic")
+    for finding in result:
+        if not isinstance(finding, Diagnostic):
+            raise plugin.error("it yields something that is not a Diagnostic")
+        for attribute, kind, noun in _FINDING:
+            if not isinstance(getattr(finding, attribute), kind):
+                raise plugin.error(f"the {attribute} of its finding is no {noun}")
+        if not isinstance(finding.labels, tuple) or not all(isinstance(label, Label) for label in finding.labels):
+            raise plugin.error("the labels of its finding are no tuple of Label objects")
     return result
+
+
+_FINDING = (
+    ("code", str, "text"),
+    ("message", str, "text"),
+    ("help", str, "text"),
+    ("span", Span, "Span"),
+    ("severity", Severity, "Severity"),
+)
+"""The types of what a finding has."""
 
 
 def _loaded(plugin: Plugin) -> Any:
@@ -109,7 +174,7 @@ def _loaded(plugin: Plugin) -> Any:
         target: Any = import_module(module.strip())
         for name in filter(None, path.partition("[")[0].strip().split(".")):
             target = getattr(target, name)
-    except Exception as error:  # whatever it raises, it is the package that is broken
+    except FAILURES as error:  # whatever it raises, it is the package that is broken
         raise plugin.failed(error) from None
     return target
 
@@ -141,7 +206,7 @@ def _guard_check(plugin: Plugin, function: Callable[[Device], Iterator[Diagnosti
     def check(device: Device) -> Iterator[Diagnostic]:
         try:
             findings = function(device)
-        except Exception as error:
+        except FAILURES as error:
             raise plugin.failed(error) from error
         for finding in _checked_findings(plugin, findings):
             if finding.code != plugin.name:

@@ -20,12 +20,15 @@ from fieldspec.commands.usage import UsageError
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator
     from importlib.machinery import ModuleSpec
+    from importlib.metadata import Distribution, EntryPoint
 
 OUTPUTS, CHECKS, PROTOCOLS = GROUPS = ("fieldspec.outputs", "fieldspec.checks", "fieldspec.protocols")
 KINDS = {OUTPUTS: "output", CHECKS: "check", PROTOCOLS: "protocol"}
 KIND = "plugins"
 LARGEST_FILE = 64 << 20
 """Bytes of one file of a plug-in."""
+FAILURES = (Exception, SystemExit)
+"""What code of a package may raise. An end of the program would otherwise pass for the end of the verb."""
 _NAME = re.compile("[a-z][a-z0-9_]*")
 _SKIPPED = ("__pycache__",)
 
@@ -110,14 +113,26 @@ def _searched() -> tuple[Plugin, ...]:
     rows = set()
     folders = sys.path[1:]  # the first is the folder of the script, or the current one
     for distribution in distributions(path=folders):
-        if not any(entry.group in GROUPS for entry in distribution.entry_points):
+        if not _entries(distribution):
             continue  # reading the name as well would take longer than all else
         package = distribution.metadata["Name"]
         imported = next(iter(distributions(name=package, path=folders)), distribution)  # an older copy may be behind
-        for entry in imported.entry_points:
-            if entry.group in GROUPS:
-                rows.add((entry.group, entry.name, entry.value, package, imported.version))
+        for entry in _entries(imported):
+            rows.add((entry.group, entry.name, entry.value, package, imported.version))
     return tuple(Plugin(*row) for row in sorted(rows))
+
+
+def _entries(distribution: Distribution) -> list[EntryPoint]:
+    """The entry points for fieldspec of an installed package. Raises UsageError where they cannot be read."""
+    try:
+        return [entry for entry in distribution.entry_points if entry.group in GROUPS]
+    except Exception as error:
+        text = distribution.read_text("entry_points.txt") or ""
+        if not any(f"[{group}]" in text for group in GROUPS):
+            return []  # what is wrong with it is no matter of ours
+        package = f"{distribution.metadata['Name']} {distribution.version}"
+        reason = f"each line of entry_points.txt is `name = module` ({' '.join(str(error).split())})"
+        raise UsageError(f"the entry points of the installed package {package} cannot be read: {reason}") from None
 
 
 def package_hashes(anew: bool = False) -> dict[str, str]:
@@ -157,7 +172,7 @@ def _module_spec(plugin: Plugin, name: str) -> ModuleSpec:
     """Where a module is. Raises UsageError where there is none."""
     try:
         spec = find_spec(name)
-    except Exception as error:  # the package around it may raise anything
+    except FAILURES as error:  # the package around it may raise anything
         raise plugin.failed(error) from None
     if spec is None:
         raise plugin.error(f"there is no module {name}")

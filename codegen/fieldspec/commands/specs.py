@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from fieldspec.checks.layout_conditions import has_layout
-from fieldspec.commands import spec_files
+from fieldspec.commands import regular_file, spec_files, storage
 from fieldspec.commands.spec_files import (
     FOLDER,
     VARIABLE,
@@ -18,14 +17,18 @@ from fieldspec.commands.spec_files import (
     split,
     with_protocols,
 )
+from fieldspec.commands.streams import print_line
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import Severity, has_errors, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.reading.findings import LARGEST_FILE
 from fieldspec.reading.project import JOINT, DeviceSpec, Project, read
+from fieldspec.schema import ADDRESS, schema_text
 
 __all__ = [
     "FOLDER",
     "VARIABLE",
+    "bring_schema",
     "editor_line",
     "files",
     "folder",
@@ -44,9 +47,6 @@ __all__ = [
 ]
 
 
-_SCHEMA = Path("codegen", "fieldspec", "schema", "spec.schema.json")
-
-
 def folder(specs_option: str | None) -> Path:
     """The folder with the specs. Raises UsageError."""
     return Path(spec_files.folder(specs_option))
@@ -57,13 +57,23 @@ def writable_folder(specs_option: str | None) -> Path:
     return Path(spec_files.writable_folder(specs_option))
 
 
-def editor_line(path: Path) -> str:
-    """The line at the top of a spec file that leads editors to the schema; empty where no folder above has it."""
-    folder = path.parent.resolve()
-    above = next((parent for parent in folder.parents if (parent / _SCHEMA).is_file()), None)
-    if above is None:
-        return ""
-    return f"# yaml-language-server: $schema={Path(os.path.relpath(above / _SCHEMA, folder)).as_posix()}\n"
+def editor_line(levels: int = 1) -> str:
+    """The line at the top of a spec file that leads editors to the schema, some levels of folders above the file."""
+    return f"# yaml-language-server: $schema={'../' * levels}{ADDRESS}\n"
+
+
+def bring_schema(folder: Path) -> None:
+    """Writes the schema into a folder of specs, for editors, unless it is there as it is now. Raises UsageError."""
+    path, content = folder / ADDRESS, schema_text().encode("utf-8")
+    try:
+        if regular_file.content(path, LARGEST_FILE) == content:
+            return
+    except FileNotFoundError:
+        pass
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    storage.write(path, content)
+    print_line(relative_path(path))
 
 
 def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:

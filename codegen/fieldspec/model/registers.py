@@ -16,7 +16,7 @@ class Register(Fact):
 
     `space` is empty where the spec names none, which means the first one of the device. `words`, `decimal` and `number`
     are what the manual prints; `copy_of` names the register of which this one is a copy, else empty; `access` is empty,
-    and `restart` None, where it does not say. A reserved register has no meaning for users. `element_lines` has the
+    and `restart` None, where it does not say. A reserved register has no meaning for users. `element_sources` has the
     place of each element, where they have rows of their own.
     """
 

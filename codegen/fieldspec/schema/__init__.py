@@ -10,11 +10,19 @@ from typing import Any, TypeAlias
 Schema: TypeAlias = dict[str, Any]
 
 
+ADDRESS = "fieldspec.schema.json"
+"""The name of the schema beside the devices of a folder of specs, where the first line of a spec leads editors."""
+
+
+def schema_text() -> str:
+    """The file of the schema."""
+    return Path(__file__).with_name("spec.schema.json").read_text("utf-8")
+
+
 @cache
 def schema() -> Schema:
     """The language as JSON Schema, draft 2020-12."""
-    text = Path(__file__).with_name("spec.schema.json").read_text("utf-8")
-    return json.loads(text)  # type: ignore[no-any-return]
+    return json.loads(schema_text())  # type: ignore[no-any-return]
 
 
 @cache

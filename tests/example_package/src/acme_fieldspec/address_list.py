@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.checks.finding import finding
-from fieldspec.diagnostics import Diagnostic
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import stem
-from fieldspec.spreadsheet import csv_text
+from fieldspec.extension import DeviceLayout, Diagnostic, Files, csv_text, finding, stem
 
 TITLE = "Addresses of registers as CSV"
 MOST_WORDS = 2
 
 
-def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+def files(versions: Sequence[DeviceLayout]) -> Files:
     """One file for each version, the oldest first."""
     return {f"{stem(layout.device.id, layout.device.version)}.csv": _table(layout) for layout in versions}
 
 
-def shared() -> dict[str, str]:
+def shared() -> Files:
     """The file that belongs to no device."""
     return {"README.txt": "Import one of these lists for each device.\n"}
 

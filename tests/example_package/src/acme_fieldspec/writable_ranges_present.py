@@ -11,9 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding
-from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.device import Device
+from fieldspec.extension import Device, Diagnostic, finding
 
 
 def writable_ranges_present(device: Device) -> Iterator[Diagnostic]:
