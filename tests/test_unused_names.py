@@ -19,7 +19,6 @@ USED_ELSEWHERE = {
     "add_redact": "cli.py joins the name of each verb behind `add_`",
     "add_simulate": "cli.py joins the name of each verb behind `add_`",
     "changes_page": "a test writes docs/changes.md with it and keeps it fresh",
-    "ManualClock": "tests of other projects set the time of a simulated device by it, see docs/simulate.md",
 }
 
 
