@@ -16,10 +16,11 @@ from fieldspec.plc.routines.blocks.frames import MessageTask, exchange_of, messa
 from fieldspec.plc.routines.blocks.kinds import Edged, Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.line_tasks import LineTask
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving
 from fieldspec.plc.routines.blocks.operands import NoBlock
 from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.plc.routines.blocks.standard import BlockDraft
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tables import group_blocks, table_blocks
 from fieldspec.plc.routines.blocks.tasks import describe
 from fieldspec.plc.routines.blocks.telegram_places import TelegramPlaces
