@@ -188,10 +188,23 @@ def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
     return Stopping(draft, axis()) if job.kind == "stop" else Executed(draft, abort=False)
 
 
+_HIDDEN = (
+    "The device does not show that it takes this command, so that nobody would know which of two it carries out: it "
+    "begins at standstill only and while no other block has a command under way, and no other begins meanwhile; else "
+    "Error 11. A motion of its own it halts first."
+)
+_AGAIN = (
+    "The stop is sent again while the device moves. What was accepted and not seen to begin may begin in spite of it: "
+    "then the block is Busy until the device has stood for tStart."
+)
+
+
 def _comments(kind: Kind) -> tuple[str, ...]:
     """What the comment of a block says of its start and end."""
     assert isinstance(kind, Edged | Reading)
-    return (kind.comment,)
+    if isinstance(kind, Moving) and kind.hidden:
+        return kind.comment, _HIDDEN
+    return (kind.comment, _AGAIN) if isinstance(kind, Stopping) and kind.stop else (kind.comment,)
 
 
 def _sends(task: Task) -> bool:
