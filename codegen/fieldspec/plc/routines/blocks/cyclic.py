@@ -22,11 +22,12 @@ from fieldspec.model.watches import (
     watches,
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Executed, Kind
-from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, unready
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import end_steps
 from fieldspec.plc.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
 from fieldspec.plc.routines.expressions import Expression, Negation, Variable, compared, every

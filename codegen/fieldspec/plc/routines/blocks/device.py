@@ -16,10 +16,11 @@ from fieldspec.plc.routines.blocks.frames import MessageTask, exchange_of, messa
 from fieldspec.plc.routines.blocks.kinds import Edged, Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.line_tasks import LineTask
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving
 from fieldspec.plc.routines.blocks.operands import NoBlock
 from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.plc.routines.blocks.standard import BlockDraft
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tables import group_blocks, table_blocks
 from fieldspec.plc.routines.blocks.tasks import describe
 from fieldspec.plc.routines.blocks.telegram_places import TelegramPlaces
@@ -187,10 +188,23 @@ def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
     return Stopping(draft, axis()) if job.kind == "stop" else Executed(draft, abort=False)
 
 
+_HIDDEN = (
+    "The device does not show that it takes this command, so that nobody would know which of two it carries out: it "
+    "begins at standstill only and while no other block has a command under way, and no other begins meanwhile; else "
+    "Error 11. A motion of its own it halts first."
+)
+_AGAIN = (
+    "The stop is sent again while the device moves. What was accepted and not seen to begin may begin in spite of it: "
+    "then the block is Busy until the device has stood for tStart."
+)
+
+
 def _comments(kind: Kind) -> tuple[str, ...]:
     """What the comment of a block says of its start and end."""
     assert isinstance(kind, Edged | Reading)
-    return (kind.comment,)
+    if isinstance(kind, Moving) and kind.hidden:
+        return kind.comment, _HIDDEN
+    return (kind.comment, _AGAIN) if isinstance(kind, Stopping) and kind.stop else (kind.comment,)
 
 
 def _sends(task: Task) -> bool:

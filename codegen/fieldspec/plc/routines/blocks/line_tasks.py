@@ -23,11 +23,12 @@ from fieldspec.model.watches import (
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Executed
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, unready
 from fieldspec.plc.routines.blocks.operands import outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, Seen, opposite
-from fieldspec.plc.routines.blocks.standard import assigned, chain
+from fieldspec.plc.routines.blocks.standard import chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import end_steps, target
 from fieldspec.plc.routines.expressions import Variable
 from fieldspec.plc.routines.routine import Assignment, Statement, when
@@ -166,7 +167,7 @@ class LineTask(ABC):
             moves: list[Statement] = []
             if stands is not None:
                 needed += [self.target(step) for step in self.conditions.standstill]
-                moves = [when(opposite(stands), [assigned(kind.axis.unseen, False)])]
+                moves = [when(opposite(stands), [kind.seen_to_move()])]
             self.perform(*watching, needed, lambda behind: [*moves, chain(branches, [draft.go(here)])], "it moves")
         kind.ending = draft.next
         assert ends[0] is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from fieldspec.plc.routines.blocks.kinds import Executed, Kind, Reading
-from fieldspec.plc.routines.blocks.motion import AxisPort, Stopping
+from fieldspec.plc.routines.blocks.motion import AxisPort
 from fieldspec.plc.routines.blocks.ports import (
     ABANDONED,
     ANSWERED,
@@ -18,6 +18,7 @@ from fieldspec.plc.routines.blocks.ports import (
     member,
 )
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.expressions import (
     BOOL,
     UDINT,

@@ -79,6 +79,7 @@ class Moving(Edged):
         self.accepts = draft.flag("xAccepted", "the device has accepted the command in this scan")
         self.ending_flag = draft.flag("xEnding", "the motion is being ended")
         self.counted = draft.flag("xActive", "the port counts the command of this block as one that is under way")
+        self.alone = draft.flag("xAlone", "nothing else was under way when the command went out")
         self.owner = draft.declare("udiOwner", UDINT, "local", "the count of motions when the block had the axis last")
         self.claim = draft.declare("udiClaim", UDINT, "local", "the count of starts with the one of this block")
         self.first_reason = draft.declare("uiFirstReason", UINT, "local", "why the motion is being ended")
@@ -110,7 +111,10 @@ class Moving(Edged):
     def goes_out(self) -> list[Statement]:
         """What notes that the command is on its way: what is accepted from now on comes behind it."""
         earlier = Assignment(self.earlier, self.still_earlier())
-        unseen = [] if self.halts else [assigned(self.axis.unseen, True)]
+        unseen: list[Statement] = []
+        if not self.halts:
+            alone = compared(self.axis.active, "=", Whole(0, UDINT))
+            unseen = [assigned(self.axis.unseen, True), Assignment(self.alone, alone)]
         return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion), *unseen]
 
     def still_earlier(self) -> Expression:
@@ -189,7 +193,7 @@ class Moving(Edged):
         left = chain(lost, [assigned(draft.aborted, True)])
         branches: list[Branch] = [
             (every([either([self.sent, self.taken, self.ending_flag]), displaced]), ended),
-            (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
+            (every([axis.locked, *waits]), [when(self.sent, self.drop or goes_on, locked)]),
         ]
         if self.wanted is not None:
             branches.append((every([Negation(self.wanted), Negation(self.ending_flag)]), self._withdrawn()))
@@ -221,6 +225,10 @@ class Moving(Edged):
             *self.restart,
             draft.go(self.ending),
         ]
+
+    def seen_to_move(self) -> Statement:
+        """What notes that the device moves: by the command, unless another one was under way when it went out."""
+        return when(self.alone, [assigned(self.axis.unseen, False)])
 
     def alarmed(self, tests: Sequence[Expression]) -> list[Statement]:
         """What notes an alarm while the motion is being ended: it is why the motion has ended, whatever was before."""
@@ -270,8 +278,8 @@ class Moving(Edged):
         """Whether the device does not show which of two commands it carries out: this one, or that of another block."""
         if not self.hidden:
             return self.axis.exclusive
-        active, one = self.axis.active, Whole(1, UDINT)
-        return either([compared(active, ">", one), every([compared(active, "=", one), Negation(self.counted)])])
+        active, own = self.axis.active, Whole(1, UDINT)
+        return either([compared(active, ">", own), every([compared(active, "=", own), Negation(self.counted)])])
 
     def _ending(self, late: Expression) -> list[Statement]:
         """What is done while the motion is being ended: tries, and what comes after."""
@@ -373,53 +381,3 @@ class Jogging(Moving):
 def _single(levels: Sequence[Expression]) -> Expression:
     """Whether exactly one of the inputs is TRUE."""
     return levels[0] if len(levels) == 1 else compared(levels[0], "<>", levels[1])
-
-
-class Stopping(Edged):
-    """A block that stops the axis, and locks it while Execute is TRUE. It asks until it is answered."""
-
-    comment = (
-        "While it is Busy or Execute is TRUE, the axis is locked: no motion starts. It asks for the stop until it is "
-        "answered, and is Busy until the device stands."
-    )
-
-    def __init__(self, draft: BlockDraft, axis: AxisPort) -> None:
-        super().__init__(draft, aborted=False)
-        self.axis = axis
-        remark = "why its last request has failed, an ErrorID; it asks again"
-        self.last_error = draft.declare("uiLastError", UINT, "output", remark)
-        self.lock = draft.flag("xLocking", "the axis is locked by this block")
-        self.stop = 0
-        self.insists: Sequence[Statement] = ()
-
-    def take_over(self) -> list[Statement]:
-        """What makes the block responsible: the device has accepted the stop."""
-        return [increment(self.axis.motion)]
-
-    def edges(self) -> list[Statement]:
-        """See `Kind`."""
-        draft, stops = self.draft, self.axis.stops
-        more = Operation("+", (stops, Whole(1, UDINT)), UDINT)
-        lock = [Assignment(stops, more), assigned(self.lock, True)]
-        begin = [*self.begun(), Assignment(self.last_error, _NONE), draft.forgotten(), *draft.at_start]
-        allowed = [Negation(self.lock), *([draft.unharmed()] if draft.at_start else [])]
-        begin.append(when(every(allowed), lock))
-        return [*self.find_edge(), chain([(self.edge, begin), self.idle()])]
-
-    def urgent(self) -> Expression | None:
-        """See `Kind`."""
-        return between(self.draft, 1, self.stop) if self.stop else None
-
-    def tail(self) -> list[Statement]:
-        """See `Kind`."""
-        draft = self.draft
-        again = [Assignment(self.last_error, draft.reason), draft.forgotten(), *self.drop, draft.go(1)]
-        refused = [(every([draft.failed(), self.edge]), draft.erroneous())] if draft.at_start else []
-        return [*self.insists, chain([*refused, (draft.failed(), again), self.done()]), self.over()]
-
-    def unlock(self) -> Statement:
-        """What unlocks the axis, in each scan."""
-        stops = self.axis.stops
-        releases = every([self.lock, Negation(self.draft.busy), Negation(self.execute)])
-        less = Assignment(stops, Operation("-", (stops, Whole(1, UDINT)), UDINT))
-        return when(releases, [when(self.axis.locked, [less]), assigned(self.lock, False)])

@@ -10,9 +10,10 @@ from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
 from fieldspec.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
 from fieldspec.plc.routines.blocks.kinds import Branch
-from fieldspec.plc.routines.blocks.motion import Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import Moving
 from fieldspec.plc.routines.blocks.operands import NoBlock, holds, unit_of
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import target
 from fieldspec.plc.routines.expressions import (
     LREAL,
@@ -175,7 +176,7 @@ class Conditions:
         if stands is not None:
             moved = draft.flag("xMoved", "the device was seen to move")
             fresh.append(moved)
-            body.append(when(Negation(standing), [assigned(moved, True), assigned(kind.axis.unseen, False)]))
+            body.append(when(Negation(standing), [assigned(moved, True), kind.seen_to_move()]))
             wrong = [when(moved, [draft.fail("short")], wrong)]
             evidence.append(moved)
         enough: Expression = there
@@ -201,7 +202,7 @@ class Conditions:
     ) -> list[Statement]:
         """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
 
-        What begins in spite of the stop is stopped anew.
+        While it moves, the stop is sent again and again: the device may begin what it had accepted before the last one.
         """
         draft = self.draft
         computed, stands = self.all_of(steps, seen)
@@ -209,10 +210,8 @@ class Conditions:
         kind.forget_first(standing)
         idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
         unseen = kind.axis.unseen
-        over = [assigned(unseen, False), *then]
-        moves = [assigned(unseen, False), when(standing, [resend], [again]), assigned(standing, False)]
-        waits = when(every([unseen, Negation(idle)]), [assigned(standing, True), again], over)
-        return [*computed, when(stands, [waits], moves)]
+        waits = when(every([unseen, Negation(idle)]), [again], [assigned(unseen, False), *then])
+        return [*computed, Assignment(standing, stands), when(standing, [waits], [resend])]
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
