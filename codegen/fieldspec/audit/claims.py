@@ -71,17 +71,17 @@ class Claim:
         return self.key in VALUES or self.key == SIGN
 
 
-def claims_of(device: Device, seen: set[int]) -> Iterator[Claim]:
-    """The claims of the facts of a device, without facts that are `seen` already, as versions share facts."""
+def claims_of(device: Device, visited: set[int]) -> Iterator[Claim]:
+    """The claims of the facts of a device, without those that were `visited`, as versions share facts."""
     bases = {
         parameter.place.path: parameter_set.base
         for parameter_set in device.parameters.values()
         for parameter in parameter_set.parameters
     }
     for fact in facts(device):
-        if id(fact) in seen:
+        if id(fact) in visited:
             continue
-        seen.add(id(fact))
+        visited.add(id(fact))
         path, place = fact.place.path, fact.place
         if fact.sources:
             for key in NUMBERS:
@@ -100,8 +100,8 @@ def claims_of(device: Device, seen: set[int]) -> Iterator[Claim]:
         if isinstance(fact, Register):
             for number, source in enumerate(fact.element_sources):
                 address = fact.address + number * fact.stride
-                at = f"{path}/{fact.index_from + number}"
-                yield Claim(at, "at", str(address), place["at"], (source,), (address,))
+                element_path = f"{path}/{fact.index_from + number}"
+                yield Claim(element_path, "at", str(address), place["at"], (source,), (address,))
     for table in device.tables.values():
         for element in table.elements:
             address = table.address(element.index)
@@ -147,8 +147,8 @@ def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
         if not own or not f"{dirname(fact.place[key].file.path)}/".startswith(f"{home}/"):
             continue
         text, span = _text(fact.place[key]), fact.place[key]
-        again = (source for claim in fact.restated if key in claim.values for source in claim.sources)
-        sources = (*fact.sources, *again)
+        restated_sources = (source for claim in fact.restated if key in claim.values for source in claim.sources)
+        sources = (*fact.sources, *restated_sources)
         if key != SIGN:
             yield from (
                 Claim(fact.place.path, key, number, span, sources, means)

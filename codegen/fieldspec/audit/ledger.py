@@ -63,7 +63,7 @@ def ledger(subject: Subject) -> Section:
     verdicts = Counter(verdict(proof) for proof in proofs)
     figures = [
         Figure("errata", len(proofs)),
-        *(Figure(what, verdicts[kind], len(proofs), kind == "proven" or None) for kind, what in _FIGURES.items()),
+        *(Figure(text, verdicts[kind], len(proofs), kind == "proven" or None) for kind, text in _FIGURES.items()),
     ]
     if verdicts[UNPROVEN]:
         figures.append(Figure("errata whose proof does not fail", verdicts[UNPROVEN], len(proofs), False))

@@ -87,14 +87,14 @@ class Detection:
         first = sample.at_rows(is_first)
         np.minimum(first.size, left[is_first], out=first.size)
         framed = {name: _bytes_of(streams, *link.frames_anywhere(first)) for name, link in self.links.items()}
-        most = _bytes_of(streams, first)
+        sample_bytes = _bytes_of(streams, first)
         for place, stream in enumerate(streams.tolist()):
             sizes = {name: (framed if is_open[place] else whole)[name][place] for name in self.links}
-            fitting = [name for name in self.links if whole[name][place] or 2 * sizes[name] > most[place]]
+            fitting = [name for name in self.links if whole[name][place] or 2 * sizes[name] > sample_bytes[place]]
             if fitting:
                 self.link_of[stream] = max(fitting, key=sizes.__getitem__)
                 self.foreign.discard(stream)
-            elif count[place] == SAMPLE or most[place] >= SAMPLE_BYTES:
+            elif count[place] == SAMPLE or sample_bytes[place] >= SAMPLE_BYTES:
                 self.foreign.add(stream)
 
 

@@ -44,8 +44,8 @@ class Payloads:
     @staticmethod
     def of_columns(buffer: Bytes, columns: Sequence[Numbers], carrier: Carriers, follows_loss: Mask) -> Payloads:
         """Payloads from the columns of numbers in their order."""
-        at, size, time, packet, stream, direction = columns
-        return Payloads(buffer, at, size, time, packet, stream, direction, carrier, follows_loss)
+        offsets, size, time, packet, stream, direction = columns
+        return Payloads(buffer, offsets, size, time, packet, stream, direction, carrier, follows_loss)
 
     def __len__(self) -> int:
         return len(self.at)

@@ -191,17 +191,17 @@ class RegisterRows:
         words = np.array([word for access in accesses for word in access.words], f">u{unit}")
         buffer = np.append(words.view(np.uint8), np.uint8(0))
         count = numbers([len(access.words) for access in accesses])
-        at = unit * (np.cumsum(count) - count)
+        offsets = unit * (np.cumsum(count) - count)
         address = numbers([access.address for access in accesses])
         writes = np.array([access.place[3] == "write" for access in accesses])
-        rows = device.maps[space].rows(buffer, Accesses(np.arange(size), address, count, at, unit * count, writes))
+        rows = device.maps[space].rows(buffer, Accesses(np.arange(size), address, count, offsets, unit * count, writes))
         names, units = device.register_names(space, rows.register)
         operations = np.array([device.place("read"), device.place("write")], np.int32)
-        none, many = np.full(size, NONE, np.int32), np.full(len(names), device.place(space), np.int32)
+        none, space_column = np.full(size, NONE, np.int32), np.full(len(names), device.place(space), np.int32)
         values = ValueTable(
-            rows.frame, operations[rows.is_write.astype(np.int8)], many, rows.address, names, units, rows.values
+            rows.frame, operations[rows.is_write.astype(np.int8)], space_column, rows.address, names, units, rows.values
         )
-        data = gathered(buffer, at, unit * count)
+        data = gathered(buffer, offsets, unit * count)
         frames = FrameTable(
             np.arange(self.frame + 1, self.frame + 1 + size), numbers([access.line for access in accesses]),
             numbers([access.place[0] for access in accesses]), none, none, none, none, none,

@@ -57,9 +57,9 @@ class Lines:
         line = b"" if self.losses else self.readline(LONGEST_LINE)
         self.position += len(line)
         if len(line) == LONGEST_LINE and not line.endswith(b"\n"):
-            more = self.readline(BATCH)
-            self.position += len(more)
-            if len(more) == BATCH and not more.endswith(b"\n"):
+            line_rest = self.readline(BATCH)
+            self.position += len(line_rest)
+            if len(line_rest) == BATCH and not line_rest.endswith(b"\n"):
                 self.losses[f"behind {BATCH} bytes without the end of a line"] += self.rest()
         return line
 

@@ -54,12 +54,12 @@ def _of_field(
 ) -> Iterator[Diagnostic]:
     """The findings of the exponent of a field, which is another field or a register. `tables` have its record."""
     name = field.value.scale_by if field.value is not None else ""
-    beside, register = layer.named(name), registers.get(name)
-    if beside is not None and register is not None:
+    sibling, register = layer.named(name), registers.get(name)
+    if sibling is not None and register is not None:
         text = f"both a field of {layer.name} and a register have the name {name}"
         yield finding(_CODE, field.place, "scale_by", text, "rename one of them")
-    elif beside is not None:
-        yield from _unfit(field, beside, _no_exponent_beside(field, beside))
+    elif sibling is not None:
+        yield from _unfit(field, sibling, _no_exponent_beside(field, sibling))
     elif register is not None:
         wrong = _no_register(register)
         for table in tables:
@@ -81,9 +81,9 @@ def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
 
 def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Iterator[Diagnostic]:
     if wrong:
-        what = "register" if isinstance(exponent, Register) else "field"
+        kind = "register" if isinstance(exponent, Register) else "field"
         text = f"{exponent.name} cannot be the exponent of {fact.name}: {wrong}"
-        yield finding(_CODE, fact.place, "scale_by", text, f"name the {what} with the power of ten")
+        yield finding(_CODE, fact.place, "scale_by", text, f"name the {kind} with the power of ten")
 
 
 def _no_exponent(device: Device, register: Register, exponent: Register) -> str:

@@ -34,12 +34,12 @@ def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
     starts = _starts(device, sizes)
     for layer in layers(device):
-        begins = starts[layer.name] if device.records.get(layer.name) is layer else [0]
+        layer_starts = starts[layer.name] if device.records.get(layer.name) is layer else [0]
         for field, offset in sizes.offsets(layer):
             for place, key, printed in _printed(field):
-                fitting = (_spans(field, start + offset, sizes, _UNITS[key][1]) for start in begins)
+                fitting = (_spans(field, start + offset, sizes, _UNITS[key][1]) for start in layer_starts)
                 if not any(printed in spans for spans in fitting):
-                    first = _spans(field, begins[0] + offset, sizes, _UNITS[key][1])
+                    first = _spans(field, layer_starts[0] + offset, sizes, _UNITS[key][1])
                     yield _finding(field, place, key, printed, first)
 
 
@@ -56,12 +56,12 @@ def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
 
 def _spans(field: Field, offset: int, sizes: RecordSizes, unit: int) -> list[_Span]:
     """The first and last unit of a field, counted from 1; those of a repeated one for each number of elements."""
-    both = sizes.field(field)
-    if both is None or offset % unit:
+    bounds = sizes.field(field)
+    if bounds is None or offset % unit:
         return []
     ends: set[int] = set()
     for element in sizes.elements(field) or (1,):
-        low, high = both
+        low, high = bounds
         if field.repeat is not None:
             low, high = field.repeat.low * element, field.repeat.high * element
         elif field.choice is not None:

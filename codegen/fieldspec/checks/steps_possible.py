@@ -55,11 +55,11 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
     for message in sorted(known) or [""]:
         targets = operands.target(step.target, message)
         if len(targets) != 1:
-            where = f" in {message}" if message else ""
-            text = f"there is no `{step.target}`{where}"
+            place_text = f" in {message}" if message else ""
+            text = f"there is no `{step.target}`{place_text}"
             help = "add this role to a fact, or name a fact by its path"
             if targets:
-                text = f"{enumeration([operand.path for operand in targets])} are `{step.target}`{where}"
+                text = f"{enumeration([operand.path for operand in targets])} are `{step.target}`{place_text}"
                 help = "name one of them by its path"
             yield finding(_RULE, step.place, step.action, text, help)
             return

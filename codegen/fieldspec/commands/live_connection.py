@@ -171,16 +171,16 @@ def _client(
 
 def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Namespace) -> int:
     """The unit address: the one that is asked for, or the lowest of the link, which it says. Raises UsageError."""
-    addresses, asked = chosen.link.unit_addresses, arguments.unit
+    addresses, requested = chosen.link.unit_addresses, arguments.unit
     ranges = addresses.ranges if addresses is not None else None
     if chosen.request.role("unit_address") is None:
-        if asked is not None:
+        if requested is not None:
             raise UsageError(f"requests on {chosen.name} have no unit address; leave out --unit")
         return usual_unit_address(layout)
-    if asked is not None:
-        if ranges is not None and asked not in ranges:
-            raise UsageError(f"the unit address {asked} is not in {ranges.text()}")
-        return int(asked)
+    if requested is not None:
+        if ranges is not None and requested not in ranges:
+            raise UsageError(f"the unit address {requested} is not in {ranges.text()}")
+        return int(requested)
     unit = usual_unit_address(layout)
     if ranges is not None and unit not in ranges:
         unit = ranges.low

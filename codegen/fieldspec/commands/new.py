@@ -124,10 +124,10 @@ def _folder(specs_option: str | None) -> Path:
 
     Specs of a parent folder are taken where there is no `specs` here.
     """
-    named = specs_option or os.environ.get(specs.VARIABLE)
-    if named and not Path(named).exists():
-        return Path(named)
-    if not named and Path(specs.FOLDER).is_dir():
+    stated_folder = specs_option or os.environ.get(specs.VARIABLE)
+    if stated_folder and not Path(stated_folder).exists():
+        return Path(stated_folder)
+    if not stated_folder and Path(specs.FOLDER).is_dir():
         return Path(specs.FOLDER)
     folder = spec_files.folder_or_none(specs_option)
     return Path(specs.FOLDER if folder in (None, INSTALLED) else folder)
@@ -160,14 +160,14 @@ def _overlays(path: Path) -> Iterator[str]:
     tree = typed(node)[0] if node is not None else None
     if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
         raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
-    for section, needed in _CITED.items():
+    for section, required_keys in _CITED.items():
         items = list(mappings(tree.values.get(section)))
         if items:
             yield f"{section}:"
         for item in items:
-            more = "".join(f", {key}: {_needed(item, key)}" for key in needed if key in item.values)
+            keys_text = "".join(f", {key}: {_needed(item, key)}" for key in required_keys if key in item.values)
             order = ", word_order: big" if section == "links" else ""
-            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{more}}}"
+            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{keys_text}}}"
     yield from _spaces(list(mappings(tree.values.get("messages"))))
 
 
@@ -191,8 +191,8 @@ def _spaces(messages: list[Mapping]) -> Iterator[str]:
     if any(units):
         yield "spaces:"
         for name, unit in units.items():
-            more = ", unit: bit" if unit == BIT else ""
-            yield f"  - {{name: {name or 'registers'}, first_number: 0{more}, source: 1 L1}}"
+            unit_key = ", unit: bit" if unit == BIT else ""
+            yield f"  - {{name: {name or 'registers'}, first_number: 0{unit_key}, source: 1 L1}}"
 
 
 def _unit(message: Mapping, access: Mapping) -> str:
@@ -209,12 +209,12 @@ def _text(mapping: Mapping, key: str) -> str:
     return scalar.text if isinstance(scalar, Scalar) else ""
 
 
-def _fits(text: str, form: str, what: str) -> None:
+def _fits(text: str, form: str, subject: str) -> None:
     part = schema()["$defs"][form]
     if fault := file_name_fault(text):
-        raise UsageError(f"{text} is not a valid name of {what}: it {fault}; choose another one")
+        raise UsageError(f"{text} is not a valid name of {subject}: it {fault}; choose another one")
     if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
-        raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
+        raise UsageError(f"{text} is not a valid name of {subject}: {part['description']}")
 
 
 def _fill_skeleton(skeleton: str, **words: str) -> str:

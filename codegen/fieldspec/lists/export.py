@@ -54,7 +54,7 @@ def _scale(value: Value) -> Cell:
 def row(item: Item) -> dict[str, Cell]:
     """The cells of an item by column; None is empty."""
     value, source = item.value, item.source
-    many = item.count > 1
+    is_list = item.count > 1
     ranges = None if value is None else value.writable_ranges
     return {
         "space": item.space,
@@ -72,9 +72,9 @@ def row(item: Item) -> dict[str, Cell]:
         "max": ranges.high if ranges else None,
         "default": value.default if value else None,
         "const": value.const if value else None,
-        "count": item.count if many else None,
-        "stride": item.stride if many and item.stride else None,
-        "first": item.first if many and item.stride else None,
+        "count": item.count if is_list else None,
+        "stride": item.stride if is_list and item.stride else None,
+        "first": item.first if is_list and item.stride else None,
         "printed_name": item.printed_name or None,
         "label": item.label or None,
         "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,

@@ -134,20 +134,20 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
         if own is None:
             yield f"{name}[{index}]", row, row.value, index
         elif not own.reserved:
-            several = own.indices.low != own.indices.high
-            yield f"{name}.{own.name}" + (f"[{index}]" if several else ""), own, own.value, index
+            is_series = own.indices.low != own.indices.high
+            yield f"{name}.{own.name}" + (f"[{index}]" if is_series else ""), own, own.value, index
 
 
 def _parts(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     """The parts of a response that say something about the device, such as a status."""
     query = next((own.name for own in link.exchanged.values() if reads_state(layout, own)), "")
-    asked = {part.name for part in link.request.parts}
+    request_names = {part.name for part in link.request.parts}
     for part in link.response.header:
         if (
             query
             and part.role == "plain"
             and part.constant is None
-            and (part.part.same_as or part.name) not in asked
+            and (part.part.same_as or part.name) not in request_names
             and part.value is not None
         ):
             yield Signal(part.name, part.part, part.value, part.order, False, query=query)
@@ -170,9 +170,9 @@ def parameter_message(
         pieces = message.message.segments
         if pieces is not None and not pieces.reads and operation == "write":
             beginning.append(message)
-        sent = part_of(message.request, "value")
-        carried = sent or part_of(message.response, "value")
-        if (sent is not None) != (operation == "write") or carried is None:
+        sent_field = part_of(message.request, "value")
+        carried = sent_field or part_of(message.response, "value")
+        if (sent_field is not None) != (operation == "write") or carried is None:
             continue
         follows = pieces is not None and pieces.reads
         if size is None or not carried.carries_bytes or carries(carried, size) or follows:

@@ -103,8 +103,8 @@ class RegisterAccess:
 
     def harmless(self) -> list[Placed]:
         """Everything that the read plan reads."""
-        every = [pair for pair in self._items if not pair[1].reserved]
-        planned = [block for block in blocks(self._usual, every) if all(map(_is_harmless, block.occupants))]
+        placed_items = [pair for pair in self._items if not pair[1].reserved]
+        planned = [block for block in blocks(self._usual, placed_items) if all(map(_is_harmless, block.occupants))]
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
@@ -209,12 +209,12 @@ class RegisterAccess:
 
     def _with_exponents(self, items: Iterable[Placed]) -> list[Placed]:
         """Items and what has the exponents of their scales, each once."""
-        every = {self.path(item): item for item in items}
-        for space, occupant in list(every.values()):
+        items_by_path = {self.path(item): item for item in items}
+        for space, occupant in list(items_by_path.values()):
             exponent = exponent_of_occupant(self.layout, occupant)
             if exponent is not None:
-                every.setdefault(exponent.path, (space, exponent))
-        return list(every.values())
+                items_by_path.setdefault(exponent.path, (space, exponent))
+        return list(items_by_path.values())
 
     def _scaled(self, item: Placed, by_path: Mapping[str, Reading]) -> Reading:
         """What was read of an item, as a quantity where the exponent of its scale was read, too."""

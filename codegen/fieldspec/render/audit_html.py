@@ -31,11 +31,11 @@ def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> I
     """A table in pieces; `links` lead from paths of facts to where they are documented."""
     anchor, title = f"{section}-{table.name}", escaped(clean(table.title))
     marked = any(table.kinds)
-    full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
-    texts = {at: [clean(cell_text(row[at])) for row in table.rows] for at in full}
+    full = [index for index in range(len(table.columns)) if any(row[index] not in (None, "") for row in table.rows)]
+    texts = {index: [clean(cell_text(row[index])) for row in table.rows] for index in full}
     column_widths = _column_widths(table, texts, marked) if len(full) >= BROAD else ()
     widths = "".join([f'<col class="w{share}">' for share in column_widths])
-    headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, at)))}</th>' for at in full])
+    headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, index)))}</th>' for index in full])
     standing = '<th scope="col"><span class="said">standing</span></th>' if marked else ""
     broad = ' class="broad"' if column_widths else ""
     yield f'<div class="scroll" role="group" aria-labelledby="{anchor}-title" tabindex="0">\n'
@@ -46,15 +46,15 @@ def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> I
     yield "</tbody>\n</table>\n</div>\n"
 
 
-def _heading(table: SectionTable, at: int) -> str:
-    return table.columns[at].replace("_", " ")
+def _heading(table: SectionTable, index: int) -> str:
+    return table.columns[index].replace("_", " ")
 
 
 def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
     """The width of each column in percent, as `12-5`: room for its longest word, and more the longer its texts are."""
     needs, wishes = ([_EDGES], [0]) if marked else ([], [])
-    for at, cells in cell_texts.items():
-        texts = [_heading(table, at), *cells]
+    for index, cells in cell_texts.items():
+        texts = [_heading(table, index), *cells]
         longest = max(map(len, _LETTERS.findall(" ".join(texts))), default=0)
         room = min(longest, _WORD)
         needs.append(room + _EDGES)
@@ -64,9 +64,9 @@ def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]],
     return tuple(f"{100 * width / sum(widths):.1f}".replace(".", "-") for width in widths)
 
 
-def _counts(table: SectionTable, at: int) -> bool:
+def _counts(table: SectionTable, index: int) -> bool:
     """Whether a column has only numbers."""
-    cells = [row[at] for row in table.rows if row[at] is not None]
+    cells = [row[index] for row in table.rows if row[index] is not None]
     return bool(cells) and all(isinstance(cell, int) for cell in cells)
 
 
@@ -75,9 +75,9 @@ def _rows(
 ) -> Iterator[str]:
     """The rows, with the columns that are not empty."""
     columns = []
-    for at, column_texts in texts.items():
-        style = ' class="number"' if _counts(table, at) else ""
-        cells = zip((cells[at] for cells in table.rows), column_texts, strict=True)
+    for index, column_texts in texts.items():
+        style = ' class="number"' if _counts(table, index) else ""
+        cells = zip((cells[index] for cells in table.rows), column_texts, strict=True)
         columns.append([f"<td{style}>{_cell(cell, text, links)}</td>" for cell, text in cells])
     for number, row in enumerate(zip(*columns, strict=True)):
         kind = table.kinds[number] if table.kinds else ""
@@ -157,8 +157,8 @@ def _entry(section: Section) -> str:
             *((table, "-folded") for table in _tables(section, True)),
         )
     ]
-    within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
-    return f'<li><a href="#{section.name}">{_visible(section.title)}</a>\n{within}</li>\n'
+    inner_list = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
+    return f'<li><a href="#{section.name}">{_visible(section.title)}</a>\n{inner_list}</li>\n'
 
 
 def _tables(section: Section, folded: bool) -> list[SectionTable]:
@@ -208,8 +208,8 @@ def _questions(section: Section) -> str:
     return f"The manual leaves {_many(section.questions, 'question')} open"
 
 
-def _many(number: int, what: str) -> str:
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+def _many(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def _glance(section: Section) -> str:
@@ -243,9 +243,9 @@ def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
         yield from table_html(section.name, table, links)
         yield "\n"
     for table in _tables(section, True):
-        many = len(table.rows)
-        yield f'<details id="{_anchor(section, table)}-folded"{" open" if many <= OPEN else ""}>\n'
-        yield f"<summary>{_visible(table.title)} ({_many(many, 'row')})</summary>\n"
+        row_count = len(table.rows)
+        yield f'<details id="{_anchor(section, table)}-folded"{" open" if row_count <= OPEN else ""}>\n'
+        yield f"<summary>{_visible(table.title)} ({_many(row_count, 'row')})</summary>\n"
         yield from table_html(section.name, table, links)
         yield "\n</details>\n"
     yield "</section>\n"

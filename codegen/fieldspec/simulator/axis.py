@@ -98,8 +98,8 @@ class Axis:
 
     def speed(self, now: float) -> float:
         """The speed at a time, negative where the position decreases."""
-        at = self.ramp(now)
-        return at[0].speed(at[1]) if at else 0.0
+        current = self.ramp(now)
+        return current[0].speed(current[1]) if current else 0.0
 
     def move(self, now: float, goal: float, speed: float, rise: float, fall: float, limits: Limits, kind: str) -> None:
         """Begins to move to a position. A speed of 0 leaves the axis at rest."""
@@ -168,8 +168,10 @@ def _ramps(distance: float, present: float, speed: float, rise: float, fall: flo
         distance, present = distance - braking, 0.0
     sign = copysign(1.0, distance)
     length, begin = abs(distance), abs(present)
-    both = rise + fall
-    peak = min(speed, sqrt(max(0.0, (length + begin * begin * rise / 2) * 2 / both))) if both else speed
+    rise_and_fall = rise + fall
+    peak = (
+        min(speed, sqrt(max(0.0, (length + begin * begin * rise / 2) * 2 / rise_and_fall))) if rise_and_fall else speed
+    )
     slope = rise if peak >= begin else fall
     first = Ramp(abs(peak - begin) * slope, sign * begin, sign * peak)
     last = Ramp(peak * fall, sign * peak, 0.0)
