@@ -129,7 +129,7 @@ def _left_out(omissions: Sequence[Omission], text: str) -> Omission | None:
 
 
 def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Match]]:
-    """The matches of patterns in a line."""
+    """The matches of patterns in a line, each with its pattern."""
     for pattern in patterns:
         if pattern.row is not None:
             match = pattern.row.find(text)

@@ -282,7 +282,7 @@ def _is_among(row: FactRow, cell: str, value: PieceValue) -> bool:
 
 
 def _in_text(row: FactRow, value: PieceValue) -> bool:
-    """Whether a text of a fact has a number."""
+    """Whether a text of a fact contains a number."""
     means = _means(value)
     for key in ("printed_name", "label", "ranges", "name"):
         text = row[key]

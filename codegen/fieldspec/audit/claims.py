@@ -87,7 +87,12 @@ def claims_of(device: Device, visited: set[int]) -> Iterator[Claim]:
             for key in NUMBERS:
                 if key in place and not (key == "bits" and isinstance(fact, Flags)):
                     yield Claim(
-                        path, key, _text(place[key]), place[key], fact.sources, _means(fact, key, bases.get(path, 0))
+                        path,
+                        key,
+                        _span_text(place[key]),
+                        place[key],
+                        fact.sources,
+                        _means(fact, key, bases.get(path, 0)),
                     )
             if "printed_name" in place:
                 yield Claim(path, "printed_name", fact.printed_name, place["printed_name"], fact.sources)
@@ -129,7 +134,7 @@ def _means(fact: Fact, key: str, base: int) -> tuple[int, ...]:
     return (fact.value,) if isinstance(fact, Member) and key == "value" else ()
 
 
-def _text(span: Span) -> str:
+def _span_text(span: Span) -> str:
     return span.file.text[span.start : span.end].strip("\"'")
 
 
@@ -146,7 +151,7 @@ def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
         own = key in fact.place and key not in fact.inferred and key not in fact.standard
         if not own or not f"{dirname(fact.place[key].file.path)}/".startswith(f"{home}/"):
             continue
-        text, span = _text(fact.place[key]), fact.place[key]
+        text, span = _span_text(fact.place[key]), fact.place[key]
         restated_sources = (source for claim in fact.restated if key in claim.values for source in claim.sources)
         sources = (*fact.sources, *restated_sources)
         if key != SIGN:

@@ -180,7 +180,7 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 
 def detection(subject: Subject) -> Section:
-    """The section about blind detection."""
+    """The section about the misprints that checks find without their errata."""
     return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.known))
 
 
@@ -249,13 +249,13 @@ def _why(erratum: Erratum) -> str:
 
 
 def _details(detections: Sequence[Detection]) -> SectionTable:
-    rows = tuple(_row(detection) for detection in detections)
+    rows = tuple(_detection_row(detection) for detection in detections)
     columns = ("effect", "erratum", "misprint", "fact", "found_by", "finding", "together")
     kinds = tuple("good" if detection.alone else "" for detection in detections)
     return SectionTable("detections", "All errata, and what finds them", columns, rows, kinds, detail=True)
 
 
-def _row(detection: Detection) -> tuple[Cell, ...]:
+def _detection_row(detection: Detection) -> tuple[Cell, ...]:
     erratum = detection.erratum
     message = next(_first(detection), None)
     checks = ", ".join(detection.checks) or None

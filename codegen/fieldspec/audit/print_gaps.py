@@ -44,7 +44,7 @@ def _empty_cells_of_values(device: Device, index: ManualIndex) -> Iterator[Empty
     tables: dict[str, list[tuple[Fact, str, list[str]]]] = {}
     for fact in facts(device):
         if isinstance(fact, Member | Bit) and "source" in fact.place:
-            row = _row(fact, index)
+            row = _cited_line(fact, index)
             if row:
                 cells = [cell.strip() for cell in row.split(CELL.strip())]
                 tables.setdefault(fact.place.path.rpartition("/")[0], []).append((fact, row, cells))
@@ -110,7 +110,7 @@ def _bare(text: str) -> str:
     return "".join(unicodedata.normalize("NFKC", text).replace("|", "").split())
 
 
-def _row(fact: Fact, index: ManualIndex) -> str:
+def _cited_line(fact: Fact, index: ManualIndex) -> str:
     """The index line of a fact that cites a single line; else empty."""
     lines = [interval for source in fact.sources for interval in source.lines]
     if len(lines) != 1 or lines[0][0] != lines[0][1] or not 0 < lines[0][0] <= len(index.lines):

@@ -54,7 +54,7 @@ class DumpValue:
 
     @property
     def text(self) -> str:
-        """The meaning in a few words."""
+        """The meaning of the value in a few words."""
         names = [meaning.name or f"bit {meaning.bits}" for meaning in self.decoded.meanings]
         if self.value.flags:
             return "[" + ", ".join(names) + "]"
@@ -300,7 +300,7 @@ def _findings(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> 
 
 
 def _wrong(read: DumpValue, span: Span) -> Iterator[Diagnostic]:
-    """The findings about one value."""
+    """The findings about a value of the dump."""
     if read.decoded.reason:
         raw_text = read.number.hex(" ") if isinstance(read.number, bytes) else read.number
         text = f"{read.name} is {raw_text}; it {read.decoded.verdict.removeprefix('wrong: ')}"

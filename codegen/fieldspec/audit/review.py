@@ -74,7 +74,7 @@ class State:
 
     @property
     def hash(self) -> str:
-        """One hash of the whole state."""
+        """A hash of all facts of the state."""
         return state_hash(self.digests)
 
 
@@ -111,7 +111,7 @@ class SectionChanges:
 
     @property
     def same(self) -> bool:
-        """Whether nothing has changed."""
+        """Whether no fact has changed."""
         return not self.changed and not self.gone and not self.other_manual
 
 
@@ -332,14 +332,14 @@ def _sections(sections: Sequence[ReviewedSection]) -> SectionTable:
             rows.append((section.section, section.facts, "", "", "nobody has compared it"))
             kinds.append("warning")
         for review, since in section.reviews:
-            rows.append((section.section, section.facts, review.by, review.date, _text(since)))
+            rows.append((section.section, section.facts, review.by, review.date, _changes_text(since)))
             kinds.append("good" if since.same else "")
     return SectionTable(
         "reviewed", "By section", ("section", "facts", "by", "date", "since"), tuple(rows), tuple(kinds)
     )
 
 
-def _text(since: SectionChanges) -> str:
+def _changes_text(since: SectionChanges) -> str:
     """The changes since a review in a few words."""
     if since.same:
         return "as it was"

@@ -49,7 +49,7 @@ class SourcedFact:
 
     @property
     def standing(self) -> str:
-        """One of STANDINGS."""
+        """How the fact is founded, one of STANDINGS."""
         if not self.sources:
             return NOWHERE
         if not self.restated:

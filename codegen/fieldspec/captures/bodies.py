@@ -167,7 +167,7 @@ class BodyReader:
     def _list_images(
         self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
-        """The same of bodies with fields behind lists; and what is known of these."""
+        """The images of bodies with fields behind lists, their offsets and sizes, and the rooms of the lists."""
         images: list[bytes] = []
         sizes = np.zeros(len(offsets), np.int64)
         inner = self.record.inner_lists
@@ -340,7 +340,7 @@ def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:
 
 
 def values_at(values: ValueColumns, rows: Numbers | Mask) -> ValueColumns:
-    """Some rows of decoded values."""
+    """The decoded values in some rows, as columns of their own."""
     names = ("raw", "has_raw", "quantity", "has_quantity", "text", "verdict")
     return ValueColumns(*(getattr(values, name)[rows] for name in names))
 
@@ -351,5 +351,5 @@ def blame(verdict: npt.NDArray[np.int8], rows: Mask, number: int) -> None:
 
 
 def blame_rows(verdict: npt.NDArray[np.int8], rows: Numbers, number: int) -> None:
-    """The same for rows."""
+    """Gives frames in some rows a verdict that have none other yet."""
     verdict[rows[verdict[rows] == OK]] = number

@@ -27,7 +27,7 @@ def are_right(part: PartLayout, buffer: Bytes, offsets: Numbers, length: Numbers
 
 
 def _each(part: PartLayout, buffer: Bytes, start: Numbers, sizes: Numbers, place: Numbers) -> Mask:
-    """The same for checksums that are rare, one by one."""
+    """Whether frames carry the right checksum, computed frame by frame, for checksums that are rare."""
     data = buffer.tobytes()
     spans = zip(start.tolist(), sizes.tolist(), place.tolist(), strict=True)
     return np.array(

@@ -18,7 +18,7 @@ NO_TIME = int(np.iinfo(np.int64).min)
 
 
 def numbers(values: object) -> Numbers:
-    """Whole numbers as a column."""
+    """A column of whole numbers."""
     return np.asarray(values, dtype=np.int64)
 
 

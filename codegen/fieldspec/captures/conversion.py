@@ -97,7 +97,7 @@ class Conversion:
         yield self.decoder.rest()
 
     def state(self) -> dict[str, Any]:
-        """Where it stands, as data that JSON can hold."""
+        """The state of the conversion, as data that JSON can express."""
         return {
             "kind": self.kind,
             "source": self._own.state(),

@@ -72,16 +72,16 @@ class Cutter:
         return bool(self.framers)
 
     def state(self) -> list[Any]:
-        """What another cutter needs to go on."""
+        """The state from which another cutter continues."""
         return [[*key, data.hex(), marks] for key, (data, marks) in self.pending.items()]
 
     def restore(self, state: list[Any]) -> None:
-        """Goes on where another cutter was."""
+        """Continues from the state of another cutter."""
         for stream, direction, data, marks in state:
             self.pending[stream, direction] = bytes.fromhex(data), [(mark[0], mark[1], mark[2]) for mark in marks]
 
     def is_waiting(self, stream: int, direction: int) -> bool:
-        """Whether bytes of a stream wait."""
+        """Whether bytes of a stream are pending until the rest of their frame comes."""
         return (stream, direction) in self.pending
 
     def feed(
@@ -98,7 +98,7 @@ class Cutter:
         return pieces + self._cut(key, joined, [*marks, (len(joined), time, packet)], False)
 
     def finish(self) -> list[Piece]:
-        """What is left at the end of a source."""
+        """The pieces of the pending bytes at the end of a source."""
         waiting, self.pending = self.pending, {}
         return [piece for key, (data, marks) in waiting.items() for piece in self._cut(key, data, marks, True)]
 

@@ -174,7 +174,7 @@ class Decoder:
         result.has_quantity[:] = quantities[places]
 
     def _by_memory(self, raw: Numbers, result: ValueColumns) -> None:
-        """The same for wide values, each distinct one once."""
+        """Looks names and verdicts of wide values up, each distinct value once."""
         distinct, places = np.unique(raw, return_inverse=True)
         rows = [self._recalled(number) for number in distinct.tolist()]
         result.text[:] = np.array([row[0] for row in rows], np.int32)[places]

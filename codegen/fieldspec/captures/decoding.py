@@ -68,7 +68,7 @@ class ValueTable:
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Frames and their values."""
+    """The tables of frames and of their values."""
 
     frames: FrameTable
     values: ValueTable
@@ -146,7 +146,7 @@ class SourceDecoder:
         self.skipped: dict[str, int] = {}
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another decoder continues."""
         return {
             "number": self.number,
             "detection": self.detection.state(),
@@ -154,7 +154,7 @@ class SourceDecoder:
         }
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Goes on where another object was."""
+        """Continues from the state of another decoder."""
         self.number = state["number"]
         self.detection.restore(state["detection"])
         for name, link in self.links.items():
@@ -185,7 +185,7 @@ class SourceDecoder:
         return batches
 
     def rest(self) -> list[Batch]:
-        """What is left at the end of the source."""
+        """The batches of the payloads that are pending at the end of the source."""
         self._skip_foreign(self.detection.rest())
         return [batch for link in self.links.values() for batch in self._batch(link, link.rest())]
 
@@ -203,7 +203,7 @@ class SourceDecoder:
 
 
 def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, numbers_of: Numbers, names: Names) -> Batch:
-    """The columns of both tables."""
+    """The tables of frames and of values of the decoded frames of a link."""
     rows, payloads = decoded.rows, decoded.payloads
     messages = list(link.link.messages.values())
     message_places = np.array([*(device.texts.place(message.name) for message in messages), NONE], np.int32)
@@ -243,7 +243,7 @@ def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, number
 
 
 def _numbers_as_text(device: DeviceDecoder, values: ValueColumns) -> Texts:
-    """Numbers without names as texts."""
+    """The texts of numbers that have no names."""
     return np.array([device.texts.place(str(number)) for number in values.raw.tolist()], np.int32)
 
 

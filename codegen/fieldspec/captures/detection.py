@@ -36,11 +36,11 @@ class Detection:
         self.waiting = payloads_of([])
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another detection continues."""
         return {"link_of": self.link_of, "foreign": sorted(self.foreign), "waiting": self.waiting.state()}
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Goes on where another object was."""
+        """Continues from the state of another detection."""
         self.link_of = {int(stream): link for stream, link in state["link_of"].items()}
         self.foreign = set(state["foreign"])
         self.waiting = Payloads.of_state(state["waiting"])
@@ -99,7 +99,7 @@ class Detection:
 
 
 def _bytes_of(streams: Numbers, *parts: Payloads) -> Numbers:
-    """The bytes of payloads by stream."""
+    """The number of bytes of payloads in each stream."""
     sizes = np.zeros(len(streams), np.int64)
     for part in parts:
         np.add.at(sizes, np.searchsorted(streams, part.stream), part.size)

@@ -25,7 +25,7 @@ _REMARKS = {
 
 
 class CaptureAudit:
-    """The sections of the report on captures."""
+    """The sections of the report on what captures show of a device."""
 
     def __init__(self, device: DeviceDecoder, observations: Observations) -> None:
         self.layout: DeviceLayout = device.layout
@@ -161,7 +161,7 @@ class CaptureAudit:
         )
 
     def wear(self) -> Section:
-        """Writes to memory that wears out."""
+        """The section about writes to memory that wears out."""
         rows: list[tuple[Cell, ...]] = []
         days = self._days()
         for use in sorted(self.seen.registers.values(), key=_by_address):
@@ -228,10 +228,10 @@ def _by_address(use: RegisterUse) -> tuple[str, int, str, str]:
 def _bounds(use: RegisterUse) -> tuple[Cell, Cell]:
     """The least and the greatest quantity; raw values where there are no quantities."""
     pair = (use.low, use.high) if use.low is not None else (use.raw_low, use.raw_high)
-    return (_number(pair[0]), _number(pair[1]))
+    return (_number_cell(pair[0]), _number_cell(pair[1]))
 
 
-def _number(number: float | None) -> Cell:
+def _number_cell(number: float | None) -> Cell:
     if number is None or isinstance(number, int):
         return number
     return int(number) if number.is_integer() and abs(number) < 2**53 else real_text(number)

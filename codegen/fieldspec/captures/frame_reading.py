@@ -35,7 +35,7 @@ NONE = -1
 
 @dataclass(frozen=True, slots=True)
 class Spans:
-    """Bytes in a buffer."""
+    """Spans of bytes in a buffer: their offsets and lengths."""
 
     buffer: Bytes
     at: Numbers
@@ -226,7 +226,7 @@ class FrameReader:
         return request_codes
 
     def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
-        """Which frames are exception responses."""
+        """A mask of the frames that are exception responses."""
         if refusal.part:
             part = next(part for part in self.shape.header if part.name == refusal.part)
             number = part_numbers(part, frames.buffer, frames.at + part.offset)
@@ -301,6 +301,6 @@ class FrameReader:
 
 
 def _spans(pieces: list[bytes]) -> Spans:
-    """Pieces one behind another."""
+    """The spans of some pieces in a buffer that has them one behind another."""
     sizes = numbers([len(piece) for piece in pieces])
     return Spans(np.frombuffer(b"".join(pieces) + b"\0", np.uint8), np.cumsum(sizes) - sizes, sizes)

@@ -52,13 +52,13 @@ class LinkDecoder:
         self.asks = names_nothing or bool(link.ambiguous_codes("response"))
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another decoder continues."""
         last = [[stream, *values] for stream, values in self.last.items()]
         columns = [column.tolist() for column in self.open.columns()]
         return {"open": columns, "cutter": self.cutter.state(), "last": last}
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Goes on where another object was."""
+        """Continues from the state of another decoder."""
         self.open = Exchanges(*(numbers(column) for column in state["open"]))
         self.cutter.restore(state["cutter"])
         self.last = {stream: (direction, unit, code) for stream, direction, unit, code in state["last"]}
@@ -73,7 +73,7 @@ class LinkDecoder:
         return self._cut(payloads, cut)
 
     def whole(self, payloads: Payloads) -> Mask:
-        """Which payloads are a valid frame."""
+        """A mask of the payloads that are a valid frame."""
         return _whole(payloads, self._readings(payloads))
 
     def frames_anywhere(self, payloads: Payloads) -> tuple[Payloads, ...]:
@@ -123,7 +123,7 @@ class LinkDecoder:
         return self.cutter.feed(stream, direction, data, time, packet, follows_loss, payloads.carrier[row] == STREAM)
 
     def rest(self) -> Frames:
-        """What is left at the end of the source."""
+        """The frames of the pending bytes at the end of the source."""
         nothing = payloads_of([])
         return _with_pieces(nothing, np.zeros(0, np.bool_), [(0, piece) for piece in self.cutter.finish()])
 
@@ -319,7 +319,7 @@ class _Rows:
         return self.readings[direction][-1][0].frames.buffer if self.readings[direction] else self.payloads.buffer
 
     def take(self, direction: int, reading: Reading, own: Numbers) -> None:
-        """Takes over some rows of a reading."""
+        """Copies some rows of a reading in a direction to the columns."""
         frames, rows = reading.frames, reading.rows[own]
         self.verdict[rows], self.parts[rows], self.body[rows] = frames.verdict[own], frames.at[own], frames.body[own]
         self.unit_address[rows], self.code[rows] = frames.unit_address[own], frames.code[own]
@@ -328,7 +328,7 @@ class _Rows:
         self.readings[direction] = [(reading, own)]
 
     def result(self, direction: Numbers) -> LinkFrames:
-        """The frames as columns."""
+        """The decoded frames as columns."""
         return LinkFrames(self.payloads, direction, self)
 
 

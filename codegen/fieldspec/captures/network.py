@@ -84,7 +84,7 @@ class Segments:
         )  # fmt: skip
 
     def rows(self, rows: Numbers | Mask) -> Segments:
-        """Some of them."""
+        """The segments in some rows."""
         return Segments(*(column[rows] for column in self.columns()))
 
 

@@ -21,7 +21,7 @@ ADDRESSES = 1 << 16
 
 
 def _bare(type_name: str) -> Value:
-    """A value of a type without any meaning."""
+    """A value of a type, without names, ranges or a scale."""
     from decimal import Decimal
 
     kind = PRIMITIVES[type_name]

@@ -62,7 +62,7 @@ class StreamOrder:
                 self.waiting[int(key)] = own
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another object continues."""
         waiting = {
             key: [
                 (segment.sequence, segment.data.hex(), segment.length, segment.time, segment.packet)

@@ -105,5 +105,5 @@ def without(ranges: Ranges, excluded: Ranges) -> Ranges:
 
 
 def text(ranges: Ranges) -> str:
-    """Intervals as the spec writes them."""
+    """The text of intervals as the spec writes them."""
     return "anything" if ranges == ANY else ranges.text()

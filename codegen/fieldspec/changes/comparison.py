@@ -85,7 +85,7 @@ class Rename:
 
 
 class Comparison:
-    """Two versions of a device, paired.
+    """The pairs of corresponding objects in two versions of a device, and the objects that only one version has.
 
     `renames` are the new paths of objects that the spec itself says to have another name, by their old paths.
     `reserved_changes` are the pairs of which one object has a meaning and the other is reserved; nothing else in them

@@ -43,7 +43,7 @@ def change(
 
 
 def kind(item: Any) -> str:
-    """What users call the class of an object."""
+    """The word of users for the class of an object."""
     return MODEL_CLASSES[type(item)].title
 
 

@@ -76,11 +76,11 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
         record = holder if name == step.values else message.request
         field = record.named(name)
         if field is not None:
-            yield from _number(message, field, space, name in carried, name == step.values)
+            yield from _number_findings(message, field, space, name in carried, name == step.values)
     yield from _count(message, step, message.request.named(step.count) if step.count else None)
 
 
-def _number(
+def _number_findings(
     message: Message, field: Field, space: AddressSpace, is_carried: bool, may_be_list: bool
 ) -> Iterator[Diagnostic]:
     """The finding of a field that is no number, or no register where it `is_carried`."""

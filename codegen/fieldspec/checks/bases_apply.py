@@ -43,7 +43,7 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
 
 
 def _no_base(register: Register) -> str:
-    """Why a register has no address of a table; empty where it may."""
+    """The reason why a register cannot have the address of a table; empty where it can."""
     value = register.value
     if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
         return "it is not a whole number without a scale and without names"
@@ -79,7 +79,7 @@ def _no_address(device: Device, table: Table, register: Register, extent: int) -
 
 
 def _detections(device: Device, table: Table) -> Iterator[Diagnostic]:
-    """Versions are told by something at a known address."""
+    """The findings of versions that a value in a table that moves tells."""
     record = device.records.get(table.record)
     paths = {field.place.path for field in record.fields} if record is not None else set()
     for line in device.lines:

@@ -79,7 +79,7 @@ def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Ite
 
 
 def _objection(device: Device, selector: Field) -> str:
-    """Why a field can decide nothing, or an empty text."""
+    """The reason why a field cannot decide another one, or an empty text."""
     value = selector.value
     if value is None or selector.count is not None or selector.repeat is not None:
         return "it is not a single value"

@@ -91,9 +91,9 @@ def _declared(enum: Enum) -> tuple[tuple[int, int], ...] | None:
         match = _INTERVAL.fullmatch(part.strip())
         if match is None:
             return None
-        gaps.append((_number(match[1]), _number(match[2] or match[1])))
+        gaps.append((_parsed_number(match[1]), _parsed_number(match[2] or match[1])))
     return tuple(gaps)
 
 
-def _number(text: str) -> int:
+def _parsed_number(text: str) -> int:
     return int(text, 16) if "x" in text else int(text)

@@ -43,7 +43,7 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
         if example.id in refused:
             continue
         request = example if example.direction == "request" else device.examples.get(example.reply_to)
-        start = _number(device, message, access.start, request) if request is not None else None
+        start = _request_count(device, message, access.start, request) if request is not None else None
         if start is None:
             continue
         if example.direction == "request":
@@ -62,7 +62,7 @@ def _accessed(
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
     carried = len(_data(device, message, example)) // device.space(access.space).unit_size
-    count = carried or _number(device, message, access.count, example) or 1
+    count = carried or _request_count(device, message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
         if occupant.access == _REFUSED[access.operation]:
             deed = "reads" if access.operation == "read" else "writes"
@@ -98,7 +98,7 @@ def _valued(
         yield finding(_CODE, example.place, "values", text, "correct the frame or the range", related_label)
 
 
-def _number(device: Device, message: Message, name: str, example: Example) -> int | None:
+def _request_count(device: Device, message: Message, name: str, example: Example) -> int | None:
     """The count of a field of the request."""
     field = next((field for field in message.request.fields if field.name == name), None)
     return in_counts(device, field.value, example.values.get(name)) if field is not None and field.value else None
@@ -111,7 +111,7 @@ def _bits(device: Device, message: Message, access: RegisterAccess, example: Exa
     value = example.values.get(access.values)
     if access.set is not None:
         return bytes([{access.set: 1, access.clear: 0}[value]]) if value in (access.set, access.clear) else b""
-    count = _number(device, message, access.count, request) if request is not None else None
+    count = _request_count(device, message, access.count, request) if request is not None else None
     if not isinstance(value, list) or not all(isinstance(byte, int) and 0 <= byte <= 0xFF for byte in value):
         return b""
     return bytes(byte >> place & 1 for byte in value for place in range(8))[:count]

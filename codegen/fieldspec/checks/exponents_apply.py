@@ -69,7 +69,7 @@ def _of_field(
 
 
 def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
-    """The findings of what has its scale elsewhere."""
+    """The findings of a value that takes its scale from an exponent and cannot do so."""
     if value.type.kind is not Kind.INTEGER:
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
         yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
@@ -87,7 +87,7 @@ def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> It
 
 
 def _no_exponent(device: Device, register: Register, exponent: Register) -> str:
-    """Why a register is not the exponent of another one; empty where it may be."""
+    """The reason why a register cannot be the exponent of another one; empty where it can."""
     if exponent is register:
         return "it is the register itself"
     if device.space_name(exponent.space) != device.space_name(register.space):
@@ -96,7 +96,7 @@ def _no_exponent(device: Device, register: Register, exponent: Register) -> str:
 
 
 def _no_register(exponent: Register) -> str:
-    """Why a register is no exponent; empty where it may be one."""
+    """The reason why a register cannot be an exponent; empty where it can."""
     if not _is_number(exponent.value):
         return _NO_NUMBER
     if exponent.count > 1:

@@ -103,7 +103,7 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
 
 
 def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
-    """Whether a length part holds what it counts of the frames with some data."""
+    """The findings of a length part that cannot have the length of frames with some data."""
     value, unit, part, frame_name = frame.value, frame.part.unit_size, frame.part, frame.name
     low, high = (value.low, value.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
     related_label = label(part.place, "type", part.name)
@@ -120,7 +120,7 @@ def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
 
 
 def _help(part: Part) -> str:
-    """What to correct for a length part that cannot hold what it counts."""
+    """The help for a length part that cannot have the length of its frames."""
     return "correct `plus`, the number of elements or the type" if part.plus else _HELP
 
 

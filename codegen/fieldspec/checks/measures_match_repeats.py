@@ -40,7 +40,7 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
-    """What a number that encoders compute cannot be."""
+    """The findings of a field that measures another one and is not a number that encoders compute."""
     assert field.measures is not None
     statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
     if value.type.kind is not Kind.INTEGER:

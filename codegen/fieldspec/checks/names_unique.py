@@ -36,7 +36,7 @@ def names_unique(device: Device) -> Iterator[Diagnostic]:
 
 
 def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
-    """Every space of names, with what it holds."""
+    """All spaces of names, each with the names in it and their places."""
     yield "registers", ((register.name, register.place) for register in device.registers())
     yield "groups", ((group.name, group.place) for group in device.groups)
     yield "types", _types(device)

@@ -38,7 +38,7 @@ def numbers_regular(device: Device) -> Iterator[Diagnostic]:
 
 
 def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
-    """Rows that are not where most of them say."""
+    """The findings of rows whose address is not the one that most rows give their number."""
     if len(rows) < 2:
         return
     from fractions import Fraction

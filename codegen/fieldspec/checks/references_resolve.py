@@ -225,7 +225,7 @@ def _within(
         if field.measures is not None:
             yield from _named(field.place, "measures", "field here", field.measures.field, own)
         for value in [field.value, *(case.value for case in cases(field))]:
-            yield from _number(field, value, numbers)
+            yield from _parameter_references(field, value, numbers)
         if field.choice is not None:
             yield from _named(field.place, "choice", "field here", field.choice.by, own)
             yield from _of_cases(device, layer.named(field.choice.by), field)
@@ -239,7 +239,7 @@ def _of_cases(device: Device, selector: Field | None, field: Field) -> Iterator[
             yield from _check_names(case.place, "when", f"member of {enum.name}", case.when, members)
 
 
-def _number(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
+def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
     part = value.parameter if value is not None else None
     if part is None or part.part not in ("value", "subindex"):
         return

@@ -82,16 +82,16 @@ def _printed(field: Field) -> Iterator[tuple[Place, str, _Span]]:
 
 def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list[_Span]) -> Diagnostic:
     unit = _UNITS[key][0]
-    right = _text(fitting[0], unit) if fitting else f"no fixed {unit}s"
+    right = _span_text(fitting[0], unit) if fitting else f"no fixed {unit}s"
     if len(fitting) > 1:
-        right += f", up to {_text(fitting[-1], unit)}"
-    text = f"{field.name} is printed at {_text(printed, unit)}, but it is at {right}"
+        right += f", up to {_span_text(fitting[-1], unit)}"
+    text = f"{field.name} is printed at {_span_text(printed, unit)}, but it is at {right}"
     holder = "type" if field.value is not None else "record" if field.record else "choice"
     help = "correct a type or the span"
     return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "the field"))
 
 
-def _text(span: _Span, unit: str) -> str:
+def _span_text(span: _Span, unit: str) -> str:
     return f"{unit} {span[0]}" if span[0] == span[1] else f"{unit}s {span[0]}-{span[1]}"
 
 

@@ -65,7 +65,7 @@ def _bodies(message: Message) -> tuple[Record, Record]:
 
 
 def _form(value: Value) -> str:
-    """Why a value has one width; empty for one that may vary."""
+    """The reason why a value cannot vary in width; empty where it can."""
     if value.type.kind is Kind.TEXT:
         form = value.text_form
         if form is not None and (

@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def build(arguments: argparse.Namespace) -> int:
-    """Builds once. Raises UsageError."""
+    """Builds all that is requested, once. Raises UsageError."""
     anew = arguments.check or arguments.no_cache
     build_request = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
     packages = package_hashes(anew)

@@ -81,7 +81,7 @@ def _choices(layout: DeviceLayout, arguments: argparse.Namespace) -> Choices:
 
 
 def numbers_of(option: str, text: str | None, maximum: int) -> list[int]:
-    """`1,3-5` as numbers. Raises UsageError."""
+    """The numbers in a text such as `1,3-5`. Raises UsageError."""
     result: list[int] = []
     for part in text.split(",") if text else ():
         low, _, high = part.partition("-")
@@ -178,7 +178,7 @@ class _Job:
 
     @property
     def frame_count(self) -> int:
-        """The frames so far."""
+        """The number of frames so far."""
         return sum(self.totals.frames.values())
 
     def _file(self, number: int, state: Any, parts: TableParts) -> Iterator[int]:
@@ -228,7 +228,7 @@ class _Job:
         return journal
 
     def _note(self, part: int, source: int, state: Any, counters: Counter[str]) -> None:
-        """Notes what is on the disk, and where to go on."""
+        """Writes the journal: what is on the disk, and where decoding continues."""
         totals = self.totals.as_data()
         totals["counters"] = dict(Counter(totals["counters"]) + counters)
         content = {

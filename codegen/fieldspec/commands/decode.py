@@ -40,7 +40,7 @@ class FramePrinter:
         if self.form == "json":
             self._json(reading, remarks, number)
         else:
-            self._text(reading, remarks, number)
+            self._print_text(reading, remarks, number)
         sys.stdout.flush()
 
     def _json(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
@@ -53,7 +53,7 @@ class FramePrinter:
         else:
             print_json(data, indent=1)
 
-    def _text(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
+    def _print_text(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
         if not self.first:
             print_line("")
         self.first = False

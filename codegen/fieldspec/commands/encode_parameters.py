@@ -43,7 +43,8 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
         own = _chosen(layout, record, carried, texts).value
         items = pieces(carried.name, text) if carried.is_list else [text]
         numbers = [
-            _number(layout, parameter, index + offset, own, item, direction) for offset, item in enumerate(items)
+            _element_number(layout, parameter, index + offset, own, item, direction)
+            for offset, item in enumerate(items)
         ]
         texts[carried.name] = numbers if carried.is_list else numbers[0]
         return
@@ -71,7 +72,7 @@ def _chosen(layout: DeviceLayout, record: RecordLayout, carried: FieldLayout, te
     return chosen.fields[-1] if chosen is not None else carried
 
 
-def _number(
+def _element_number(
     layout: DeviceLayout, parameter: Parameter, index: int, own: Value | None, item: str, direction: str
 ) -> object:
     """The number that a field of the value `own` has for an element of a parameter as people write it.

@@ -174,14 +174,14 @@ def _by_name(data: Any, entry: Callable[[Any], _Entry]) -> dict[str, _Entry]:
     return {name: entry(value) for name, value in data.items()}
 
 
-def _text(data: Any) -> str:
+def _checked_text(data: Any) -> str:
     if not isinstance(data, str):
         raise TypeError("not a text")
     return data
 
 
 def _hashes(data: Any) -> Hashes:
-    return _by_name(data, _text)
+    return _by_name(data, _checked_text)
 
 
 def _built(data: Any) -> Built:
@@ -229,7 +229,7 @@ class Manifest:
     packages: Hashes
 
     def text(self) -> bytes:
-        """The file."""
+        """The text of the file of the manifest."""
         specs = {device: dict(sorted(files.items())) for device, files in sorted(self.specs.items())}
         data = {
             "identities": dict(sorted(self.identities.items())),
@@ -260,7 +260,7 @@ class Manifest:
         return sorted(path for path in ours if ".." not in path.split("/"))
 
     def reason(self, path: str, result: BuildResult, earlier: EarlierBuild, packages: Hashes) -> str:
-        """Why a file differs from what a build would write."""
+        """The reason why a file differs from what a build would write."""
         if path not in self.files:
             return "it is new"
         if earlier.hash_of(path) is None:

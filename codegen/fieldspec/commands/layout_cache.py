@@ -198,7 +198,7 @@ class _Thawing:
         return instance
 
     def cls(self, number: int) -> Any:
-        """A class of data, or an enum."""
+        """The class of data, or the enum, whose name has a number."""
         module, _, name = self.names[number].partition(":")
         return getattr(import_module(module), name)
 

@@ -99,7 +99,7 @@ def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
 
 
 def chosen_items(access: Access, names: Sequence[str]) -> list[Item]:
-    """What names mean. Raises UsageError."""
+    """The items that names mean. Raises UsageError."""
     result, missing = find(access, names)
     reason = next((text for name in missing if (text := access.reason_unread(name))), "")
     if reason:

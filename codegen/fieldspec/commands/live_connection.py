@@ -78,14 +78,14 @@ class _Nothing:
     name, datagrams, keeps_pauses = "nothing", False, True
 
     def read(self, seconds: float) -> bytes:
-        """Nothing."""
+        """No bytes."""
         return b""
 
     def write(self, data: bytes) -> None:
         """Sends nothing."""
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes nothing."""
 
 
 def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
@@ -107,7 +107,7 @@ def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
 
 
 def _nothing_read(layout: DeviceLayout, links: Sequence[LinkLayout]) -> str:
-    """Why links have nothing that is read by name."""
+    """The reason why no value can be read by name on links."""
     name = links[0].name if len(links) == 1 else layout.device.id
     if all(map(is_bare, links)):
         return (

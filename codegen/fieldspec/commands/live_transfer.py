@@ -119,20 +119,20 @@ def _differences(client: Client, access: Access, assignments: Sequence[Assignmen
 def _compare(client: Client, access: Access, assignments: Sequence[Assignment], arguments: argparse.Namespace) -> int:
     plan = _differences(client, access, assignments)
     if arguments.format == "json":
-        print_json([_row(access, change) for change in plan], indent=1)
+        print_json([_change_row(access, change) for change in plan], indent=1)
     else:
         _print_plan(client, access, plan, False)
         print_blocks([Line(f"{len(plan)} of {len(assignments)} values differ")])
     return int(bool(plan))
 
 
-def _row(access: Access, change: Change) -> dict[str, object]:
+def _change_row(access: Access, change: Change) -> dict[str, object]:
     now, new = _texts(access, change)
     return {"name": change.path, access.heading: access.number(change.before), "device": now, "file": new}
 
 
 def _texts(access: Access, change: Change) -> tuple[str, str]:
-    """What the device has, and what the file has."""
+    """The texts of a value in the device and in the file."""
     now = f"refused: {change.before.refusal}" if change.before.refusal else str(cell(access, change.before))
     return now, str(cell(access, access.intended(change.chosen)))
 
@@ -164,7 +164,7 @@ class _Upload:
         self.open = ""
 
     def run(self, assignments: Sequence[Assignment]) -> int:
-        """The exit code."""
+        """Writes the values that differ. The exit code."""
         plan = _differences(self.client, self.access, assignments)
         self._print_earlier(assignments, plan)
         try:

@@ -175,8 +175,8 @@ def _needed(item: Mapping, key: str) -> str:
     """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
     inner = next(mappings(item.values.get(key)), None)
     if inner is None:
-        return _text(item, key)
-    number = f", number: {_text(inner, 'number')}" if "number" in inner.values else ""
+        return _key_text(item, key)
+    number = f", number: {_key_text(inner, 'number')}" if "number" in inner.values else ""
     return f"[{{name: {identity(inner)}{number}}}]"
 
 
@@ -186,7 +186,7 @@ def _spaces(messages: list[Mapping]) -> Iterator[str]:
     for message in messages:
         access = message.values.get("accesses")
         if isinstance(access, Mapping):
-            name = _text(access, "space")
+            name = _key_text(access, "space")
             units = {name: _unit(message, access), **units} if not name else {**units, name: _unit(message, access)}
     if any(units):
         yield "spaces:"
@@ -197,14 +197,14 @@ def _spaces(messages: list[Mapping]) -> Iterator[str]:
 
 def _unit(message: Mapping, access: Mapping) -> str:
     """The unit of what a message carries: bits are packed into bytes, or one of them is a number with a meaning."""
-    fields = message.values.get("response" if _text(access, "operation") == "read" else "request")
-    names = (field for field in mappings(fields) if _text(field, "name") == _text(access, "values"))
+    fields = message.values.get("response" if _key_text(access, "operation") == "read" else "request")
+    names = (field for field in mappings(fields) if _key_text(field, "name") == _key_text(access, "values"))
     values = next(names, None)
-    packed = values is not None and "repeat" in values.values and _text(values, "type") == "u8"
+    packed = values is not None and "repeat" in values.values and _key_text(values, "type") == "u8"
     return BIT if packed or "set" in access.values else WORD
 
 
-def _text(mapping: Mapping, key: str) -> str:
+def _key_text(mapping: Mapping, key: str) -> str:
     scalar = mapping.values.get(key)
     return scalar.text if isinstance(scalar, Scalar) else ""
 

@@ -41,7 +41,7 @@ class Plugin:
     version: str
 
     def error(self, reason: str) -> UsageError:
-        """That the plug-in cannot be used."""
+        """The error that says why the plug-in cannot be used."""
         subject = f"the {KINDS[self.group]} {self.name} of the installed package {self.package} {self.version}"
         return UsageError(f"{subject} cannot be used: {' '.join(reason.split())}")
 

@@ -47,7 +47,7 @@ class _Output:
     numbers: Counter[str] = field(default_factory=Counter)
 
     def add(self, kind: str, ending: str, source: str, content: str, amount: str) -> None:
-        """Adds a file under a name that says nothing."""
+        """Adds a file under a name that identifies nothing."""
         self.numbers[kind] += 1
         name = f"{kind}-{self.numbers[kind]}.{ending}"
         self.contents[name] = content
@@ -116,7 +116,7 @@ def _spared(layout: DeviceLayout, names: Sequence[str]) -> frozenset[str]:
 
 
 def _unit(redaction: Redaction, folder: Path | None, files: Sequence[Path]) -> _Output:
-    """The files of a unit, written anew."""
+    """The files of a unit without what identifies it."""
     output = _Output()
     note, address = _note(redaction.secrets, folder) if folder is not None else ("", None)
     for path in files:

@@ -17,7 +17,7 @@ from fieldspec.render.finding_text import place
 
 
 class NoRevision(UsageError):
-    """A name that is not a revision."""
+    """The name is not that of a revision."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
 
 
 def _devices(blobs: dict[str, str]) -> set[str]:
-    """The folders of devices."""
+    """The folders of devices among some files."""
     return {path.partition("/")[0] for path in blobs if path.partition("/")[2] == MAIN}
 
 
@@ -118,7 +118,7 @@ def _of_specs(steps: list[str]) -> bool:
 
 
 class _Failed(Exception):
-    """Git reported an error."""
+    """Git has reported an error."""
 
 
 def _git(directory: Path, *arguments: str, data: bytes = b"") -> bytes:

@@ -188,7 +188,7 @@ class _UnitJudge:
 
     @staticmethod
     def _of_series(series: Series, partners: Iterable[str]) -> Observation:
-        """What a series says of which value it is."""
+        """The observation that a series is of the value of a fact."""
         names = list(partners)
         if not series.changes:
             remark = f"it was always {series.text}, so nothing tells it from another value"

@@ -36,7 +36,7 @@ class Observable:
 
 
 class Observables:
-    """All values of a device."""
+    """All values of a device that files of units can show."""
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout

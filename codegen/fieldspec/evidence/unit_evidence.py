@@ -21,7 +21,7 @@ class Trouble:
     values: list[str] = field(default_factory=list)
 
     def add(self, value: str) -> None:
-        """Adds a value."""
+        """Counts a value and adds it to the examples."""
         self.count += 1
         if value not in self.values and len(self.values) < 4:
             self.values.append(value)

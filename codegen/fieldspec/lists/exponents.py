@@ -60,5 +60,5 @@ def bounds(row: ListRow) -> tuple[Decimal, Decimal]:
 
 
 def is_open(row: ListRow) -> bool:
-    """Whether the list says no bounds of a row."""
+    """Whether the list states no bounds for a row."""
     return row.low is None or row.high is None

@@ -89,13 +89,13 @@ def as_csv(items: Sequence[Item]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
-    writer.writerows([_text(cell) for cell in row(item).values()] for item in items)
+    writer.writerows([_cell_text(cell) for cell in row(item).values()] for item in items)
     return text.getvalue()
 
 
 def as_json(items: Sequence[Item]) -> str:
     """A JSON list of objects with all columns. Numbers are numbers, empty cells are null."""
-    return visible_json([row(item) for item in items], 1, _number) + "\n"
+    return visible_json([row(item) for item in items], 1, _json_number) + "\n"
 
 
 def as_xlsx(items: Sequence[Item], title: str) -> bytes:
@@ -104,13 +104,13 @@ def as_xlsx(items: Sequence[Item], title: str) -> bytes:
     return workbook(title, COLUMNS, rows)
 
 
-def _text(cell: Cell) -> str:
+def _cell_text(cell: Cell) -> str:
     if isinstance(cell, str):
         return guarded(clean(cell))
     return "" if cell is None else f"{cell:f}" if isinstance(cell, Decimal) else str(cell)
 
 
-def _number(cell: object) -> float:
+def _json_number(cell: object) -> float:
     if isinstance(cell, Decimal):
         return float(cell)
     raise TypeError(type(cell).__name__)

@@ -107,7 +107,7 @@ def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
     labels: set[str] = set()
     for place, (row, shape) in enumerate(zip(rows, shapes, strict=True)):
         scale_by = names[scaled[place]] if place in scaled else ""
-        lines.append(_row(row, shape, names[place], scale_by, place in scaled.values(), labels))
+        lines.append(_register_line(row, shape, names[place], scale_by, place in scaled.values(), labels))
     return "\n".join(lines) + "\n"
 
 
@@ -159,7 +159,7 @@ def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
         yield f"      - {{at: {address_text}, reason: The list leaves them out.}}"
 
 
-def _row(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: bool, labels: set[str]) -> str:
+def _register_line(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: bool, labels: set[str]) -> str:
     """The line of a register; `scale_by` is the name of the register with the exponent of its scale, or empty."""
     texts = row.texts
     doubts = list(shape.doubts)

@@ -49,7 +49,7 @@ def _sheet(sheet: Worksheet) -> Sheet:
         for column, cell in enumerate(row, 1):
             if cell.data_type == "f":
                 formulas.add((number, column))
-            cells.append(_text(cell.value))
+            cells.append(_cell_text(cell.value))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
     merged = tuple(
@@ -59,7 +59,7 @@ def _sheet(sheet: Worksheet) -> Sheet:
     return Sheet(tuple(rows), sheet.max_row, str(sheet.title), frozenset(formulas), merged)
 
 
-def _text(value: object) -> str:
+def _cell_text(value: object) -> str:
     """The text of a cell: whole numbers have no point."""
     if value is None:
         return ""

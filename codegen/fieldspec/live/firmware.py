@@ -67,7 +67,7 @@ def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
 
 
 def _named(layout: DeviceLayout) -> dict[str | int, str]:
-    """The versions that single values tell."""
+    """The versions that single values of the detection tell."""
     return {
         item: version.id for line in layout.device.lines for version in line.versions for item in version.detected_as
     }

@@ -259,7 +259,7 @@ def signal_reading(layout: DeviceLayout, signal: Signal, raw: Any) -> SignalRead
 
 
 def _bytes_of(signal: Signal, raw: Any) -> bytes:
-    """A raw value as it goes over the wire."""
+    """The bytes of a raw value on the wire."""
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
     is_binary = value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not (signal.swapped or value.digits)

@@ -50,7 +50,7 @@ class Block:
 
 
 def all_occupants(layout: DeviceLayout) -> Iterator[tuple[str, Occupant]]:
-    """Everything at addresses, with its space."""
+    """The occupants of all addresses, each with its space."""
     device = layout.device
     for space in dict.fromkeys([*device.spaces, device.space_name("")]):
         for occupant in occupants(layout, Span(space, 0, _LAST, 0, b"")):

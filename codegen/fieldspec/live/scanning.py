@@ -83,7 +83,7 @@ class ScanComparison:
 
     @property
     def differences(self) -> int:
-        """How many addresses and values differ."""
+        """The number of addresses and values that differ."""
         return sum(last - first + 1 for first, last in self.unknown) + len(self.silent)
 
 
@@ -109,7 +109,7 @@ def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
 
 
 def scanned_items(layout: DeviceLayout, space: ScanSpace) -> Iterator[ScannedItem]:
-    """What a version has in a space."""
+    """The items that a version of the device has in a space."""
     if space.parameters is None:
         for name, occupant in all_occupants(layout):
             if name == space.name:

@@ -42,7 +42,7 @@ def _end(client: Client, pieces: SegmentsLayout, first: Mapping[str, Any], error
 
 
 def _read(client: Client, pieces: SegmentsLayout, values: Mapping[str, Any], maximum: int) -> bytes:
-    """The value, or the _PieceError that says what does not follow."""
+    """The value from its pieces. Raises _PieceError for a piece that does not follow the one before."""
     size = pieces.stated_size(values)
     limit = maximum if size is None else size
     if limit > maximum:

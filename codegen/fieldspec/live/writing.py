@@ -69,12 +69,12 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
 
 
 def is_partial(occupant: Occupant, unit_size: int) -> bool:
-    """Whether a value has only a part of its words."""
+    """Whether a value fills only a part of its words."""
     return bool(occupant.skip or occupant.value.size % unit_size)
 
 
 def words_of(layout: DeviceLayout, data: bytes, size: int) -> tuple[int, ...]:
-    """The words of `size` bytes in which some bytes are."""
+    """The words of `size` bytes into which bytes are divided."""
     big = layout.device.byte_order == "big"
     return tuple(
         int.from_bytes(data[offset : offset + size], "big" if big else "little") for offset in range(0, len(data), size)

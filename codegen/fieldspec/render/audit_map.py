@@ -211,7 +211,7 @@ def _pieces(space: Space, runs: Iterable[Run], line: int, y: int) -> Iterator[Bo
 
 
 def _run_text(run: Run) -> str:
-    """A run in words."""
+    """The text of a run: its state and its names."""
     names = " and ".join(occupant.name for occupant in run.occupants)
     state = STATES[run.state]
     if run.occupants and run.state == "used":

@@ -99,10 +99,10 @@ def drawn(word: Flags) -> Iterator[str]:
     for high in range(width, 0, -_A_ROW):
         if high < width:
             yield ""
-        yield from _row(word, max(0, high - _A_ROW), high)
+        yield from _bits_drawing(word, max(0, high - _A_ROW), high)
 
 
-def _row(word: Flags, low: int, high: int) -> Iterator[str]:
+def _bits_drawing(word: Flags, low: int, high: int) -> Iterator[str]:
     holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
     numbers = range(high - 1, low - 1, -1)
     wall = "+---" * len(numbers) + "+"

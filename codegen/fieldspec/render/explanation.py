@@ -225,7 +225,7 @@ def _hex(data: bytes) -> str:
 
 
 def _chunks(text: str) -> list[str]:
-    """Bytes in digits, cut into lines."""
+    """The digits of bytes, cut into lines."""
     size = 3 * _BYTES_A_LINE
     return [text[start : start + size].strip() for start in range(0, len(text), size)]
 
@@ -260,8 +260,8 @@ def as_data(
         "readings": [_reading(reading) for reading in readings],
         "remarks": list(remarks),
         "values": _json_value(explanation.values),
-        "rows": [_row(row) for row in explanation.rows],
-        "registers": [_row(row) for row in explanation.registers],
+        "rows": [_row_data(row) for row in explanation.rows],
+        "registers": [_row_data(row) for row in explanation.registers],
         "errata": [
             {"id": erratum.id, "fact": erratum.fact, "printed": _printed(erratum.printed), "reason": erratum.reason}
             for erratum in layout.device.errata
@@ -280,7 +280,7 @@ def _count_name(row: ExplanationRow) -> str:
     return "size" if row.unit == BYTE else f"{row.unit or WORD}s"
 
 
-def _row(row: ExplanationRow) -> dict[str, object]:
+def _row_data(row: ExplanationRow) -> dict[str, object]:
     return {
         "kind": row.kind,
         "offset": row.offset,

@@ -209,20 +209,23 @@ def _conversion(layout: DeviceLayout, conversion: Conversion) -> Details:
 def _parameter(item: ParameterNumber, number: int | None) -> Details:
     parameter_set, parameter = item.parameter_set, item.parameter
     yield "set", parameter_set.name
-    yield "number", _number(parameter_set, item.number)
+    yield "number", _parameter_number_text(parameter_set, item.number)
     if parameter is None:
         yield "row", "none: the manual states no meaning of the number itself"
         return
     if parameter.count > 1:
-        last = _number(parameter_set, parameter.number + parameter.count - 1)
-        yield "count", f"{parameter.count} of them, {_number(parameter_set, parameter.number)}, to {last}"
+        last = _parameter_number_text(parameter_set, parameter.number + parameter.count - 1)
+        yield (
+            "count",
+            f"{parameter.count} of them, {_parameter_number_text(parameter_set, parameter.number)}, to {last}",
+        )
         own = [
             candidate
             for candidate in (number, (number or 0) - parameter_set.base)
             if candidate is not None and candidate != item.number
         ]
         selected = next((candidate for candidate in own if parameter_set.numbered(candidate) is parameter), None)
-        yield "here", "" if selected is None else _number(parameter_set, selected)
+        yield "here", "" if selected is None else _parameter_number_text(parameter_set, selected)
     yield "access", parameter.access or "not printed"
     value = parameter.value
     yield from value_details(value if parameter.elements is None else replace(value, default=None))
@@ -237,7 +240,7 @@ def _parameter(item: ParameterNumber, number: int | None) -> Details:
     yield "reserved", "it has no meaning for the user" if parameter.reserved else ""
 
 
-def _number(parameter_set: ParameterSet, number: int) -> str:
+def _parameter_number_text(parameter_set: ParameterSet, number: int) -> str:
     """`Pt317, 0x2317 on the wire`"""
     if not parameter_set.base:
         return parameter_set.number_text(number)

@@ -57,7 +57,7 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
 
 
 def left_out_lines() -> Iterator[str]:
-    """The lines of the part."""
+    """The lines of the part about what outputs leave out."""
     yield _INTRODUCTION
     yield "| what breaks a rule | rules | becomes of it |"
     yield "|---|---|---|"

@@ -78,7 +78,7 @@ class Engine:
         self.delivered_fields = dict(self.memory.fields)
 
     def power_on(self) -> None:
-        """Begins with what outlasts the power."""
+        """Begins with the values that outlast the power."""
         self.memory.words = dict(self.saved)
         self.memory.elements = dict(self.saved_elements)
         self.memory.fields = dict(self.delivered_fields)
@@ -315,7 +315,7 @@ class Engine:
         return None if number is None else float(number)
 
     def refresh(self) -> None:
-        """Writes what signals show."""
+        """Writes the values of signals that are shown, or overridden, to the memory."""
         for part in self._shows:
             for cell in self.cells.of(part.subject, "response"):
                 cell.write(self.raw(cell, self._displayed(part)))
@@ -332,7 +332,7 @@ class Engine:
         return part.get("otherwise", 0)
 
     def tell(self, kind: str, text: str) -> None:
-        """Tells the listeners of something."""
+        """Passes an event to the listeners."""
         for listener in self.listeners:
             listener(kind, text)
 

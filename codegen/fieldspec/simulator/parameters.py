@@ -35,7 +35,7 @@ class Target:
 
     @property
     def elements(self) -> range:
-        """The indices of the elements."""
+        """The indices of the elements that the request names."""
         return range(self.first, self.first + (1 if self.count is None else self.count))
 
 

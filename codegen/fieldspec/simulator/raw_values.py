@@ -36,7 +36,7 @@ def number_of_kind(record: RecordLayout, kind: str) -> int | None:
 
 
 def initial_value(device: Device, field: FieldLayout) -> Any:
-    """What a field of a response has where nothing else states it.
+    """The value of a field of a response where nothing else states it.
 
     A list of any length has the least number of records that it can have, and of values the same, but one at least.
     """

@@ -104,7 +104,7 @@ def write_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]
 
 
 def is_register_message(engine: Engine, message: Message) -> RegisterAccess | None:
-    """How a message accesses registers; None where it does not."""
+    """The access of a message to registers; None where it has none."""
     return engine.layout.device.register_access(message)
 
 
@@ -185,7 +185,7 @@ def _invalid(engine: Engine, occupant: Occupant, raw: Any) -> str:
 
 
 def invalid(engine: Engine, value: Value, raw: Any) -> str:
-    """Why a raw value cannot be written; empty where it can."""
+    """The reason why a raw value cannot be written; empty where it can."""
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         return ""
     if value.const is not None and raw != value.const:

@@ -35,7 +35,7 @@ class ReportedVersion:
 
     @property
     def text(self) -> str:
-        """What a person is told."""
+        """The sentence that tells a person which version the device reports."""
         return f"{self.fact} is {self.reported}, which tells the version {self.version}"
 
 

@@ -236,7 +236,7 @@ class Server:
         return {response.selector.name: number, answer_field.name: read}
 
     def _store(self, record: RecordLayout, path: str, values: Mapping[str, Any]) -> None:
-        """Puts the fields of a request where rules look for them."""
+        """Copies the fields of a request to where rules read them."""
         memory = self.engine.memory
         for field in record.fields:
             value = values.get(field.name)
@@ -371,7 +371,7 @@ class Server:
         return Answer(frame, text)
 
     def _unsaid(self, frames: FrameCodec, text: str) -> Answer:
-        """Silence where a response is due that no frame can carry."""
+        """An answer without a frame, where no frame can say what is due."""
         self.complain(f"{frames.link.name}: {text}")
         return Answer(b"", text)
 
