@@ -42,10 +42,7 @@ def bare_words() -> frozenset[str]:
 FORBIDDEN = forbidden()
 EXEMPT = exempt()
 BARE = bare_words()
-WITH_BARE_WORDS = {
-    *("audit", "captures", "changes", "checks", "commands", "evidence", "facts", "lists", "live", "plc"),
-    *("proofs", "render", "simulator"),
-}
+WITH_BARE_WORDS = {"plc"}
 """The folders of the compiler whose functions have such names still."""
 
 

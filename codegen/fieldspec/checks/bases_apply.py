@@ -36,8 +36,8 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
         wrong = number_objection(register, "address") or _no_address(device, table, register, extent)
         if wrong:
             text = f"{register.name} cannot be the address of {table.name}: {wrong}"
-            about = "name the register with the address of the first element, or correct that register"
-            yield finding(_CODE, table.place, "base_by", text, about, label(register.place, "name", "the register"))
+            help = "name the register with the address of the first element, or correct that register"
+            yield finding(_CODE, table.place, "base_by", text, help, label(register.place, "name", "the register"))
         yield from _detections(device, table)
 
 

@@ -29,8 +29,8 @@ def counts_apply(device: Device) -> Iterator[Diagnostic]:
         wrong = _no_count(device, table, register) if register is not None else ""
         if register is not None and wrong:
             text = f"{register.name} cannot be the number of elements of {table.name}: {wrong}"
-            about = "name the register with the number of elements, or correct that register"
-            yield finding(_CODE, table.place, "count_by", text, about, label(register.place, "name", "the register"))
+            help = "name the register with the number of elements, or correct that register"
+            yield finding(_CODE, table.place, "count_by", text, help, label(register.place, "name", "the register"))
 
 
 def _no_count(device: Device, table: Table, register: Register) -> str:

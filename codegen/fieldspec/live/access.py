@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
         @property
         def path(self) -> str:
-            """Its name for people."""
+            """The path of the value."""
 
         @property
         def words(self) -> tuple[int, ...]:
@@ -41,11 +41,11 @@ if TYPE_CHECKING:
 
         @property
         def decoded(self) -> DecodedValue | None:
-            """What it means; None for a refused value."""
+            """The decoded value; None for a refused value."""
 
         @property
         def refusal(self) -> str:
-            """Why the device refused it, or empty."""
+            """The reason why the device refused the value, or an empty text."""
 
         @property
         def is_absent(self) -> bool:
@@ -56,11 +56,11 @@ if TYPE_CHECKING:
 
         @property
         def path(self) -> str:
-            """Its name for people."""
+            """The path of the value."""
 
         @property
         def words(self) -> tuple[int, ...]:
-            """What goes on the wire."""
+            """The words of the value on the wire."""
 
         @property
         def mask(self) -> tuple[int, ...]:
@@ -72,7 +72,7 @@ if TYPE_CHECKING:
 
         @property
         def hazards(self) -> tuple[str, ...]:
-            """What a person should know."""
+            """What a person should know before the value is written."""
 
     class Access(Protocol):
         """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
@@ -87,25 +87,25 @@ if TYPE_CHECKING:
             """The address or the number of a value; None where it has none."""
 
         def number_text(self, number: int | None) -> str:
-            """Such a number as people write it."""
+            """The address or number of a value as people write it."""
 
         def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
             """The rows of a dump of values that were read, in order."""
 
         def items(self) -> Sequence[Item]:
-            """Everything that has a name."""
+            """All items that have a name."""
 
         def path(self, item: Item) -> str:
-            """The name of an item."""
+            """The path of an item."""
 
         def fact(self, item: Item) -> Fact:
-            """The fact that an item is."""
+            """The fact that describes an item."""
 
         def named(self, name: str) -> list[Item]:
             """What a name means; nothing where it is unknown."""
 
         def harmless(self) -> list[Item]:
-            """What can be read without an effect."""
+            """The items that can be read without an effect."""
 
         def reason_unread(self, name: str) -> str:
             """Why what a name means is not read; empty where it means nothing."""
@@ -146,7 +146,7 @@ if TYPE_CHECKING:
             """The roles of a value or of its bits, each with its mask; -1 for all bits."""
 
         def item(self, chosen: Any) -> Item:
-            """What a value is assigned to."""
+            """The item to which a value is assigned."""
 
         def words_of(self, value: Any, text: str) -> tuple[int, ...]:
             """What a text means for a value that was read. Raises WriteError."""
