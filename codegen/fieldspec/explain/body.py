@@ -151,9 +151,8 @@ class Body:
             return self._wrong(fields[0], offset, self.fault.reason, text)
         if self.end - self.start < self.record.least:
             return self._missing(fields, offset)
-        return self._wrong(
-            fields[0], offset, "incomplete", f"{inner.count} counts more {fields[0].name} than there are"
-        )
+        text = f"{inner.count} counts more {fields[0].name} than there are"
+        return self._wrong(fields[0], offset, "incomplete", text)
 
     def _has_wrong_count(self, inner: InnerList) -> bool:
         """Whether the first list whose bytes are not known has an impossible count."""
@@ -188,10 +187,8 @@ class Body:
                 yield from self._field(field, offset, field.count or 0)
             else:
                 raw = self.data[offset : self.start + extent.stop]
-                raw_and_image = (raw, extent.image)
-                rows, self.values[field.name] = self._value(
-                    field, field.name, offset, 0, span.value, True, raw_and_image
-                )
+                varying = (raw, extent.image)
+                rows, self.values[field.name] = self._value(field, field.name, offset, 0, span.value, True, varying)
                 yield from rows
             offset = self.start + extent.stop
         if len(known) < len(fields):
@@ -242,33 +239,28 @@ class Body:
         if size < self.record.least:
             return self._missing(self.record.fields[-1:], offset)
         long = self.record.most is not None and size > self.record.most
-        reason, text = (
-            "unknown_value",
-            f"{selector.name} {self.values[selector.name]!r} does not decide the type of {field.name}",
-        )
+        number = self.values[selector.name]
+        reason, text = "unknown_value", f"{selector.name} {number!r} does not decide the type of {field.name}"
         if long:
             reason, text = "wrong_length", f"{text}, which is {size - (self.record.most or 0)} bytes too long"
         return self._wrong(field, offset, reason, text)
 
-    def _wrong(
-        self, field: FieldLayout, offset: int, reason: str, text: str, stop: int | None = None
-    ) -> ExplanationRow:
+    def _wrong(self, field: FieldLayout, start: int, reason: str, text: str, stop: int | None = None) -> ExplanationRow:
         """The row of the rest of the body, or of the bytes up to `stop`, where a field is expected."""
         path = field.field.place.path
-        data = self.data[offset : self.end if stop is None else stop]
-        row = wrong_row(self.spot, offset, data, reason, text, field.name, path)
+        data = self.data[start : self.end if stop is None else stop]
+        row = wrong_row(self.spot, start, data, reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(
-        self, field: FieldLayout, offset: int, count: int, sizes: tuple[int, ...] = ()
+        self, field: FieldLayout, start: int, count: int, sizes: tuple[int, ...] = ()
     ) -> Iterator[ExplanationRow]:
         """The rows of the elements of one field. Adds their values to `values`. `sizes` are those that differ."""
         values: list[Raw] = []
         for index in range(count):
             path = f"{field.name}[{index}]" if field.is_list else field.name
-            place, size = (
-                (offset + sum(sizes[:index]), sizes[index]) if sizes else (offset + index * field.size, field.size)
-            )
+            size = sizes[index] if sizes else field.size
+            place = start + (sum(sizes[:index]) if sizes else index * size)
             rows, value = self._element(field, path, place, index, size)
             values.append(value)
             yield from rows
@@ -291,11 +283,9 @@ class Body:
         values: dict[str, Raw] = {}
         for field in record.fields:
             if field.value is not None and field.value.width:
-                raw = self.data[offset + field.offset : offset + size]
-                own_path, raw_and_image = f"{path}.{field.name}", (raw, widened(field.value, raw))
-                inner_rows, values[field.name] = self._value(
-                    field, own_path, offset + field.offset, 0, field.value, False, raw_and_image
-                )
+                place, own_path = offset + field.offset, f"{path}.{field.name}"
+                varying = (raw := self.data[place : offset + size], widened(field.value, raw))
+                inner_rows, values[field.name] = self._value(field, own_path, place, 0, field.value, False, varying)
                 rows += inner_rows
                 continue
             elements: list[Raw] = []
@@ -327,9 +317,8 @@ class Body:
         exponent_start = start + offset
         if exponent_start + exponent.size > self.end:
             return field.value
-        number = number_of(
-            exponent.value, self.data[exponent_start : exponent_start + exponent.size], exponent.order, exponent.swapped
-        )
+        raw = self.data[exponent_start : exponent_start + exponent.size]
+        number = number_of(exponent.value, raw, exponent.order, exponent.swapped)
         return exponent_applied(field.value, exponent.value, number)
 
     def _value(

@@ -80,10 +80,8 @@ def explained(
     tells which message and which registers the response is about, if the response does not.
     Raises KeyError for a link that the device does not have, and nothing for any bytes.
     """
-    explained_request = (
-        explained(layout, link, "request", request, message) if request and direction == "response" else None
-    )
-    return explained_after(layout, link, direction, frame, message, explained_request)
+    of_request = explained(layout, link, "request", request, message) if request and direction == "response" else None
+    return explained_after(layout, link, direction, frame, message, of_request)
 
 
 def explained_after(
@@ -255,10 +253,8 @@ class _Frame:
             return self._code(part, read)
         if part.role == "unit_address":
             return self._unit_address(read)
-        expected = self.asked.values.get(part.part.same_as) if self.asked else None
-        return (
-            read if read.reason or expected is None else read.judged(read.number == expected, spec_text(expected), "")
-        )
+        stated = self.asked.values.get(part.part.same_as) if self.asked else None
+        return read if read.reason or stated is None else read.judged(read.number == stated, spec_text(stated), "")
 
     def _judged_length(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """A length, compared with the bytes that it counts."""
@@ -358,14 +354,8 @@ class _Frame:
         access = access or bits
         if access is None:
             body_bytes = start, self.data[start:end]
-            steps = step_spans(
-                self.layout,
-                message,
-                record,
-                body_bytes,
-                body.values,
-                request_values if self.direction == "response" else None,
-            )
+            answered_values = request_values if self.direction == "response" else None
+            steps = step_spans(self.layout, message, record, body_bytes, body.values, answered_values)
             return rows, tuple(
                 row for step, span in steps for row in register_rows(self.layout, span, self.spot, step.operation)
             )
@@ -376,14 +366,8 @@ class _Frame:
         if bits is not None:
             span = accessed_bits(bits, body.values, request_values, values_start, data)
         else:
-            span = accessed(
-                access,
-                body.values,
-                request_values,
-                values_start,
-                data,
-                self.layout.device.space(access.space).unit_size,
-            )
+            unit_size = self.layout.device.space(access.space).unit_size
+            span = accessed(access, body.values, request_values, values_start, data, unit_size)
         if span is None:
             return rows, ()
         self.accessed = span.address, span.end - 1

@@ -57,9 +57,8 @@ class Server:
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
         except CodecError as error:
             return Answer(b"", f"damaged: {error.detail}")
-        garbled = next(
-            (p for p in shape.digits if p.read(parts[(offset := p.at(len(parts))) : offset + p.size]) is None), None
-        )
+        starts = ((part, part.at(len(parts))) for part in shape.digits)
+        garbled = next((part for part, start in starts if part.read(parts[start : start + part.size]) is None), None)
         if garbled is not None:
             return Answer(b"", f"damaged: {garbled.name} is no number")
         if shape.checksums and not frames.has_right_checksum(frame, "request"):
