@@ -142,7 +142,7 @@ class FrameReader:
         return (_spans(originals) if self.shape.escape is not None else sent_parts), sent_parts
 
     def _part(self, part: PartLayout, frames: ReadFrames, request_messages: Numbers | None, judges_body: bool) -> None:
-        """Judges one part, and takes from it what the table has."""
+        """Judges a part, and copies its number to the column that the table has for it."""
         offsets, length, verdict = frames.at, frames.length, frames.verdict
         place, short = self._place(part, frames)
         blame(verdict, short, INCOMPLETE)

@@ -211,7 +211,7 @@ class StreamOrder:
         return min(self.waiting[key], key=lambda segment: _ahead(segment.sequence, self.expected[key]))
 
     def _give_up(self, key: int, step: _Step) -> None:
-        """Takes the first waiting segment although the bytes before it lack."""
+        """Takes the first waiting segment although the bytes before it are missing."""
         ready = self._next(key)
         self.waiting[key].remove(ready)
         self.events["gaps in streams"] += 1

@@ -105,7 +105,7 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.facts import of_versions
     from fieldspec.proofs.running import errata_proofs
 
-    _must_go_together(arguments)
+    _refuse_exclusive_options(arguments)
     if arguments.format in LISTS and not arguments.table:
         raise UsageError(f"{arguments.format} holds a single table; name it with --table, such as --table ledger")
     if arguments.table and arguments.format in WHOLE:
@@ -154,7 +154,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if has_errors(findings) and not arguments.as_printed else 0
 
 
-def _must_go_together(arguments: argparse.Namespace) -> None:
+def _refuse_exclusive_options(arguments: argparse.Namespace) -> None:
     """Refuses options that exclude each other. Raises UsageError."""
     chosen = [option for option in ALONE if getattr(arguments, option)]
     if len(chosen) > 1:

@@ -230,7 +230,7 @@ class _Upload:
         print_note(f"{self.journal.path} has this state; the same command continues")
 
     def _print_earlier(self, assignments: Sequence[Assignment], plan: Sequence[Change]) -> None:
-        """What an earlier run, which did not end, has left."""
+        """Prints what an earlier run, which was interrupted, has written and what it was writing."""
         state = self.journal.state
         if state is None:
             return

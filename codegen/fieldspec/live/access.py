@@ -68,7 +68,7 @@ if TYPE_CHECKING:
 
         @property
         def sent(self) -> object:
-            """What its request has; the same for values that one request writes."""
+            """The key of its request, which is equal for values that one request writes."""
 
         @property
         def hazards(self) -> tuple[str, ...]:
@@ -102,19 +102,19 @@ if TYPE_CHECKING:
             """The fact that describes an item."""
 
         def named(self, name: str) -> list[Item]:
-            """What a name means; nothing where it is unknown."""
+            """The items that a name means; none where it is unknown."""
 
         def harmless(self) -> list[Item]:
             """The items that can be read without an effect."""
 
         def reason_unread(self, name: str) -> str:
-            """Why what a name means is not read; empty where it means nothing."""
+            """The reason why items of a name are not read; empty where the name means none."""
 
         def remarks(self, names: Sequence[str]) -> list[str]:
             """What is not read with some names, or without any, though the device has it."""
 
         def objection(self, item: Item) -> str:
-            """Why an item is in no list that is written to a device; empty where it may be."""
+            """The reason why an item is in no list that is written to a device; empty where it may be."""
 
         def assignment(self, item: Item, text: str) -> Assignment:
             """The assignment of a value as people write it. Raises WriteError."""
@@ -126,7 +126,7 @@ if TYPE_CHECKING:
             """What would be read once a value is written."""
 
         def size(self, items: Iterable[Item]) -> int:
-            """How much there is to read, in the steps in which `read` tells its progress."""
+            """The number of steps that a read of items has, in which `read` tells its progress."""
 
         def read(
             self, client: Client, items: Sequence[Item], done: Callable[[int], None] | None = None
@@ -149,7 +149,7 @@ if TYPE_CHECKING:
             """The item to which a value is assigned."""
 
         def words_of(self, value: Any, text: str) -> tuple[int, ...]:
-            """What a text means for a value that was read. Raises WriteError."""
+            """The words that a text means for a value that was read. Raises WriteError."""
 
 
 def differs(chosen: Assignment, now: Reading) -> bool:
@@ -160,7 +160,7 @@ def differs(chosen: Assignment, now: Reading) -> bool:
 
 
 def find(access: Access, names: Sequence[str]) -> tuple[list[Item], list[str]]:
-    """What names mean, and the names that mean nothing."""
+    """The items that names mean, and the names that mean none."""
     result: dict[str, Item] = {}
     unknown = []
     for name in names:

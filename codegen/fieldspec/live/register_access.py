@@ -255,7 +255,7 @@ class RegisterAccess:
         return chosen.space, chosen.occupant
 
     def words_of(self, value: Reading, text: str) -> tuple[int, ...]:
-        """What a text means for a value that was read. Raises WriteError."""
+        """The words that a text means for a value that was read. Raises WriteError."""
         own = writing.assignment(self.layout, "", value.occupant, text)
         return merged(value.words, own.words, own.mask) if own.mask else own.words
 

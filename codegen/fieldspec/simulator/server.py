@@ -58,9 +58,8 @@ class Server:
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
         except CodecError as error:
             return Answer(b"", f"damaged: {error.detail}")
-        garbled = next(
-            (p for p in shape.digits if p.read(parts[(offset := p.at(len(parts))) : offset + p.size]) is None), None
-        )
+        starts = ((part, part.at(len(parts))) for part in shape.digits)
+        garbled = next((part for part, start in starts if part.read(parts[start : start + part.size]) is None), None)
         if garbled is not None:
             return Answer(b"", f"damaged: {garbled.name} is no number")
         if shape.checksums and not frames.has_right_checksum(frame, "request"):
@@ -326,12 +325,7 @@ class Server:
         return values
 
     def _refused(
-        self,
-        frames: FrameCodec,
-        head: Mapping[str, Any],
-        code: int | None,
-        refusal: Refusal,
-        request_values: Mapping[str, Any],
+        self, frames: FrameCodec, head: Mapping[str, Any], code: int | None, refusal: Refusal, fields: Mapping[str, Any]
     ) -> Answer:
         """The response that refuses a request, or silence.
 
@@ -353,7 +347,7 @@ class Server:
             value = field.value
             if value is not None and value.const is None and value.type.kind is Kind.INTEGER and not field.is_list:
                 is_code = coded is not None and field.field.same_as == coded.name
-                values[field.name] = code if is_code else request_values.get(field.name, 0)
+                values[field.name] = code if is_code else fields.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number
         code = part.get("code", code) if record.code is None else record.code
         is_uncoded = frames.link.has_uncoded_exceptions
