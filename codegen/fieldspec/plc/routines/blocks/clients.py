@@ -16,6 +16,7 @@ from fieldspec.plc.routines.blocks.ports import (
     FRAMES,
     FREE,
     POSTPONED,
+    PRESSING,
     URGENT,
     increment,
     member,
@@ -203,7 +204,9 @@ class _Client:
         waits = every([compared(urgent, ">", number(0)), compared(step, "=", number(_ASK))])
         unsent = either([compared(step, "=", number(_IDLE)), compared(step, "=", number(_ASK))])
         other = compared(self._of_axis("first"), "<>", self._of_axis("request"))
-        gives_way = every([compared(urgent, ">", number(0)), compared(axis_state, "=", number(ASKED)), other, unsent])
+        gives_way = every(
+            [compared(urgent, ">", number(PRESSING)), compared(axis_state, "=", number(ASKED)), other, unsent]
+        )
         postponed = [
             Assignment(self._of_axis("error"), Whole(POSTPONED, UINT)),
             Assignment(self._of_axis("answered"), self._of_axis("request")),

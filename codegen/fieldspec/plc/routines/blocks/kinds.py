@@ -55,7 +55,11 @@ class Kind(ABC):
         return []
 
     def urgent(self) -> Expression | None:
-        """Whether what it asks for goes before what others ask for; None where that is never so."""
+        """Whether it stops, which goes before what others ask for; None where that is never so."""
+        return None
+
+    def pressing(self) -> Expression | None:
+        """Whether what it asks for goes before all but stops; None where that is never so."""
         return None
 
     @abstractmethod

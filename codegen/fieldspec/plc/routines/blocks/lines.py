@@ -13,6 +13,7 @@ from fieldspec.plc.routines.blocks.ports import (
     AXIS,
     FREE,
     POSTPONED,
+    PRESSING,
     URGENT,
     increment,
     member,
@@ -23,6 +24,7 @@ from fieldspec.plc.routines.expressions import (
     BOOL,
     UDINT,
     UINT,
+    Expression,
     Member,
     Negation,
     Whole,
@@ -103,10 +105,18 @@ class LineDraft(BlockDraft):
         state, error, urgent = (self.of_port(name) for name in ("state", "error", "urgent"))
         number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
         answered = every([self.asked, compared(state, "=", number(ANSWERED))])
-        first = kind.urgent()
-        calm = compared(urgent, "=", number(0))
+        first, second = kind.urgent(), kind.pressing()
+        allowed: list[Expression] = [compared(urgent, "=", number(0))]
+        claims: list[Statement] = []
+        if second is not None:
+            allowed.append(every([second, compared(urgent, "<=", number(PRESSING))]))
+            presses = every([second, compared(urgent, "<", number(PRESSING))])
+            claims.append(when(presses, [Assignment(urgent, number(PRESSING))]))
+        if first is not None:
+            allowed.append(first)
+            claims.append(when(first, [Assignment(urgent, number(URGENT))]))
         may_ask = [*kind.may_ask(), self.unharmed(), Negation(self.asked), compared(state, "=", number(FREE))]
-        may_ask.append(calm if first is None else either([calm, first]))
+        may_ask.append(either(allowed))
         judged = chain(
             [
                 (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
@@ -124,7 +134,6 @@ class LineDraft(BlockDraft):
             asking.append(when(first, [Assignment(self.of_port("first"), request)]))
         ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
         working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
-        claims = [when(first, [Assignment(urgent, number(URGENT))])] if first is not None else []
         drops = when(self.dropped, [*kind.release, assigned(self.dropped, False)])
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         tail = kind.tail()

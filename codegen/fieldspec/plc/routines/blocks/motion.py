@@ -239,10 +239,13 @@ class Moving(Edged):
         """See `Kind`."""
         if not self.stop:
             return None
-        ends = between(self.draft, self.ending, self.stop)
+        return between(self.draft, self.ending, self.stop)
+
+    def pressing(self) -> Expression | None:
+        """See `Kind`. Whether its command is accepted is looked at before another start goes out."""
         if not self.commands or self.look <= max(self.commands) + 1:
-            return ends
-        return either([ends, every([self.sent, Negation(self.taken), Negation(self.ending_flag)])])
+            return None
+        return every([self.sent, Negation(self.taken), Negation(self.ending_flag)])
 
     def tail(self) -> list[Statement]:
         """See `Kind`."""

@@ -37,10 +37,10 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
-URGENT = 3
-"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down.
+PRESSING, URGENT = 3, 6
+"""What a block that looks whether its command is accepted, and one that stops, write in each scan to go before others.
 
-It does so twice between two calls of the block that asks, where the order of the calls changes.
+Whoever serves the port counts it down: twice between two calls of a block, where the order of the calls changes.
 """
 POSTPONED = 65535
 """The error of a request that was not sent because a stop goes first: whoever has asked asks again."""
@@ -51,7 +51,7 @@ _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("request", UDINT, "the number of the request, which whoever asks counts up"),
     ("answered", UDINT, "the number of the request that was answered"),
     ("first", UDINT, "the number of the last request of a stop"),
-    ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan"),
+    ("urgent", INT, "while it is not 0, what is not urgent waits; whoever serves the port counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
 

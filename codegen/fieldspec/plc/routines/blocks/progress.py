@@ -202,16 +202,23 @@ class Conditions:
     ) -> list[Statement]:
         """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
 
-        While it moves, the stop is sent again and again: the device may begin what it had accepted before the last one.
+        What moves for long is stopped anew: the device may have begun what it had accepted before. A stop that is sent
+        too often might begin its ramp anew each time.
         """
         draft = self.draft
         computed, stands = self.all_of(steps, seen)
         standing = draft.flag("xStanding", "the device stands")
         kind.forget_first(standing)
         idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        moving = draft.flag("xMoving", "the device moves although it was told to stop")
+        kind.forget_first(moving)
+        long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
         unseen = kind.axis.unseen
-        waits = when(every([unseen, Negation(idle)]), [again], [assigned(unseen, False), *then])
-        return [*computed, Assignment(standing, stands), when(standing, [waits], [resend])]
+        waits = when(
+            every([unseen, Negation(idle)]), [again, assigned(moving, False)], [assigned(unseen, False), *then]
+        )
+        onward = when(long, [resend, assigned(moving, False)], [again, assigned(moving, True)])
+        return [*computed, Assignment(standing, stands), when(standing, [waits], [onward])]
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
