@@ -18,6 +18,10 @@ USED_ELSEWHERE = {
     "add_mcp": "cli.py joins the name of each verb behind `add_`",
     "add_redact": "cli.py joins the name of each verb behind `add_`",
     "add_simulate": "cli.py joins the name of each verb behind `add_`",
+    **dict.fromkeys(
+        ("Framing", "count_of_quantity", "printed_number", "special_number"),
+        "the judges of random devices ask the reference",
+    ),
     "changes_page": "a test writes docs/changes.md with it and keeps it fresh",
 }
 

@@ -1348,7 +1348,9 @@ function forWriting(value) {
 /** The meaning of the bytes of a value that is read: a constant binds only what is written. */
 function decodeAnswer(device, value, ...rest) {
   const read = decodeValue(device, value, ...rest);
-  return read.reason === "wrong_const" ? decodeValue(device, { ...value, const: undefined }, ...rest) : read;
+  if (read.reason !== "wrong_const") return read;
+  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
+  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
 }
 
 /** The meaning of all bytes of a value. Never throws. */

@@ -34,7 +34,7 @@ from random_devices.reference_answers import Reference
 from random_devices.script_judge import ScriptExplainer
 
 Aspects = dict[str, str]
-_MODULES: ByIdentity[DeviceLayout, Python] = ByIdentity(most=1)
+_MODULES: ByIdentity[DeviceLayout, Python] = ByIdentity(limit=1)
 _GCC, _TCC = ["gcc", "-std=c99", "-w", "-O1"], ["tcc", "-std=c99", "-w"]
 ROWS, EXPLAINED = 16, 2
 """Of so many inputs, one is explained with all rows, if it is a frame, or explained at all: both take long."""

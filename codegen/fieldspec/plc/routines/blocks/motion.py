@@ -196,7 +196,8 @@ class Moving(Edged):
             (every([axis.locked, *waits]), [when(self.sent, self.drop or goes_on, locked)]),
         ]
         if self.wanted is not None:
-            branches.append((every([Negation(self.wanted), Negation(self.ending_flag)]), self._withdrawn()))
+            gone = [Negation(self.wanted), draft.unharmed(), Negation(self.ending_flag)]
+            branches.append((every(gone), self._withdrawn()))
         if not self.halts:
             branches.append((every([superseded, draft.unharmed(), *waits, *unsent]), [left]))
         if self.late is not None:
