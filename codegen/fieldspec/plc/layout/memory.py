@@ -48,7 +48,7 @@ class PlacedMember:
     """A member `at` bytes behind the begin of its struct; of a BOOL that shares its byte, `bit` is the bit in it.
 
     `size` is that of one element in bytes, 0 for a bit; there are `count`, `stride` bytes apart. `inner` is the struct
-    that an element is, if it is one. `listed` says that it is an array.
+    that an element is, if it is one. `is_array` says that the member is an array.
     """
 
     member: StructMember

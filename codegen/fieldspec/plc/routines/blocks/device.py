@@ -80,9 +80,9 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
 def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
     """The blocks of tasks: two that jog in both directions are one, and what halts is a stop and a halt."""
     jogs = [task for task in tasks if task.kind == "jog" and task.steps]
-    taken: set[str] = set()
+    paired: set[str] = set()
     for task in tasks:
-        if task.name in taken:
+        if task.name in paired:
             continue
         if task.kind == "jog" and task.steps:
             opposite = [
@@ -91,7 +91,7 @@ def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
                 if {task.direction, other.direction} == {"positive", "negative"} and other.messages == task.messages
             ]
             pair = sorted((task, *opposite[:1]), key=lambda other: other.direction == "negative")
-            taken |= {other.name for other in pair}
+            paired |= {other.name for other in pair}
             yield Job("jog" if task.direction else task.name, tuple(pair))
         else:
             yield Job(task.name, (task,))
@@ -99,15 +99,15 @@ def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
                 yield Job("halt", (task,), halts=True)
 
 
-def _distinct(blocks: list[Routine], others: dict[str, Routine]) -> Iterator[Routine]:
+def _distinct(blocks: list[Routine], routines: dict[str, Routine]) -> Iterator[Routine]:
     """The blocks, with a number behind a name that is taken: tasks come first and have theirs."""
-    taken = {name.lower() for name in others}
+    used_names = {name.lower() for name in routines}
     for block in blocks:
         number, name = 1, block.name
-        while name.lower() in taken:
+        while name.lower() in used_names:
             number += 1
             name = f"{block.name}{number}"
-        taken.add(name.lower())
+        used_names.add(name.lower())
         yield replace(block, name=name)
 
 
@@ -135,9 +135,9 @@ class _Maker:
             raise NoBlock(task.not_applicable)
         if task.messages:
             return [self._cyclic(job, item) for item in cyclic(world.layout) if item.name in task.messages]
-        if all(has_only_registers(operands, each) for each in job.tasks):
+        if all(has_only_registers(operands, job_task) for job_task in job.tasks):
             return [self._line(job, AXIS)]
-        if own_links(world.layout) and all(_sends(each) for each in job.tasks):
+        if own_links(world.layout) and all(_sends(job_task) for job_task in job.tasks):
             return [self._line(job, FRAMES)]
         raise NoBlock("its steps act on parameters, or on several kinds of facts: send the messages one by one")
 
@@ -160,8 +160,8 @@ class _Maker:
 
     def _cyclic(self, job: Job, message: MessageLayout) -> Routine:
         """A block that works with a telegram, made twice as those of a line."""
-        named = message.name in job.name
-        name = self.world.block(job.name) if named else self.world.block(message.name, job.name)
+        has_message_name = message.name in job.name
+        name = self.world.block(job.name) if has_message_name else self.world.block(message.name, job.name)
 
         def build(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")

@@ -116,10 +116,10 @@ class Edged(Kind):
         """See `Kind`."""
         return [Negation(self.edge)]
 
-    def over(self, *others: Statement) -> Statement:
+    def over(self, *statements: Statement) -> Statement:
         """What a block does when one of its outputs says that it has ended."""
         draft = self.draft
-        return chain([(either(draft.ends()), [*self.drop, *others, assigned(draft.busy, False), draft.end()])])
+        return chain([(either(draft.ends()), [*self.drop, *statements, assigned(draft.busy, False), draft.end()])])
 
     def done(self) -> Branch:
         """What ends the block behind its last step."""
@@ -192,8 +192,8 @@ class Reading(Kind):
         draft = self.draft
         wrong = [assigned(draft.done, False), *draft.erroneous(), draft.forgotten(), draft.go(1)]
         right = [*draft.cleared()[1:], assigned(draft.done, True), draft.go(1)]
-        behind = compared(draft.step, "=", number(0))
+        finished = compared(draft.step, "=", number(0))
         return [
-            chain([(draft.failed(), wrong), (behind, right)]),
+            chain([(draft.failed(), wrong), (finished, right)]),
             Assignment(draft.busy, Negation(draft.error)),
         ]

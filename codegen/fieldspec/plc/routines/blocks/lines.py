@@ -104,7 +104,7 @@ class LineDraft(BlockDraft):
         kind = self.kind
         state, error, urgent = (self.of_port(name) for name in ("state", "error", "urgent"))
         number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
-        answered = every([self.asked, compared(state, "=", number(ANSWERED))])
+        is_answered = every([self.asked, compared(state, "=", number(ANSWERED))])
         first, second = kind.urgent(), kind.pressing()
         allowed: list[Expression] = [compared(urgent, "=", number(0))]
         claims: list[Statement] = []
@@ -133,7 +133,7 @@ class LineDraft(BlockDraft):
         if first is not None:
             asking.append(when(first, [Assignment(self.of_port("first"), request)]))
         ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
-        working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
+        working = chain([*kind.guards(), (is_answered, take), (every(may_ask), ask)])
         drops = when(self.dropped, [*kind.release, assigned(self.dropped, False)])
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         tail = kind.tail()

@@ -128,8 +128,8 @@ class Moving(Edged):
     def accepted(self) -> list[Statement]:
         """See `Kind`."""
         motion = self.axis.motion
-        taken = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
-        return [when(self.accepts, [*taken, assigned(self.accepts, False)])]
+        takeover = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
+        return [when(self.accepts, [*takeover, assigned(self.accepts, False)])]
 
     def edges(self) -> list[Statement]:
         """See `Kind`."""
@@ -196,8 +196,8 @@ class Moving(Edged):
             (every([axis.locked, *waits]), [when(self.sent, self.drop or goes_on, locked)]),
         ]
         if self.wanted is not None:
-            gone = [Negation(self.wanted), draft.unharmed(), Negation(self.ending_flag)]
-            branches.append((every(gone), self._withdrawn()))
+            withdrawn = [Negation(self.wanted), draft.unharmed(), Negation(self.ending_flag)]
+            branches.append((every(withdrawn), self._withdrawn()))
         if not self.halts:
             branches.append((every([superseded, draft.unharmed(), *waits, *unsent]), [left]))
         if self.late is not None:
@@ -290,10 +290,10 @@ class Moving(Edged):
         draft = self.draft
         once_more: list[Branch] = []
         if self.tries > 1:
-            again = every([draft.failed(), compared(self.tries_left, ">", number(1))])
+            is_retried = every([draft.failed(), compared(self.tries_left, ">", number(1))])
             minus = Assignment(self.tries_left, plus(self.tries_left, -1))
-            once_more.append((again, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
-        behind = compared(draft.step, "=", number(0))
+            once_more.append((is_retried, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
+        finished = compared(draft.step, "=", number(0))
         flags = [assigned(flag, False) for flag in (self.ending_flag, self.sent, self.taken)]
         outcome = when(draft.failed(), draft.erroneous(), self.ended_well())
         tells = [compared(self.first_reason, "<>", _NONE), *([draft.failed()] if self.halts else [])]
@@ -305,15 +305,15 @@ class Moving(Edged):
         ]
         return [
             when(every([late, draft.unharmed(), compared(draft.step, ">", number(self.stop))]), [draft.fail("late")]),
-            chain([*once_more, (either([draft.failed(), behind]), ended)]),
+            chain([*once_more, (either([draft.failed(), finished]), ended)]),
         ]
 
 
 def unready(kind: Moving, draft: BlockDraft, moves: Expression) -> Branch:
     """What is done where the axis has to stand: a motion of the block itself is ended, and it begins again."""
     kind.hidden = True
-    again = [Assignment(kind.pending, kind.still_earlier())] if kind.pending is not None else []
-    return either([moves, kind.still_earlier()]), [*again, draft.fail("unready")]
+    remember_edge = [Assignment(kind.pending, kind.still_earlier())] if kind.pending is not None else []
+    return either([moves, kind.still_earlier()]), [*remember_edge, draft.fail("unready")]
 
 
 class Jogging(Moving):
@@ -358,11 +358,11 @@ class Jogging(Moving):
         draft = self.draft
         # At its end it begins in the other direction where that alone is asked for.
         free = either([Negation(draft.busy), compared(draft.step, "=", number(0))])
-        begins = every([self.ready, free, _single(self.levels)])
+        may_begin = every([self.ready, free, _single(self.levels)])
         direction = [Assignment(self.backward, self.levels[1])] if len(self.levels) > 1 else []
         return [
             when(Negation(self.execute), [assigned(self.ready, True)]),
-            Assignment(self.edge, begins),
+            Assignment(self.edge, may_begin),
             chain([(self.edge, [*direction, *self.converted(), *self.begun()]), self.idle()]),
             Assignment(self.pressed, self.execute),
         ]
@@ -377,9 +377,9 @@ class Jogging(Moving):
         """See `Edged`."""
         return [when(Negation(_single(self.levels)), super().ended_well())]
 
-    def over(self, *others: Statement) -> Statement:
+    def over(self, *statements: Statement) -> Statement:
         """See `Edged`."""
-        return super().over(*others, when(Negation(self.draft.done), [assigned(self.ready, False)]))
+        return super().over(*statements, when(Negation(self.draft.done), [assigned(self.ready, False)]))
 
 
 def _single(levels: Sequence[Expression]) -> Expression:

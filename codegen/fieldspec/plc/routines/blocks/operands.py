@@ -101,8 +101,8 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
     remark = of_value(value) if operand.bit is None else ""
     if quantity is not None:
         unit = quantity.quantity.value.unit
-        about = f"in {unit}; 1 count = {count_of(quantity.quantity.value)}" if unit else remark
-        source = block.declare(f"lr{Name.of(name).pascal()}", LREAL, "input", about)
+        description = f"in {unit}; 1 count = {count_of(quantity.quantity.value)}" if unit else remark
+        source = block.declare(f"lr{Name.of(name).pascal()}", LREAL, "input", description)
         raw = block.declare(raw_name, kind, "output", "what is sent, in counts")
         parameter = f"{PREFIXES[quantity.quantity.kind.name]}Counts"
         call = Call(
@@ -174,12 +174,12 @@ def outputs_of(block: BlockDraft, name: str, operand: Operand, value: Value | No
     unit = quantity.quantity.value.unit
     physical = block.declare(f"lr{Name.of(name).pascal()}", LREAL, "output", f"in {unit}" if unit else "")
     assert isinstance(kind, Elementary)
-    beside = block.declare(f"{PREFIXES[kind.name]}{Name.of(name).pascal()}Raw", kind, "output", of_value(value))
+    raw_output = block.declare(f"{PREFIXES[kind.name]}{Name.of(name).pascal()}Raw", kind, "output", of_value(value))
     parameter = f"{PREFIXES[quantity.quantity.kind.name]}Counts"
     call = Call(
         world.routine(quantity.name, "from_counts"), ((parameter, raw),), (("lrValue", physical),), block.status.type
     )
-    return [Assignment(beside, raw), *_refusing(block, call, block.fail("request"))]
+    return [Assignment(raw_output, raw), *_refusing(block, call, block.fail("request"))]
 
 
 def field_of(bit: Bit, word: Expression) -> Expression:
@@ -201,10 +201,10 @@ def holds(world: World, operand: Operand, content: Value | None, value: ScalarVa
         assert isinstance(truth, Operation)
         return truth if value in (True, 1) else compared(truth.operands[0], "=", truth.operands[1])
     number = field_of(operand.bit, read) if operand.bit is not None else read
-    wanted = constant(world, operand, content, value, number.type)
-    if isinstance(wanted, Truth):
-        return number if wanted.value else compared(number, "=", wanted)
-    return compared(number, "=", wanted)
+    expected = constant(world, operand, content, value, number.type)
+    if isinstance(expected, Truth):
+        return number if expected.value else compared(number, "=", expected)
+    return compared(number, "=", expected)
 
 
 def constant(world: World, operand: Operand, content: Value | None, value: ScalarValue, kind: Type) -> Expression:

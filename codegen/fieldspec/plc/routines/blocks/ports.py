@@ -78,13 +78,13 @@ def ports(world: World) -> Iterator[Port]:
         ("exclusive", BOOL, "one of them does not see whether the device takes it: no other begins meanwhile"),
     )
     if layout.registers:
-        asked = (
+        access = (
             ("write", BOOL, "whether the words are to be written"),
             ("address", UINT, "of the first register"),
             ("count", INT, "how many words"),
             ("words", world.words, "what is written, or was read"),
         )
-        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *asked, *mover))
+        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *access, *mover))
     elif sends(layout):
         yield Port(AXIS, "axis", "A device, and who moves it", mover)
     if own_links(layout):
@@ -133,15 +133,15 @@ def axis_key(message: MessageLayout | Message) -> str:
     return f"axis of {message.name}"
 
 
-def member(world: World, port: str, name: str, of: Expression) -> Member:
+def member(world: World, port: str, name: str, struct: Expression) -> Member:
     """A member of a port."""
     if not world.port_members:
         world.port_members.update({port.key: {name: kind for name, kind, _ in port.members} for port in ports(world)})
-    return Member(of, world.names.members[port][name], world.port_members[port][name])
+    return Member(struct, world.names.members[port][name], world.port_members[port][name])
 
 
 def increment(count: Expression) -> Statement:
     """What adds one to a number, and begins again with 0 behind the greatest one."""
-    more = Operation("+", (count, Whole(1, UDINT)), UDINT)
-    most = compared(count, "=", Whole(UDINT.high, UDINT))
-    return when(most, [Assignment(count, Whole(0, UDINT))], [Assignment(count, more)])
+    successor = Operation("+", (count, Whole(1, UDINT)), UDINT)
+    is_greatest = compared(count, "=", Whole(UDINT.high, UDINT))
+    return when(is_greatest, [Assignment(count, Whole(0, UDINT))], [Assignment(count, successor)])

@@ -160,9 +160,13 @@ class BlockDraft(Variables):
 
     def selected(self, asks: bool) -> list[Statement]:
         """CASE over the step, without the steps that have nothing to do."""
-        bodies = [(at, step.ask if asks else step.take, step.remark) for at, step in enumerate(self.steps, 1)]
+        bodies = [
+            (position, step.ask if asks else step.take, step.remark) for position, step in enumerate(self.steps, 1)
+        ]
         branches = tuple(
-            (((at, at),), (Remark(remark), *body) if remark else body) for at, body, remark in bodies if body
+            (((position, position),), (Remark(remark), *body) if remark else body)
+            for position, body, remark in bodies
+            if body
         )
         return [Selection(self.step, branches)] if branches else []
 
@@ -191,9 +195,9 @@ class BlockDraft(Variables):
         """What forgets the reason to end with an error."""
         return Assignment(self.reason, Whole(0, UINT))
 
-    def attempt(self, call: Expression, then: Body, reason: str) -> list[Statement]:
+    def attempt(self, call: Expression, success: Body, reason: str) -> list[Statement]:
         """Calls a function, and goes on where it returns Ok; else ends with an error."""
-        return [Assignment(self.result, call), when(self.good, then, [self.fail(reason)])]
+        return [Assignment(self.result, call), when(self.good, success, [self.fail(reason)])]
 
     def finished(self, body: Sequence[Statement]) -> Routine:
         """The block; local variables that no statement uses are left out."""

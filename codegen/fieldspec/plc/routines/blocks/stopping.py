@@ -36,8 +36,8 @@ class Stopping(Edged):
     def edges(self) -> list[Statement]:
         """See `Kind`."""
         draft, stops = self.draft, self.axis.stops
-        more = Operation("+", (stops, Whole(1, UDINT)), UDINT)
-        lock = [Assignment(stops, more), assigned(self.lock, True)]
+        successor = Operation("+", (stops, Whole(1, UDINT)), UDINT)
+        lock = [Assignment(stops, successor), assigned(self.lock, True)]
         begin = [*self.begun(), Assignment(self.last_error, Whole(0, UINT)), draft.forgotten(), *draft.at_start]
         allowed = [Negation(self.lock), *([draft.unharmed()] if draft.at_start else [])]
         begin.append(when(every(allowed), lock))
@@ -50,9 +50,9 @@ class Stopping(Edged):
     def tail(self) -> list[Statement]:
         """See `Kind`."""
         draft = self.draft
-        again = [Assignment(self.last_error, draft.reason), draft.forgotten(), *self.drop, draft.go(1)]
+        repeat = [Assignment(self.last_error, draft.reason), draft.forgotten(), *self.drop, draft.go(1)]
         refused = [(every([draft.failed(), self.edge]), draft.erroneous())] if draft.at_start else []
-        return [*self.insists, chain([*refused, (draft.failed(), again), self.done()]), self.over()]
+        return [*self.insists, chain([*refused, (draft.failed(), repeat), self.done()]), self.over()]
 
     def unlock(self) -> Statement:
         """What unlocks the axis, in each scan."""
