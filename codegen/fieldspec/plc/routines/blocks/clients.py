@@ -76,13 +76,13 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
 
 
 def _usable(world: World, exchange: Exchange, access: RegisterAccess) -> bool:
-    """Whether a request says nothing but the station, the address, the number and the words."""
+    """Whether a request has no fields but the station, the address, the number and the words."""
     fields = {field.name for field in exchange.message.request.fields if is_user_field(field)}
     return fields <= {access.start, access.count, access.values}
 
 
 class _Client:
-    """The block while it is being made."""
+    """Makes the block that serves the port of a device by a link."""
 
     def __init__(
         self, world: World, link: LinkLayout, reading: Exchange, single: Exchange | None, multiple: Exchange | None
@@ -114,7 +114,7 @@ class _Client:
         return member(self.world, FRAMES, name, self.frames)
 
     def block(self) -> Routine:
-        """The whole block."""
+        """The block: its variables, its statements and its remarks."""
         world = self.world
         retries = self._declare("iRetries", INT, "input", "how often reading is tried again; writing never is", "2")
         step, tries = self._declare("iStep", INT, "local"), self._declare("iTry", INT, "local")
@@ -258,7 +258,7 @@ class _Client:
         return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
 
     def _arguments(self, exchange: Exchange) -> dict[str, Expression]:
-        """The arguments that build a request."""
+        """The arguments of the function that builds a request."""
         access = exchange.message.message.accesses
         assert access is not None
         words, count = self._of_axis("words"), self._of_axis("count")

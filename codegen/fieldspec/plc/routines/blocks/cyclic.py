@@ -78,7 +78,7 @@ class CyclicTask:
         self.remarks: list[str] = []
 
     def all(self) -> None:
-        """Adds the steps."""
+        """Adds the steps of all tasks of the block."""
         kind, task = self.kind, self.task
         if isinstance(kind, Jogging):
             self._jog(kind)
@@ -97,7 +97,7 @@ class CyclicTask:
                 self._walk(task, before_effect(task), len(task.steps))
 
     def _motion(self, kind: Moving) -> None:
-        """Adds the steps of a motion or a halt, and what ends it."""
+        """Adds the steps of a motion or a halt, and those that end it."""
         task = self.task
         ends = end_steps(task) if task.kind in LASTING else None
         stop = len(task.steps) if ends is None else ends[1]
@@ -128,7 +128,7 @@ class CyclicTask:
         self._end(kind)
 
     def _end(self, kind: Moving) -> None:
-        """Adds what ends a motion: what lets it go on is cleared at once, and the block waits for standstill."""
+        """Adds the steps that end a motion: bits that keep it going are cleared, and the block waits for standstill."""
         draft = self.draft
         starting = [bit for bit in self.set if bit.roles & STARTING]
         kind.restart = cleared([*starting, *self.pulsed]) + self.neutral + self.lowered
@@ -155,7 +155,7 @@ class CyclicTask:
             draft.add([when(every([self.places.valid, is_standing]), [draft.end()])], remark="until the device stands")
 
     def _insist(self) -> None:
-        """Adds what a stop does: its bits are cleared in each scan, whatever the response, until the drive shows it."""
+        """Adds a stop: its bits are cleared in each scan, whatever the response, until the drive shows standstill."""
         draft, task, kind = self.draft, self.task, self.kind
         waits: list[Step] = []
         bits: list[RequestBit] = []
@@ -242,7 +242,7 @@ class CyclicTask:
         takeover: list[Statement],
         is_last: bool,
     ) -> None:
-        """Adds a step that looks until what is waited for is there."""
+        """Adds a step that waits until conditions hold."""
         draft, kind = self.draft, self.kind
         if self.unsettled:
             self._settle()
@@ -347,7 +347,7 @@ class CyclicTask:
             draft.add(following, remark="the request follows the inputs")
 
     def _safe(self) -> None:
-        """Clears first what would let something go on when the alarm is gone."""
+        """Adds a step that clears the bits which could start something once the alarm is gone."""
         safe = cleared([self.places.bit(operand) for operand in self.places.starting()])
         if safe:
             self.remarks.append(
@@ -361,7 +361,7 @@ class CyclicTask:
         return self.conditions.operand(step)
 
     def block(self) -> Routine:
-        """The block."""
+        """The block: the statements of each scan, with the steps in a CASE."""
         draft, kind = self.draft, self.kind
         edges = kind.edges()
         guards = kind.guards()

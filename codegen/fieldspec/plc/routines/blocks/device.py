@@ -50,7 +50,7 @@ class Job:
 
     @property
     def kind(self) -> str:
-        """The word of its tasks in the schema."""
+        """The kind of its tasks in the schema."""
         return self.tasks[0].kind
 
 
@@ -112,7 +112,7 @@ def _distinct(blocks: list[Routine], routines: dict[str, Routine]) -> Iterator[R
 
 
 class _Maker:
-    """What makes the blocks of tasks."""
+    """Makes the blocks of tasks."""
 
     def __init__(self, world: World, by_name: Mapping[str, Routine]) -> None:
         self.world, self.by_name = world, by_name
@@ -120,7 +120,7 @@ class _Maker:
         self.helpers = Helpers(world)
 
     def tried(self, job: Job) -> tuple[list[Routine], str]:
-        """The blocks of a job, or why it has none."""
+        """The blocks of a job, or the reason why it has none."""
         try:
             return self.blocks(job), ""
         except NoBlock as reason:
@@ -177,7 +177,7 @@ class _Maker:
 
 
 def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
-    """How the block of a job starts and ends."""
+    """The kind of start and end that the block of a job has."""
     if job.kind.startswith("read_"):
         return Reading(draft)
     if job.kind == "jog":
@@ -200,7 +200,7 @@ _AGAIN = (
 
 
 def _comments(kind: Kind) -> tuple[str, ...]:
-    """What the comment of a block says of its start and end."""
+    """The paragraphs of a block's comment about its start and end."""
     assert isinstance(kind, Edged | Reading)
     if isinstance(kind, Moving) and kind.hidden:
         return kind.comment, _HIDDEN

@@ -37,7 +37,7 @@ class Exchange:
 
 
 def exchange_of(world: World, link: LinkLayout, message: MessageLayout, by_name: Mapping[str, Routine]) -> Exchange:
-    """The functions of a message."""
+    """A message on a link with the functions that build and parse it."""
     words = (*link_words(world, link), message.name)
     return Exchange(link, message, by_name[world.routine("build", *words)], by_name[world.routine("parse", *words)])
 
@@ -110,7 +110,7 @@ def message_block(world: World, exchange: Exchange) -> Routine:
 
 
 class MessageTask(LineTask):
-    """The steps of a block that sends messages."""
+    """Adds the steps of a block that sends messages."""
 
     def __init__(
         self,
@@ -154,7 +154,7 @@ class MessageTask(LineTask):
         return looks
 
     def _standing(self) -> Iterable[tuple[Task, Unit]]:
-        """What the task that stops the device looks at."""
+        """The units in which the task that stops the device waits for standstill."""
         halting = halting_task(self.world.layout.device)
         if halting is not None:
             for unit in self.units(halting, last_command(halting) + 1, len(halting.steps)):
@@ -190,7 +190,7 @@ class MessageTask(LineTask):
         add_exchange(self.draft, exchange, request_values, self._answered(exchange), success, remark=remark)
 
     def _answered(self, exchange: Exchange) -> dict[str, Variable]:
-        """The variables for what a response has."""
+        """The local variables for the values in a response, by the names of the parsing function's outputs."""
         variables = {
             declared.variable.name: _local(self.draft, declared)
             for declared in exchange.parse.declared
@@ -241,7 +241,7 @@ class MessageTask(LineTask):
     def _seen(
         self, operand: Operand, exchange: Exchange, response_variables: Mapping[str, Variable]
     ) -> Expression | None:
-        """The variable of what a response has, where an operand is in it."""
+        """The variable that holds the value of an operand in a response; None where the response does not have it."""
         _, answers = parameters_of(self.world, exchange.link, exchange.message)
         variables: Mapping[str, Variable] = {}
         if operand.scope == f"messages/{exchange.message.name}":

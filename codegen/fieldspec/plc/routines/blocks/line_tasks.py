@@ -75,30 +75,30 @@ class LineTask(ABC):
 
     @abstractmethod
     def units(self, task: Task, first: int, stop: int) -> Iterable[Unit]:
-        """The units of some steps."""
+        """The units of the steps of a task from `first` to before `stop`."""
 
     @abstractmethod
     def first_units(self) -> Iterable[tuple[Task, Unit]]:
-        """What is looked at before the first command, with the tasks that look at it."""
+        """The units whose responses are judged before the first command, with their tasks."""
 
     @abstractmethod
     def watching_unit(self) -> tuple[Task, Unit] | None:
-        """What is looked at while a motion goes on until its input ends it; None where nothing is to be seen."""
+        """The unit that is read while a motion lasts; None where no response shows anything."""
 
     @abstractmethod
     def seen(self, task: Task, unit: Unit) -> Seen:
-        """What is to be seen in the answer to a unit."""
+        """The function that gives the raw number of an operand in the response to a unit."""
 
     @abstractmethod
     def perform(self, task: Task, unit: Unit, operands: Sequence[Operand], decide: Decide, remark: str) -> None:
-        """Adds what sends the commands of a unit, or asks for what it needs, and decides."""
+        """Adds the steps that send a unit's commands, or request its operands, and then decide."""
 
     def target(self, step: Step) -> Operand:
         """The operand of a step."""
         return target(self.operands, step)
 
     def all(self) -> None:
-        """Adds all steps."""
+        """Adds the steps of all tasks of the block."""
         kind, task = self.draft.kind, self.task
         whole = len(task.steps)
         if isinstance(kind, Jogging):
@@ -119,7 +119,7 @@ class LineTask(ABC):
             self._walk(task, first, whole, takeover, acceptance(self.operands, task) if takes else -1)
 
     def _motion(self, kind: Moving) -> None:
-        """Adds the steps of a motion, or of a halt, and what ends it."""
+        """Adds the steps of a motion, or of a halt, and those that end it."""
         task = self.task
         kind.limit()
         first = before_effect(task)
@@ -272,7 +272,7 @@ class LineTask(ABC):
         must_begin: bool,
         ending: bool,
     ) -> None:
-        """Adds a unit."""
+        """Adds the steps of a unit, with the decision on its response."""
         draft, kind, conditions = self.draft, self.draft.kind, self.conditions
         value_of, this_step = self.seen(task, unit), draft.next
         own = not ending and (unit.commands or bool(unit.waits))
@@ -326,11 +326,11 @@ class LineTask(ABC):
         self.perform(task, unit, [operand for operand in operands if value_of(operand) is not None], decide, remark)
 
     def content(self, operand: Operand) -> Value | None:
-        """The value that is read."""
+        """The value of an operand when it is read."""
         return operand.value
 
     def _refused(self) -> list[Statement]:
-        """What is done where the device has refused the command: it goes on with what was before."""
+        """The statements for a refused command: the device goes on with its earlier motion."""
         kind, refused = self.draft.kind, self.draft.fail("exception")
         if not isinstance(kind, Moving):
             return [refused]

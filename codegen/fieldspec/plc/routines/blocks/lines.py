@@ -50,7 +50,7 @@ class LineDraft(BlockDraft):
 
     @classmethod
     def executed(cls, world: World, name: str, group: str, port: str, abort: bool = True) -> LineDraft:
-        """A block that does something once, and ends when its time is over."""
+        """A block that carries out its steps once, within a time limit."""
         draft = cls(world, name, group, port)
         kind = Executed(draft, abort)
         draft.connect(kind)
@@ -64,7 +64,7 @@ class LineDraft(BlockDraft):
         return draft
 
     def connect(self, kind: Kind) -> None:
-        """Says how the block starts and ends."""
+        """Connects the block to the kind of its start and end, which may give up its requests."""
         self.kind = kind
         self.asked = self.declare("xAsked", BOOL, "local", "a request of this block is on its way")
         state = self.of_port("state")
@@ -92,15 +92,15 @@ class LineDraft(BlockDraft):
         return member(self.world, self.key, name, self.port)
 
     def request(self, fill: Iterable[Statement], take: Iterable[Statement], remark: str = "") -> int:
-        """Adds a step that asks, once what `fill` computes is good, and takes the answer."""
+        """Adds a step that sends a request unless `fill` fails, and takes its response."""
         return self.add(fill, take, remark)
 
     def ask(self, *fields: Statement) -> list[Statement]:
-        """The statements that ask."""
+        """The statements that send a request through the port."""
         return [*fields, assigned(self.asked, True)]
 
     def block(self) -> Routine:
-        """The block."""
+        """The block: the statements of each scan, with requests and responses in two CASEs."""
         kind = self.kind
         state, error, urgent = (self.of_port(name) for name in ("state", "error", "urgent"))
         number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")

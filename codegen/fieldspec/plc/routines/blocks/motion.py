@@ -36,7 +36,7 @@ _NONE = Whole(0, UINT)
 
 
 class AxisPort:
-    """The members of a port that say who moves the axis."""
+    """The members of a port that say which block has the axis."""
 
     MEMBERS = ("motion", "claims", "stops", "active", "unseen", "exclusive")
 
@@ -50,7 +50,7 @@ class AxisPort:
 
 
 def between(draft: BlockDraft, first: int, last: int) -> Expression:
-    """Whether the block is in one of some steps."""
+    """Whether the step of the block lies between two steps, both included."""
     if first == last:
         return compared(draft.step, "=", number(first))
     return every([compared(draft.step, ">=", number(first)), compared(draft.step, "<=", number(last))])
@@ -99,17 +99,17 @@ class Moving(Edged):
     """Whether an edge that comes while the motion is being ended begins afterwards."""
 
     def limit(self) -> None:
-        """Ends the motion when its time is over."""
+        """Adds the time limit after which the motion is ended."""
         running = every([self.draft.busy, Negation(self.ending_flag)])
         self.late = self.draft.timer("fbLimit", running, "tLimit", "T#60s", "the longest time until Done")
 
     def on_ask(self) -> list[Statement]:
-        """What notes that the command is on its way, where the block asks."""
+        """See `Kind`. They record that the command may be on its way."""
         steps = [compared(self.draft.step, "=", number(step)) for step in self.commands]
         return [when(either(steps), self.goes_out())] if steps else []
 
     def goes_out(self) -> list[Statement]:
-        """What notes that the command is on its way: what is accepted from now on comes behind it."""
+        """The statements that record that the command is on its way: acceptances from now on come after it."""
         earlier = Assignment(self.earlier, self.still_earlier())
         unseen: list[Statement] = []
         if not self.halts:
@@ -118,11 +118,11 @@ class Moving(Edged):
         return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion), *unseen]
 
     def still_earlier(self) -> Expression:
-        """Whether a command of before may be moving the axis, and no other was accepted since."""
+        """Whether an earlier command may be moving the axis, and no other has been accepted since."""
         return every([self.earlier, compared(self.owner, "=", self.axis.motion)])
 
     def take_over(self) -> list[Statement]:
-        """What makes the block responsible: its command is accepted."""
+        """The statements that give the axis to the block, whose command is accepted."""
         return [assigned(self.accepts, True)]
 
     def accepted(self) -> list[Statement]:
@@ -142,7 +142,7 @@ class Moving(Edged):
         ]
 
     def converted(self) -> list[Statement]:
-        """What converts the inputs."""
+        """The statements that convert the inputs."""
         draft = self.draft
         return [Assignment(draft.refusal, _NONE), *draft.at_start] if draft.at_start else []
 
@@ -205,7 +205,7 @@ class Moving(Edged):
         return branches
 
     def _withdrawn(self) -> list[Statement]:
-        """What is done when the input that a motion lasts with is taken away."""
+        """The statements for a motion whose input is no longer TRUE."""
         draft = self.draft
         moving = either([self.sent, self.taken, self.still_earlier()])
         return [when(moving, self._end_begun(), [draft.forgotten(), draft.end()])]
@@ -214,7 +214,7 @@ class Moving(Edged):
         return self.sent, self.taken, self.earlier, self.ending_flag
 
     def _end_begun(self) -> list[Statement]:
-        """What begins to end the motion, for the reason that there is."""
+        """The statements that begin to end the motion and record the reason."""
         draft = self.draft
         return [
             *self.drop,
@@ -228,11 +228,11 @@ class Moving(Edged):
         ]
 
     def seen_to_move(self) -> Statement:
-        """What notes that the device moves: by the command, unless another one was under way when it went out."""
+        """The statement that records motion, unless another command was under way when this one was sent."""
         return when(self.alone, [assigned(self.axis.unseen, False)])
 
     def alarmed(self, tests: Sequence[Expression]) -> list[Statement]:
-        """What notes an alarm while the motion is being ended: it is why the motion has ended, whatever was before."""
+        """The statements that record an alarm as the reason, while the motion is being ended."""
         reason = Assignment(self.first_reason, Whole(ERRORS["alarm"][0], UINT))
         return [when(test, [reason]) for test in tests]
 
@@ -269,7 +269,7 @@ class Moving(Edged):
         return [chain(branches), self.over(*flags, *lowered), self._count()]
 
     def _count(self) -> Statement:
-        """What counts the command of the block in the port, from where it goes out until the block has ended."""
+        """The statement that counts the block's command in the port until the block has ended."""
         active = self.axis.active
         less = Assignment(active, Operation("-", (active, Whole(1, UDINT)), UDINT))
         lost = when(compared(active, ">", Whole(0, UDINT)), [less])
@@ -279,14 +279,14 @@ class Moving(Edged):
         return when(changes, [counts, Assignment(self.counted, Negation(self.counted)), *alone])
 
     def _clashes(self) -> Expression:
-        """Whether the device does not show which of two commands it carries out: this one, or that of another block."""
+        """Whether the device could not show which of two commands it carries out, this one or another block's."""
         if not self.hidden:
             return self.axis.exclusive
         active, own = self.axis.active, Whole(1, UDINT)
         return either([compared(active, ">", own), every([compared(active, "=", own), Negation(self.counted)])])
 
     def _ending(self, late: Expression) -> list[Statement]:
-        """What is done while the motion is being ended: tries, and what comes after."""
+        """The statements while the motion is being ended: further tries, and the end."""
         draft = self.draft
         once_more: list[Branch] = []
         if self.tries > 1:
@@ -310,7 +310,7 @@ class Moving(Edged):
 
 
 def unready(kind: Moving, draft: BlockDraft, moves: Expression) -> Branch:
-    """What is done where the axis has to stand: a motion of the block itself is ended, and it begins again."""
+    """The branch for an axis that has to stand: the block's own motion is ended, then it begins again."""
     kind.hidden = True
     remember_edge = [Assignment(kind.pending, kind.still_earlier())] if kind.pending is not None else []
     return either([moves, kind.still_earlier()]), [*remember_edge, draft.fail("unready")]

@@ -122,7 +122,7 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
 
 
 def unit_of(operand: Operand) -> str:
-    """The unit of a fact, or counts."""
+    """The unit of a fact; `counts` where it has none."""
     value = operand.value
     return value.unit if value is not None and value.unit and value.scaled else "counts"
 
@@ -148,7 +148,7 @@ def _unless_refused(block: BlockDraft, statements: list[Statement]) -> list[Stat
 
 
 def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) -> Iterator[Statement]:
-    """What refuses a number that may not be written."""
+    """The statements that refuse a number which may not be written."""
     ranges = value.writable_ranges
     if ranges is None or kind.family not in ("signed", "unsigned"):
         return

@@ -109,7 +109,7 @@ def ports(world: World) -> Iterator[Port]:
 
 
 def own_links(layout: DeviceLayout) -> list[LinkLayout]:
-    """The links with frames that a controller builds itself."""
+    """The links whose frames have more than a body, which the controller builds itself."""
     return [link for link in layout.links.values() if framed(link)]
 
 
@@ -119,7 +119,7 @@ def sends(layout: DeviceLayout) -> bool:
 
 
 def cyclic(layout: DeviceLayout) -> list[MessageLayout]:
-    """The telegrams with which tasks work."""
+    """The telegrams of fixed size that tasks use."""
     names = {name for task in layout.device.tasks if task.steps for name in task.messages}
     return [
         message
@@ -129,7 +129,7 @@ def cyclic(layout: DeviceLayout) -> list[MessageLayout]:
 
 
 def axis_key(message: MessageLayout | Message) -> str:
-    """The key of the port of a telegram."""
+    """The key of the port for a telegram."""
     return f"axis of {message.name}"
 
 
@@ -141,7 +141,7 @@ def member(world: World, port: str, name: str, struct: Expression) -> Member:
 
 
 def increment(count: Expression) -> Statement:
-    """What adds one to a number, and begins again with 0 behind the greatest one."""
+    """The statement that adds 1 to a count, with 0 after its greatest value."""
     successor = Operation("+", (count, Whole(1, UDINT)), UDINT)
     is_greatest = compared(count, "=", Whole(UDINT.high, UDINT))
     return when(is_greatest, [Assignment(count, Whole(0, UDINT))], [Assignment(count, successor)])

@@ -38,7 +38,7 @@ _START = "how long the device may stand before it moves, or off its target; the 
 
 
 class Conditions:
-    """What a block waits for. `arguments` has the raw numbers of arguments, `message` the telegram."""
+    """The conditions that a block waits for. `arguments` has raw numbers by argument, `message` is the telegram."""
 
     def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: str = "") -> None:
         self.world, self.operands, self.draft, self.message = world, operands, draft, message
@@ -48,11 +48,11 @@ class Conditions:
         self.standstill = () if halting is None else standstill(operands, halting, message)
 
     def operand(self, step: Step) -> Operand:
-        """What a step acts on."""
+        """The operand of a step."""
         return target(self.operands, step, self.message)
 
     def compared(self, task: Task) -> list[Step]:
-        """The steps for which the block looks before the command where the device is."""
+        """The waits whose operand is compared with its value before the command."""
         return [step for step in task.steps if step.action == "wait" and step.argument and proves_target(task)]
 
     def start_of(self, step: Step, value_of: Seen) -> list[Statement]:
@@ -109,7 +109,7 @@ class Conditions:
         return computed, every([compared(distance, "<=", window), compared(distance, ">=", minus)])
 
     def _window(self, step: Step, operand: Operand) -> Variable:
-        """The input with the distance from its target at which a device is there."""
+        """The input for the distance within which a device counts as at its target."""
         if step.argument not in self.windows:
             remark = f"how far from its target the device may be at the end, in {unit_of(operand)}"
             digits = f"{step.within:f}"
@@ -122,7 +122,7 @@ class Conditions:
         return either([holds(self.world, operand, operand.value, value, raw) for value in values])
 
     def all_of(self, steps: Sequence[Step], value_of: Seen) -> tuple[list[Statement], Expression]:
-        """What is computed before, and whether all that some steps wait for is there."""
+        """The statements that compute conditions, and whether all of them hold."""
         computed: list[Statement] = []
         tests: list[Expression] = []
         for step in steps:
@@ -132,7 +132,7 @@ class Conditions:
         return computed, every(tests)
 
     def stands(self, value_of: Seen) -> Expression | None:
-        """Whether the device stands, by what the task that stops it waits for; None where that is not to be seen."""
+        """Whether the device stands, by the waits of the task that stops it; None where one of them is not visible."""
         tests: list[Expression] = []
         for step in self.standstill:
             raw = value_of(self.operand(step))
@@ -142,7 +142,7 @@ class Conditions:
         return every(tests) if tests else None
 
     def watched(self, watches: Sequence[Watch], value_of: Seen) -> list[Branch]:
-        """What ends the block where something that it is watched by is no longer so."""
+        """The branches that fail the block where a watched fact no longer has its value."""
         branches: list[Branch] = []
         for watch in watches:
             raw = value_of(watch.operand)
@@ -226,7 +226,7 @@ class Conditions:
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
-    """What a task waits for behind its last command."""
+    """The waits of a task after its last command, without those for an acceptance."""
     following = task.steps[last_command(task) + 1 :]
     return tuple(step for step in following if step.action == "wait" and not shows_acceptance(operands, step, message))
 
@@ -235,7 +235,7 @@ _OPPOSITES = {"=": "<>", "<>": "="}
 
 
 def opposite(test: Expression) -> Expression:
-    """NOT of a comparison or of a truth."""
+    """The negation of a comparison or of a truth."""
     if isinstance(test, Operation) and test.operator in _OPPOSITES:
         return Operation(_OPPOSITES[test.operator], test.operands, test.type)
     return Negation(test)

@@ -30,7 +30,7 @@ class Stopping(Edged):
         self.insists: Sequence[Statement] = ()
 
     def take_over(self) -> list[Statement]:
-        """What makes the block responsible: the device has accepted the stop."""
+        """The statements that give the axis to the block, whose stop is accepted."""
         return [increment(self.axis.motion)]
 
     def edges(self) -> list[Statement]:
@@ -55,7 +55,7 @@ class Stopping(Edged):
         return [*self.insists, chain([*refused, (draft.failed(), repeat), self.done()]), self.over()]
 
     def unlock(self) -> Statement:
-        """What unlocks the axis, in each scan."""
+        """The statement that unlocks the axis, for each scan."""
         stops = self.axis.stops
         releases = every([self.lock, Negation(self.draft.busy), Negation(self.execute)])
         less = Assignment(stops, Operation("-", (stops, Whole(1, UDINT)), UDINT))

@@ -31,7 +31,7 @@ _WAYS = {"read": "unpack", "write": "pack"}
 
 
 def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routine]:
-    """A block that reads registers of a group into its struct, and one that writes them."""
+    """The blocks that read registers of a group into its struct, and those that write them."""
     device = world.layout.device
     if device.space("").unit != WORD:
         return
@@ -76,7 +76,7 @@ def _add(
     few: Expression,
     count: Expression,
 ) -> None:
-    """Adds the step that reads or writes; a number of words that cannot be is refused."""
+    """Adds the step that reads or writes registers; it refuses a number of words that no request can have."""
     if direction == "write":
         block.request(block.attempt(call, tuple(block.ask(*ask)), "request"), success)
         return
@@ -112,7 +112,7 @@ def table_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routi
 def _element_block(
     world: World, table: TableLayout, direction: str, routine: Routine, by_name: Mapping[str, Routine], name: str
 ) -> Routine:
-    """The block for one element."""
+    """The block that reads or writes one element of a table."""
     block = LineDraft.executed(world, world.block(direction, name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
     index = block.declare("iNumber", INT, "input", _numbers(table))
@@ -126,7 +126,7 @@ def _element_block(
 def _table_block(
     world: World, table: TableLayout, direction: str, routine: Routine, by_name: Mapping[str, Routine]
 ) -> Routine:
-    """The block for elements in a row."""
+    """The block that reads or writes consecutive elements of a table."""
     first = table.table.index_from
     last = first + table.table.count - 1
     block = LineDraft.executed(world, world.block(direction, table.name), f"table {table.name}", AXIS)
@@ -168,7 +168,7 @@ def _transfer(
     success: list[Statement],
     ready: list[Statement] | None = None,
 ) -> None:
-    """Adds the step that reads or writes an element: its address first, which refuses numbers that there are not."""
+    """Adds the step that reads or writes an element, by the address that its number gives."""
     world = block.world
     port = block.of_port
     words = (table.record.size or 0) // 2

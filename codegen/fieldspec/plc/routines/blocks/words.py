@@ -38,7 +38,7 @@ _SETTLE = "T#100ms"
 
 
 class Helpers:
-    """The functions for single registers that blocks call, each once."""
+    """The functions for single registers that blocks call, each made once."""
 
     def __init__(self, world: World) -> None:
         self.world = world
@@ -46,11 +46,11 @@ class Helpers:
         self.runs = [range(block.start, block.end) for block in read_plan(world.layout).blocks if not block.space]
 
     def from_words(self, register: RegisterLayout) -> Routine:
-        """What takes the value of a register out of words."""
+        """The function that takes the value of a register out of words."""
         return self._once(register, "from_words", self._unpacked)
 
     def to_words(self, register: RegisterLayout) -> Routine:
-        """What puts the value of a register into words."""
+        """The function that puts the value of a register into words."""
         return self._once(register, "to_words", self._packed)
 
     def _once(
@@ -113,7 +113,7 @@ def register_of(world: World, operand: Operand) -> RegisterLayout:
 
 
 class WordTask(LineTask):
-    """The steps of a block that reads and writes registers."""
+    """Adds the steps of a block that reads and writes registers."""
 
     def __init__(
         self,
@@ -209,7 +209,7 @@ class WordTask(LineTask):
         return self.draft.declared_once(self.world.variable(f"{register.name}_read", kind), kind, "local")
 
     def _runs(self, operands: Iterable[Operand]) -> list[list[RegisterLayout]]:
-        """The registers of some operands, those together that one request reads without a hole."""
+        """The registers of some operands, in runs that one request reads."""
         registers = {id(register): register for register in (register_of(self.world, item) for item in operands)}
         runs: list[list[RegisterLayout]] = []
         limit = self.world.words.high + 1
@@ -285,7 +285,7 @@ class WordTask(LineTask):
         self._writes(operand, word, decide, remark)
 
     def _changed(self, operand: Operand, step: Step, word: Variable) -> list[Statement]:
-        """What changes bits in a word that was read."""
+        """The statements that change the bits of an operand in a word that was read."""
         bit = operand.bit
         assert bit is not None
         if step.action != "write":
@@ -299,13 +299,13 @@ class WordTask(LineTask):
 
 
 def _masked(word: Variable, operand: Operand, on: bool) -> Statement:
-    """What sets a bit of a word to 1 or 0."""
+    """The statement that sets or clears the bit of an operand in a word."""
     assert operand.bit is not None
     return masked(word, operand.bit.mask, on)
 
 
 def masked(word: Expression, mask: int, on: bool) -> Statement:
-    """What sets bits of a word to 1 or 0."""
+    """The statement that sets or clears the bits of a mask in a word."""
     kind = word.type
     assert isinstance(kind, Elementary)
     bits = BITS[kind.size]
