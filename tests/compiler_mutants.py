@@ -140,9 +140,9 @@ class Source:
 
 
 def mutants(package: Path, folder: str) -> list[Mutant]:
-    """All mutants of the modules of a folder of the compiler that can be compiled, in order."""
+    """All mutants of the modules in a folder of the compiler, not of folders inside it, in order."""
     result = []
-    for path in sorted((package / folder).rglob("*.py")):
+    for path in sorted((package / folder).glob("*.py")):
         source = path.read_bytes()
         result += list(Source(path.relative_to(package).as_posix(), source).mutants())
     return result

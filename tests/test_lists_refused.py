@@ -13,6 +13,7 @@ import openpyxl
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from openpyxl.utils import get_column_letter
 
 from command_line import SPECS, CommandLine
 from example_counts import examples
@@ -224,6 +225,11 @@ def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.Monk
     monkeypatch.setattr(workbook_size, "_MOST_UNPACKED", 1000)
     with pytest.raises(ListError, match="unpacks to more"):
         sheet(book(lambda _workbook: None), "", "")
+
+
+def test_columns_have_the_letters_that_spreadsheets_give_them() -> None:
+    columns = range(1, limits.MOST_COLUMNS + 1)
+    assert [limits.letters(column) for column in columns] == [*map(get_column_letter, columns)]
 
 
 def test_formulas_and_merged_cells_that_are_not_used_do_no_harm(run: CommandLine, tmp_path: Path) -> None:

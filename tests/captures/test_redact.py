@@ -189,6 +189,21 @@ def test_wrong_use_is_refused(
     assert expected in error
 
 
+@pytest.mark.parametrize(
+    ("number", "count"), [(1234567, 2), (1234567, 4), (SERIAL, 2), (SERIAL, 4), (2**32 - 2, 2), (2**40 + 7, 4)]
+)
+def test_a_number_is_found_in_words_of_all_orders_whatever_pads_it(number: int, count: int) -> None:
+    secrets = Secrets([str(number)])
+    words_of_number = struct.unpack(f">{count}H", number.to_bytes(2 * count, "big"))
+    for order in (words_of_number, words_of_number[::-1]):
+        assert secrets.is_in(b"\1" + struct.pack(f">{count}H", *order) + b"\2")
+        assert secrets.is_in(b"\1" + struct.pack(f"<{count}H", *order) + b"\2")
+
+
+def test_a_number_of_more_than_eight_bytes_is_found_too() -> None:
+    assert Secrets([str(2**64 + 7)]).is_in(bytes.fromhex("33 01 00 00 00 00 00 00 00 07 44"))
+
+
 @pytest.mark.parametrize("device", ["tc100", "ck10", "esc11", "hiwin-e"])
 def test_frames_of_manuals_stay_but_for_texts_and_what_no_request_explains(device: str) -> None:
     layout, _ = parts_of(device)
