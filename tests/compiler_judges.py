@@ -70,8 +70,8 @@ def commands(path: str, text: str | None = None) -> list[str]:
 
 def folders(package: Path = PACKAGE) -> list[str]:
     """All folders of the compiler with code that can be changed; `.` is the package itself."""
-    every = sorted({path.parent for path in package.rglob("*.py")})
-    return [name for path in every if mutants(package, name := path.relative_to(package).as_posix())]
+    names = sorted({path.relative_to(package).parent.as_posix() for path in package.rglob("*.py")})
+    return [name for name in names if mutants(package, name)]
 
 
 @dataclass(frozen=True)

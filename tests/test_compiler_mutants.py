@@ -50,11 +50,6 @@ def test_tests_are_named_for_every_module_that_can_be_changed() -> None:
     assert sorted(path for path in paths if not commands(path)) == []
 
 
-def test_all_code_of_the_package_is_in_one_of_the_folders() -> None:
-    every = sum(len(list(Source("x.py", path.read_bytes()).mutants())) for path in PACKAGE.rglob("*.py"))
-    assert sum(len(mutants(PACKAGE, folder)) for folder in folders()) == every
-
-
 def test_every_folder_and_test_in_the_table_is_there() -> None:
     for places, named in rows(GUIDE.read_text("utf-8")):
         assert [place for place in places if place != "docs/" and not (PACKAGE / place).exists()] == []
@@ -103,10 +98,20 @@ def test_the_same_seed_gives_the_same_mutants() -> None:
     assert sample(PACKAGE, "layout", 5, 1) == sample(PACKAGE, "layout", 5, 1) != sample(PACKAGE, "layout", 5, 2)
 
 
-def test_a_mutant_is_noticed_and_the_right_compiler_is_not(tmp_path: Path) -> None:
+def test_a_mutant_is_noticed_and_the_right_compiler_is_not(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    command = "pytest tests/test_checksums.py"
+    monkeypatch.setattr("compiler_judges.commands", lambda path: [command])
     copy, path = Copy(tmp_path), "reference/checksums.py"
     source = (PACKAGE / path).read_bytes()
     mutant = next(mutant for mutant in Source(path, source).mutants() if mutant.kind == "condition")
-    assert copy.judge("reference", mutant).judge != ""
+    assert copy.judge("reference", mutant).judge == command
     assert (copy.package / path).read_bytes() == source
-    assert not copy.fails(commands(path)[0])
+    assert not copy.fails(command)
+
+
+def test_a_command_that_refuses_the_right_compiler_does_not_pass(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("compiler_judges.commands", lambda path: ["python tests/recorded_outputs.py nothing"])
+    assert main(1, 1, names=["reference"]) == 1
+    assert capsys.readouterr().out == "fails without a mutant too: python tests/recorded_outputs.py nothing\n"

@@ -1,4 +1,4 @@
-"""Findings of all versions of a device together: what one version needs is no finding in another, and nothing is lost."""
+"""Findings of all versions of a device together: what one version needs is none in another, and nothing is lost."""
 
 from __future__ import annotations
 
