@@ -1,110 +1,77 @@
 """Counts which mutants of the compiler are noticed: `make mutants-compiler`, or this file with EACH, SEED and folders.
 
-Each mutant is judged in a copy of the package: by the recorded outputs, which must come out as they are, then by the
-tests that are nearest to its folder, until one fails. A mutant that no judge notices survives. The exit code is 1 where
-fewer than 90 of 100 are noticed.
+Each mutant is judged in a copy of the package, by the commands that `CONTRIBUTING.md` names for its module, in their
+order, until one fails. A mutant that no judge notices survives. The exit code is 1 where fewer than 85 of 100 are
+noticed, where no command is named for a module, and where a command fails without a mutant too.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
+from typing import TypeVar
 
-from compiler_mutants import Mutant, sample
+from compiler_mutants import Mutant, mutants, sample
 
 TESTS = Path(__file__).resolve().parent
-PACKAGE = TESTS.parent / "codegen" / "fieldspec"
+ROOT = TESTS.parent
+PACKAGE = ROOT / "codegen" / "fieldspec"
+GUIDE = ROOT / "CONTRIBUTING.md"
 PROCESSES = 2
 EACH = 12
-GOAL = 90
-PATIENCE = 300
-"""Seconds that a judge may take; a mutant that takes longer is noticed."""
+GOAL = 85
+PROCESSOR_SECONDS = 900
+"""The time that a process of a judge may compute; a mutant that takes more is noticed."""
+PATIENCE = 3600
+"""Seconds after which a judge counts as hanging, on a busy machine too."""
 
-OUTPUTS = "outputs"
-CASES = "test_cases.py"
-USAGES = "docs_output/test_usages.py"
+RECORDED = "python tests/recorded_outputs.py "
+PYTEST = "pytest "
 
-
-@dataclass(frozen=True)
-class Judges:
-    """What is asked about a folder of the compiler: recorded outputs, and groups of tests, the nearest ones first.
-
-    `{stem}` in a group is the name of the changed module.
-    """
-
-    outputs: str
-    tests: tuple[str, ...] = ()
+T = TypeVar("T")
 
 
-JUDGES = {
-    "reading": Judges(
-        "vectors python",
-        (
-            CASES,
-            "test_reading_keys.py test_reading_overlays.py test_reading_paths.py test_reading_project.py",
-            "test_reading_scalars.py test_reading_versions.py test_reading_expanding.py test_reading_yaml.py",
-            "test_versions_bad_input.py test_schema.py test_checksums.py test_servo_bus.py test_editor.py",
-        ),
-    ),
-    "checks": Judges("", (f"{CASES} -k {{stem}}", f"{CASES} test_check_helpers.py test_bits.py test_allowances.py")),
-    "layout": Judges(
-        "vectors python c",
-        (
-            "test_reference.py",
-            f"test_checksums.py {CASES}",
-            "test_escapes.py test_idle_reads.py test_cli_encode.py test_frame_layouts.py",
-            "test_explanation.py",
-        ),
-    ),
-    "changes": Judges(
-        "docs", ("test_changes.py test_changes_attributes.py test_cli_diff.py", "test_changes_mutations.py")
-    ),
-    "reference": Judges(
-        "vectors", ("test_reference.py test_checksums.py test_escapes.py test_bits.py", "random_devices")
-    ),
-    "proofs": Judges("vectors", (f"test_errata.py {CASES}", "test_allowances.py test_versions_of_devices.py")),
-    "model": Judges(
-        "vectors python c docs", (CASES, "test_quantities.py test_checksums.py test_servo_bus.py test_bits.py")
-    ),
-    "plc": Judges(
-        "st twincat iec scl kv plcopen",
-        (
-            "test_kv_output.py test_hmi_output.py test_plc_checksums.py",
-            f"{CASES} -k plc",
-            "plc_output/test_standard_text.py plc_memory",
-        ),
-    ),
-    "backends/c": Judges("c", ("c_output/test_printer.py c_output/test_ranges.py", "random_devices", "c_output")),
-    "backends/docs": Judges("docs", ("docs_output/test_tables.py docs_output/test_markdown.py", "docs_output")),
-    "backends/hmi": Judges("hmi", ("test_hmi_output.py",)),
-    "backends/iec": Judges("iec", ("plc_output/test_standard_text.py",)),
-    "backends/js": Judges("js", (USAGES, "js_output", "random_devices")),
-    "backends/kv": Judges("kv", ("test_kv_output.py",)),
-    "backends/plcopen": Judges("plcopen", ("plc_output/test_standard_text.py plc_output/test_judges.py",)),
-    "backends/python": Judges(
-        "python",
-        (
-            "test_python_records.py test_python_registers.py test_python_flags.py test_python_choices.py",
-            "test_python_many.py test_python_conversions.py test_python_parameters.py test_python_framers.py",
-            f"test_python_client_tasks.py {USAGES} device/test_client.py",
-            "random_devices",
-        ),
-    ),
-    "backends/queries": Judges("queries", ("queries_output",)),
-    "backends/scl": Judges("scl", ("plc_output/test_scl_execution.py",)),
-    "backends/st": Judges("st", (f"{USAGES} test_plc_kept.py", f"{CASES} -k plc", "plc_output/test_judges.py")),
-    "backends/twincat": Judges("twincat", ("plc_output/test_judges.py",)),
-    "backends/vectors": Judges("vectors", ("test_vectors.py test_idle_reads.py",)),
-    "backends/wireshark": Judges("wireshark", ("wireshark_output",)),
-}
+class Unfit(Exception):
+    """Commands that fail without a mutant too."""
+
+
+@cache
+def rows(text: str) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
+    """The rows of the table of tests: the folders, which end with a slash, and modules; and the commands for them."""
+    table = re.search(r"^\| you change \| run \|.*\n\|---.*\n((?:\|.*\n)+)", text, re.M)
+    assert table is not None
+    result = []
+    for line in table[1].splitlines():
+        places, commands = (re.findall(r"`([^`]+)`", cell) for cell in line.split(" | ")[:2])
+        paths = (place.removeprefix("codegen/fieldspec/") for place in places)
+        result.append((tuple(paths), tuple(word for word in commands if word.startswith((RECORDED, PYTEST)))))
+    return tuple(result)
+
+
+def commands(path: str, text: str | None = None) -> list[str]:
+    """The commands for a module: those of the row that names it, or of the one that names the nearest folder above."""
+    found: dict[str, list[str]] = {}
+    for places, judges in rows(GUIDE.read_text("utf-8") if text is None else text):
+        for place in places:
+            if path == place or (place.endswith("/") and path.startswith(place)):
+                found.setdefault(place, []).extend(judges)
+    return found[max(found, key=len)] if found else []
+
+
+def folders(package: Path = PACKAGE) -> list[str]:
+    """All folders of the compiler with code that can be changed; `.` is the package itself."""
+    names = sorted({path.relative_to(package).parent.as_posix() for path in package.rglob("*.py")})
+    return [name for name in names if mutants(package, name)]
 
 
 @dataclass(frozen=True)
@@ -123,80 +90,77 @@ class Copy:
         self.package = folder / "codegen" / PACKAGE.name
         shutil.copytree(PACKAGE, self.package)
         # The shared protocols stand beside the compiler.
-        shutil.copytree(TESTS.parent / "specs", folder / "specs")
+        shutil.copytree(ROOT / "specs", folder / "specs")
         paths = os.pathsep.join((str(self.package.parent), str(TESTS)))
         # No module of a mutant stays compiled, and what it has computed is not found by the next one.
         self.environment = {**os.environ, "PYTHONPATH": paths, "PYTHONDONTWRITEBYTECODE": "1", "CI": ""}
 
-    def judge(self, folder: str, mutant: Mutant, unfit: frozenset[tuple[str, str]] = frozenset()) -> Verdict:
-        """Asks the judges of a folder about a mutant, but those that are not fit."""
+    def judge(self, folder: str, mutant: Mutant) -> Verdict:
+        """Asks the judges of the module of a mutant."""
         path = self.package / mutant.path
         source, times = path.read_bytes(), path.stat()
         path.write_bytes(mutant.applied(source))
         os.utime(path, (times.st_atime, times.st_mtime + 1000))
         try:
-            asked = [(name, call) for name, call in calls(folder, mutant.path) if (folder, name) not in unfit]
-            return Verdict(folder, mutant, next((name for name, call in asked if self.fails(call)), ""))
+            return Verdict(folder, mutant, next((name for name in commands(mutant.path) if self.fails(name)), ""))
         finally:
             path.write_bytes(source)
             os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
 
-    def fails(self, call: list[str]) -> bool:
-        """Whether a judge fails, or takes too long."""
+    def fails(self, command: str) -> bool:
+        """Whether a command fails, or takes too long."""
         with tempfile.TemporaryDirectory(prefix="fieldspec-mutant-") as cache:
             environment = {**self.environment, "FIELDSPEC_CACHE": cache}
             run = subprocess.Popen(
-                call,
-                cwd=TESTS.parent,
+                ["sh", "-c", f'ulimit -t {PROCESSOR_SECONDS} && exec "$@"', "sh", *call(command)],
+                cwd=ROOT,
                 env=environment,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
                 start_new_session=True,
             )
             try:
-                # No test has the words of a group in its name: that is no verdict.
-                return run.wait(PATIENCE) not in (0, 5)
+                return run.wait(PATIENCE) != 0
             except subprocess.TimeoutExpired:
                 os.killpg(run.pid, 9)
                 run.wait()
                 return True
 
 
-def calls(folder: str, path: str) -> Iterator[tuple[str, list[str]]]:
-    """The judges of a folder in turn: their names, and the commands that fail where they notice a mutant."""
-    judges = JUDGES[folder]
-    if judges.outputs:
-        yield OUTPUTS, [sys.executable, str(TESTS / "recorded_outputs.py"), *judges.outputs.split()]
-    for group in judges.tests:
-        words = group.format(stem=Path(path).stem).split()
-        tests = [str(TESTS / word) if (TESTS / word).exists() else word for word in words]
-        yield group, [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", *tests]
+def call(command: str) -> list[str]:
+    """A command of the table as a call that fails where it notices a mutant, and ends with the first failing test."""
+    program, *words = command.split()
+    if program == "python":
+        return [sys.executable, *words]
+    found = [[path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob(word))] for word in words]
+    assert all(found), f"CONTRIBUTING.md names tests that are not there: {command}"
+    tests = [path for paths in found for path in paths]
+    return [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", *tests]
 
 
-def verdicts(folders: list[str], each: int, seed: int, processes: int = PROCESSES) -> Iterator[Verdict]:
-    """The verdicts about mutants of each folder, in order. A judge that refuses the right compiler is not asked."""
-    drawn = [(folder, mutant) for folder in folders for mutant in sample(PACKAGE, folder, each, seed)]
+def verdicts(drawn: list[tuple[str, Mutant]], processes: int = PROCESSES) -> Iterator[Verdict]:
+    """The verdicts about mutants, in order.
+
+    Raises `Unfit` where a command refuses the right compiler, as it would notice every mutant.
+    """
     with tempfile.TemporaryDirectory(prefix="fieldspec-mutants-") as place, ThreadPoolExecutor(processes) as pool:
         copies: SimpleQueue[Copy] = SimpleQueue()
         for number in range(processes):
             copies.put(Copy(Path(place) / str(number)))
 
-        right, unfit = copies.get(), set[tuple[str, str]]()
-        for folder in folders:
-            for name, call in calls(folder, folder):
-                if right.fails(call):
-                    print(f"{folder}: {name} fails without a mutant too, and is not asked", flush=True)
-                    unfit.add((folder, name))
-        copies.put(right)
-
-        def judged(item: tuple[str, Mutant]) -> Verdict:
+        def on_a_copy(task: Callable[[Copy], T]) -> T:
             copy = copies.get()
             try:
-                return copy.judge(*item, frozenset(unfit))
+                return task(copy)
             finally:
                 copies.put(copy)
 
-        yield from pool.map(judged, drawn)
+        asked = [*dict.fromkeys(name for _, mutant in drawn for name in commands(mutant.path))]
+        refusing = pool.map(lambda name: on_a_copy(lambda copy: copy.fails(name)), asked)
+        unfit = [name for name, refuses in zip(asked, refusing, strict=True) if refuses]
+        if unfit:
+            raise Unfit("\n".join(f"fails without a mutant too: {name}" for name in unfit))
+        yield from pool.map(lambda item: on_a_copy(lambda copy: copy.judge(*item)), drawn)
 
 
 def table(results: list[Verdict]) -> Iterator[str]:
@@ -205,21 +169,35 @@ def table(results: list[Verdict]) -> Iterator[str]:
     yield "|---|---|---|---|---|"
     for folder in [*dict.fromkeys(verdict.folder for verdict in results), "all"]:
         own = [verdict for verdict in results if folder in ("all", verdict.folder)]
-        noticed, outputs = sum(bool(v.judge) for v in own), sum(v.judge == OUTPUTS for v in own)
+        noticed, outputs = sum(bool(v.judge) for v in own), sum(v.judge.startswith(RECORDED) for v in own)
         share = f"{noticed} ({100 * noticed / len(own):.0f} %)"
         yield f"| {folder} | {len(own)} | {share} | {outputs} | {noticed - outputs} |"
 
 
-def main(each: int = EACH, seed: int = 1, *, folders: list[str]) -> int:
+def chosen(names: list[str]) -> list[str]:
+    """The folders with these names and those inside them; all folders without a name."""
+    return [folder for folder in folders() if not names or any(f"{folder}/".startswith(f"{name}/") for name in names)]
+
+
+def main(each: int = EACH, seed: int = 1, *, names: list[str]) -> int:
     """Prints each mutant that nobody notices, then the table. Returns the exit code."""
+    drawn = [(folder, mutant) for folder in chosen(names) for mutant in sample(PACKAGE, folder, each, seed)]
+    unjudged = sorted({mutant.path for _, mutant in drawn if not commands(mutant.path)})
+    if unjudged or not drawn:
+        print(f"{GUIDE.name} names no tests for: {', '.join(unjudged or names)}")
+        return 1
     results = []
-    for verdict in verdicts(folders or list(JUDGES), each, seed):
-        results.append(verdict)
-        if not verdict.judge:
-            print(f"survives: {verdict.mutant}", flush=True)
+    try:
+        for verdict in verdicts(drawn):
+            results.append(verdict)
+            if not verdict.judge:
+                print(f"survives: {verdict.mutant}", flush=True)
+    except Unfit as error:
+        print(error)
+        return 1
     print("\n".join(table(results)))
     return int(100 * sum(bool(verdict.judge) for verdict in results) < GOAL * len(results))
 
 
 if __name__ == "__main__":
-    sys.exit(main(*(int(word) for word in sys.argv[1:3]), folders=sys.argv[3:]))
+    sys.exit(main(*(int(word) for word in sys.argv[1:3]), names=sys.argv[3:]))

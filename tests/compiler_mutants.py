@@ -11,6 +11,7 @@ import ast
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 COMPARISONS: dict[type[ast.cmpop], str] = {
@@ -139,13 +140,14 @@ class Source:
             yield Mutant(self.path, left.lineno, kind, at, at + len(word.encode()), word, wrong)
 
 
-def mutants(package: Path, folder: str) -> list[Mutant]:
-    """All mutants of the modules of a folder of the compiler that can be compiled, in order."""
-    result = []
-    for path in sorted((package / folder).rglob("*.py")):
+@cache
+def mutants(package: Path, folder: str) -> tuple[Mutant, ...]:
+    """All mutants of the modules in a folder of the compiler, not of folders inside it, in order."""
+    result: list[Mutant] = []
+    for path in sorted((package / folder).glob("*.py")):
         source = path.read_bytes()
-        result += list(Source(path.relative_to(package).as_posix(), source).mutants())
-    return result
+        result += Source(path.relative_to(package).as_posix(), source).mutants()
+    return tuple(result)
 
 
 def sample(package: Path, folder: str, count: int, seed: int) -> list[Mutant]:

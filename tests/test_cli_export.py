@@ -140,6 +140,11 @@ def test_a_row_has_the_facts_of_its_register(name: str, cells: dict[str, object]
     assert {key: row[key] for key in cells} == cells
 
 
+def test_a_register_of_bytes_has_no_words() -> None:
+    registers = [item for item in items(newest(TEST_SPECS, "flowmeter")) if item.space == "registers"]
+    assert {item.words for item in registers} == {None}
+
+
 def test_a_parameter_has_its_number_on_the_wire_and_no_words(run: CommandLine) -> None:
     rows = json.loads(run("export", "hiwin-e", "--to", "json").out, parse_float=Decimal)
     assert all(row["space"] == "pnu" and row["words"] is None for row in rows)

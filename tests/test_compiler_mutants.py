@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from compiler_judges import JUDGES, PACKAGE, Copy, calls
+import pytest
+
+from compiler_judges import GUIDE, PACKAGE, Copy, call, commands, folders, main, rows
 from compiler_mutants import Mutant, Source, mutants, sample
 
 CODE = b'''
@@ -43,21 +45,73 @@ def test_every_mutant_can_be_compiled_and_differs() -> None:
         compile(mutant.applied(source), mutant.path, "exec")
 
 
-def test_every_part_that_says_what_bytes_mean_has_judges() -> None:
-    parts = {"reading", "checks", "layout", "changes", "reference", "proofs", "model", "plc"}
-    backends = {f"backends/{path.parent.name}" for path in PACKAGE.glob("backends/*/backend.py")}
-    assert set(JUDGES) == parts | backends
+def test_tests_are_named_for_every_module_that_can_be_changed() -> None:
+    paths = {mutant.path for folder in folders() for mutant in mutants(PACKAGE, folder)}
+    assert sorted(path for path in paths if not commands(path)) == []
+
+
+def test_every_folder_and_test_in_the_table_is_there() -> None:
+    for places, named in rows(GUIDE.read_text("utf-8")):
+        assert [place for place in places if place != "docs/" and not (PACKAGE / place).exists()] == []
+        for command in named:
+            call(command)
+
+
+TABLE = """
+| you change | run | seconds |
+|---|---|---|
+| `layout/`, `codegen/fieldspec/names.py` | `make accept`, then `pytest tests/test_bits.py tests/test_c*s.py` | 9 |
+| `layout/inner/` and what uses it | `python tests/recorded_outputs.py c`, then `pytest tests/test_bits.py` | 9 |
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "named"),
+    [
+        ("layout/a.py", ["pytest tests/test_bits.py tests/test_c*s.py"]),
+        ("names.py", ["pytest tests/test_bits.py tests/test_c*s.py"]),
+        ("layout/inner/deep/a.py", ["python tests/recorded_outputs.py c", "pytest tests/test_bits.py"]),
+        ("layouts/a.py", []),
+        ("inner/layout/a.py", []),
+    ],
+)
+def test_the_row_of_the_nearest_folder_says_who_judges_a_module(path: str, named: list[str]) -> None:
+    assert commands(path, TABLE) == named
+
+
+def test_a_folder_without_named_tests_does_not_pass(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    guide = tmp_path / "CONTRIBUTING.md"
+    guide.write_text(TABLE, "utf-8")
+    monkeypatch.setattr("compiler_judges.GUIDE", guide)
+    assert main(1, 1, names=["reference"]) == 1
+    assert "names no tests for: reference/" in capsys.readouterr().out
+
+
+def test_a_folder_that_is_not_there_does_not_pass(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(1, 1, names=["referenc"]) == 1
+    assert "names no tests for: referenc\n" in capsys.readouterr().out
 
 
 def test_the_same_seed_gives_the_same_mutants() -> None:
     assert sample(PACKAGE, "layout", 5, 1) == sample(PACKAGE, "layout", 5, 1) != sample(PACKAGE, "layout", 5, 2)
 
 
-def test_a_mutant_is_noticed_and_the_right_compiler_is_not(tmp_path: Path) -> None:
+def test_a_mutant_is_noticed_and_the_right_compiler_is_not(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    command = "pytest tests/test_checksums.py"
+    monkeypatch.setattr("compiler_judges.commands", lambda path: [command])
     copy, path = Copy(tmp_path), "reference/checksums.py"
     source = (PACKAGE / path).read_bytes()
     mutant = next(mutant for mutant in Source(path, source).mutants() if mutant.kind == "condition")
-    assert copy.judge("reference", mutant).judge != ""
+    assert copy.judge("reference", mutant).judge == command
     assert (copy.package / path).read_bytes() == source
-    _, call = next(iter(calls("reference", path)))
-    assert not copy.fails(call)
+    assert not copy.fails(command)
+
+
+def test_a_command_that_refuses_the_right_compiler_does_not_pass(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("compiler_judges.commands", lambda path: ["python tests/recorded_outputs.py nothing"])
+    assert main(1, 1, names=["reference"]) == 1
+    assert capsys.readouterr().out == "fails without a mutant too: python tests/recorded_outputs.py nothing\n"

@@ -136,3 +136,26 @@ def test_standard_computed_and_reported_facts_do_not_cite_the_manual(device: str
 def test_every_kind_of_fact_has_a_row(path: str, cells: dict[str, object]) -> None:
     row = fact(path)
     assert {key: row[key] for key in cells} == cells
+
+
+@pytest.mark.parametrize(
+    ("device", "path", "cells"),
+    [
+        ("glider-x", "messages/telegram_11/request/torque_reduction", {"position": "6"}),
+        (
+            "ecu-can",
+            "messages/write_word/response_code",
+            {"kind": "response_code", "code": 0x036E, "name": "write_word"},
+        ),
+        ("weigher", "records/article/share", {"address": 0x102, "words": 2}),
+        ("totalizer", "records/entry/difference", {"address": 0x103, "words": 3}),
+    ],
+)
+def test_a_row_says_where_a_value_is_and_what_answers(device: str, path: str, cells: dict[str, object]) -> None:
+    (row,) = (row for row in facts(TEST_SPECS, device) if row["path"] == path)
+    assert {key: row[key] for key in cells} == cells
+
+
+def test_a_range_that_the_manual_prints_again_is_a_row_with_its_ends() -> None:
+    (row,) = (row for row in facts(SPECS, "ck10") if row["path"] == "records/point/low_speed/restated/0")
+    assert (row["min"], row["max"], row["ranges"]) == (1, 35000, "1..35000")

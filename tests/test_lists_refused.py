@@ -6,19 +6,20 @@ import io
 import warnings
 import zipfile
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import openpyxl
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from openpyxl.utils import get_column_letter
 
 from command_line import SPECS, CommandLine
 from example_counts import examples
 from fieldspec.commands.list_files import sheet
+from fieldspec.lists import json_text, text_sheet, workbook_size
 from fieldspec.lists import sheet as limits
-from fieldspec.lists import text_sheet, workbook_size
 from fieldspec.lists.listing import listing
 from fieldspec.lists.sheet import ListError
 
@@ -224,6 +225,20 @@ def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.Monk
     monkeypatch.setattr(workbook_size, "_MOST_UNPACKED", 1000)
     with pytest.raises(ListError, match="unpacks to more"):
         sheet(book(lambda _workbook: None), "", "")
+
+
+@pytest.mark.parametrize(("most", "is_taken"), [(5, True), (4, False)])
+def test_lists_objects_and_what_they_have_are_values_of_json(
+    monkeypatch: pytest.MonkeyPatch, most: int, is_taken: bool
+) -> None:
+    monkeypatch.setattr(json_text, "MOST_VALUES", most)
+    with nullcontext() if is_taken else pytest.raises(ListError, match="more than 4 values"):
+        json_text.json_data('[1, {"a, b": 2, "c": 3}, "[{,"]')
+
+
+def test_columns_have_the_letters_that_spreadsheets_give_them() -> None:
+    columns = range(1, limits.MOST_COLUMNS + 1)
+    assert [limits.letters(column) for column in columns] == [*map(get_column_letter, columns)]
 
 
 def test_formulas_and_merged_cells_that_are_not_used_do_no_harm(run: CommandLine, tmp_path: Path) -> None:

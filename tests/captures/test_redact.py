@@ -19,6 +19,7 @@ from fieldspec.evidence.redaction import Redaction
 from fieldspec.evidence.secrets import Secrets
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Kind
+from layouts import TEST_SPECS, newest
 from simulators import parts_of
 
 SERIAL = 0x12C4E678
@@ -187,6 +188,27 @@ def test_wrong_use_is_refused(
     code, _, error = redact(tmp_path / "units", tmp_path / "out", *options)
     assert code == 2
     assert expected in error
+
+
+@pytest.mark.parametrize(
+    ("number", "count"), [(1234567, 2), (1234567, 4), (SERIAL, 2), (SERIAL, 4), (2**32 - 2, 2), (2**40 + 7, 4)]
+)
+def test_a_number_is_found_in_words_of_all_orders_whatever_pads_it(number: int, count: int) -> None:
+    secrets = Secrets([str(number)])
+    words_of_number = struct.unpack(f">{count}H", number.to_bytes(2 * count, "big"))
+    for order in (words_of_number, words_of_number[::-1]):
+        assert secrets.is_in(b"\1" + struct.pack(f">{count}H", *order) + b"\2")
+        assert secrets.is_in(b"\1" + struct.pack(f"<{count}H", *order) + b"\2")
+
+
+def test_a_number_of_more_than_eight_bytes_is_found_too() -> None:
+    assert Secrets([str(2**64 + 7)]).is_in(bytes.fromhex("33 01 00 00 00 00 00 00 00 07 44"))
+
+
+def test_a_word_that_no_register_has_is_replaced_beside_one_that_is_known() -> None:
+    redaction = Redaction(newest(TEST_SPECS, "wattmeter"), Secrets())
+    assert redaction.words("input_registers", 0x0E, bytes.fromhex("0005 12C4 E678")) == bytes.fromhex("0005 0000 0000")
+    assert redaction.replaced == {"unlisted": 2}
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10", "esc11", "hiwin-e"])
