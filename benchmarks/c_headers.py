@@ -10,10 +10,10 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.fields import members
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.reading.project import read
+from fieldspec.targets.c.backend import files
+from fieldspec.targets.c.fields import members
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 

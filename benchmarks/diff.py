@@ -13,10 +13,10 @@ import time
 from collections import Counter
 from dataclasses import replace
 
-from fieldspec.changes import changes
-from fieldspec.model.device import Device
-from fieldspec.model.registers import Register
-from fieldspec.reading.project import read
+from fieldspec.language.changes import changes
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.registers import Register
+from fieldspec.language.reading.project import read
 
 SPEC = """
 device: {{id: large, name: Large, vendor: Nobody, manual: {{title: M, file: m.txt, sha256: "{zeros}", lines: 9}}}}

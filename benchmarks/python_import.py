@@ -11,7 +11,7 @@ from peers import records
 from processes import PYTHON, Took, in_turns
 from rows import Row, printed
 
-from fieldspec.pipeline import layouts, load, outputs
+from fieldspec.command.pipeline import layouts, load, outputs
 
 GROUP = "Python, import"
 RECORDS = 100

@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from fieldspec.changes import changes
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.language.changes import changes
+from fieldspec.language.reading.project import DeviceSpec, read
 
 SPECS = Path(__file__).parent.parent / "specs"
 VERSIONS = 20

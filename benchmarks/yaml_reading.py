@@ -8,7 +8,7 @@ import yaml
 from peers import registers
 from rows import Row, printed, timed
 
-from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.language.reading.yaml_reader import decoded, parsed
 
 GROUP = "YAML with line numbers"
 COUNT = 2000

@@ -16,25 +16,25 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from capability_projects import MANUALS, PROJECTS
-from fieldspec.audit.manual_lines import index_of
-from fieldspec.audit.report import report
-from fieldspec.audit.section import Subject
-from fieldspec.backends import BUILT_IN, OUTPUTS
-from fieldspec.behaviour.part import Part
-from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.diagnostics import Severity, has_errors
-from fieldspec.facts import of_versions
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.lists.export import as_csv
-from fieldspec.lists.item import items
-from fieldspec.pipeline import layouts
-from fieldspec.proofs.running import errata_proofs, proven
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.reading.yaml_reader import decoded, parsed
-from fieldspec.schema import Schema, resolved, schema
-from fieldspec.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR
-from fieldspec.source import SourceFile, Span
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.behaviour.part import Part
+from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.language.diagnostics import Severity, has_errors
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.yaml_reader import decoded, parsed
+from fieldspec.language.schema import Schema, resolved, schema
+from fieldspec.language.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR
+from fieldspec.targets import BUILT_IN, OUTPUTS
+from fieldspec.tools.audit.manual_lines import index_of
+from fieldspec.tools.audit.report import report
+from fieldspec.tools.audit.section import Subject
+from fieldspec.tools.facts import of_versions
+from fieldspec.tools.lists.export import as_csv
+from fieldspec.tools.lists.item import items
+from fieldspec.tools.proofs.running import errata_proofs, proven
 
 Key = tuple[str, str]
 Way = tuple[str | int, ...]

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.commands import layout_cache
+from fieldspec.command.sources import layout_cache
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 TEST_SPECS = Path(__file__).resolve().parent / "specs"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from types import ModuleType
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
 from layouts import TEST_SPECS
 from python_package import module_apart
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import hashlib
 
-from fieldspec.audit.coverage import coverage
-from fieldspec.audit.manual_lines import ManualIndex, index_of
-from fieldspec.audit.section import Section, Subject
-from fieldspec.facts import rows
-from fieldspec.layout.device import device_layout
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.coverage import coverage
+from fieldspec.tools.audit.manual_lines import ManualIndex, index_of
+from fieldspec.tools.audit.section import Section, Subject
+from fieldspec.tools.facts import rows
 
 MANUAL = """\
 GAUGE 7 Manual

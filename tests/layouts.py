@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.characters import character_refusals
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.codec.layout.characters import character_refusals
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import DeviceSpec, read
 
 SPECS = Path(__file__).parent.parent / "specs"
 TEST_SPECS = Path(__file__).parent / "specs"

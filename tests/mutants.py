@@ -17,17 +17,17 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from fieldspec.audit.coverage import coverage
-from fieldspec.audit.manual_lines import NAME, ManualIndex, parsed
-from fieldspec.audit.section import Subject
-from fieldspec.changes import changes
-from fieldspec.diagnostics import has_errors
-from fieldspec.facts import rows
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.model.device import Device
-from fieldspec.proofs.running import EXAMPLE_PROOFS, Outcome, outcome
-from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.language.changes import changes
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.coverage import coverage
+from fieldspec.tools.audit.manual_lines import NAME, ManualIndex, parsed
+from fieldspec.tools.audit.section import Subject
+from fieldspec.tools.facts import rows
+from fieldspec.tools.proofs.running import EXAMPLE_PROOFS, Outcome, outcome
 from spec_mutants import KINDS, Slip, slips
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -8,8 +8,8 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 
-from fieldspec.reading.nodes import Mapping, Node, Scalar, children
-from fieldspec.reading.nodes import Sequence as Items
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, children
+from fieldspec.language.reading.nodes import Sequence as Items
 
 Way = tuple[str | int, ...]
 Mutation = Callable[[Mapping, random.Random], Mapping | None]

@@ -9,10 +9,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from fieldspec.backends import OUTPUTS
-from fieldspec.backends.python.backend import PACKAGE
-from fieldspec.pipeline import load
-from fieldspec.reference.records import encoded
+from fieldspec.codec.reference.records import encoded
+from fieldspec.command.pipeline import load
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.python.backend import PACKAGE
 from layouts import SPECS, layout_at
 
 FOLDER = Path(__file__).with_name("nested")

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from fieldspec.cli import main
-from fieldspec.explain.registers import Occupant
-from fieldspec.layout.values import Raw
+from fieldspec.codec.explain.registers import Occupant
+from fieldspec.codec.layout.values import Raw
 from fieldspec.testing import SimulatedDevice
 from simulators import SPECS
 

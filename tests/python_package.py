@@ -14,13 +14,13 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.backends.python.naming import module_name, package_name
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.value import Kind
-from fieldspec.names import Name
-from fieldspec.reference import CodecError
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.python.backend import PACKAGE, files, shared
+from fieldspec.targets.python.naming import module_name, package_name
 from layouts import SPECS, TEST_SPECS, layouts
 from shared_results import shared as shared_by_all
 

@@ -7,7 +7,7 @@ import random
 import re
 from typing import Any
 
-from fieldspec.schema import Schema, resolved, schema
+from fieldspec.language.schema import Schema, resolved, schema
 
 NAMES = ("a", "b", "c", "status", "point_2")
 NUMBERS = (*range(-2, 9), 15, 16, 63, 64, 255, 256, 4000, 65535, 65536, 2**32, 2**64 - 1, 10**19, -(2**63))

@@ -6,9 +6,9 @@ from typing import Any, Literal
 
 from hypothesis import strategies as st
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.value import Kind, Value
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.language.model.value import Kind, Value
 
 _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
 

@@ -11,9 +11,9 @@ import hashlib
 import sys
 from pathlib import Path
 
-from fieldspec import pipeline
-from fieldspec.backends import OUTPUTS
-from fieldspec.diagnostics import Severity
+from fieldspec.command import pipeline
+from fieldspec.language.diagnostics import Severity
+from fieldspec.targets import OUTPUTS
 from layouts import TEST_SPECS, layouts
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -9,9 +9,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from fieldspec.backends import OUTPUTS
-from fieldspec.backends.python.backend import PACKAGE
-from fieldspec.pipeline import load
+from fieldspec.command.pipeline import load
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.python.backend import PACKAGE
 from layouts import SPECS, layout_at
 
 FOLDER = Path(__file__).with_name("moving")

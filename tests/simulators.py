@@ -6,13 +6,13 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from fieldspec.behaviour.part import Behaviour
-from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.commands import specs
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reference import codec
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Answer, Server
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import codec
+from fieldspec.command.sources import specs
+from fieldspec.language.behaviour.part import Behaviour
+from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Answer, Server
 
 SPECS = str(Path(__file__).parent.parent / "specs")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from fieldspec.diagnostics import Diagnostic
-from fieldspec.reading.project import DeviceSpec, Project, read
-from fieldspec.source import Span
+from fieldspec.foundation.source import Span
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.reading.project import DeviceSpec, Project, read
 
 MANUAL = f'{{title: The manual, file: gadget.txt, sha256: "{"0" * 64}", lines: 999}}'
 DEVICE = f"device: {{id: gadget, name: Gadget, vendor: Maker, manual: {MANUAL}}}\n"

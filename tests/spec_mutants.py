@@ -10,8 +10,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
-from fieldspec.reading.nodes import Scalar
-from fieldspec.reading.project import DeviceSpec
+from fieldspec.language.reading.nodes import Scalar
+from fieldspec.language.reading.project import DeviceSpec
 from mutations import ALGORITHMS, NUMBERS, SWAPPED, mappings
 
 Other = Callable[[Scalar, random.Random], str | None]

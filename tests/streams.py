@@ -6,9 +6,9 @@ import random
 from functools import cache
 from types import ModuleType
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.pipeline import layouts, load
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.command.pipeline import layouts, load
 from random_devices.inputs import header_values, record_values
 from random_devices.python_judge import module_of_device
 

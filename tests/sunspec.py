@@ -6,8 +6,8 @@ import importlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from fieldspec.explain.registers import Occupant, occupants
-from fieldspec.explain.spans import Span
+from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.spans import Span
 from fieldspec.testing import SimulatedDevice, simulation
 from layouts import TEST_SPECS, newest
 from python_package import module_of

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.values import number_of_sentinel
+from fieldspec.codec.layout.values import number_of_sentinel
 from layouts import SPECS, TEST_SPECS, newest
 from python_package import codec_error, module_of
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
-from fieldspec import pipeline
-from fieldspec.commands.spec_files import files
-from fieldspec.evidence.redaction import Redaction
-from fieldspec.evidence.secrets import Secrets
-from fieldspec.reference import codec
+from fieldspec.codec.reference import codec
+from fieldspec.command import pipeline
+from fieldspec.command.sources.spec_files import files
+from fieldspec.tools.evidence.redaction import Redaction
+from fieldspec.tools.evidence.secrets import Secrets
 
 REQUEST = "01 17 00 00 00 02 00 00 00 02 04 00 05 00 01 16 81"
 EXCHANGE = "read_write_registers read_address=0 read_word_count=1 write_address=0 values=5,1"

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.pipeline import checked
+from fieldspec.command.pipeline import checked
 from spec_files import project
 
 ROOT = Path(__file__).parent.parent

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from fieldspec import checks
-from fieldspec.reading.project import read
+from fieldspec.language import checks
+from fieldspec.language.reading.project import read
 
 SPEC = """
 device: {id: gadget, name: Gadget, vendor: Maker, manual: {title: Manual, file: gadget.txt, sha256: "HASH", lines: 9}}

@@ -14,11 +14,13 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.audit.accounting import OPEN, Accounts, accounts_of
-from fieldspec.audit.citations import CitationResults, citation_results
-from fieldspec.audit.coverage import coverage
-from fieldspec.audit.line_facts import LineCitations, LineFacts, line_citations
-from fieldspec.audit.manual_lines import (
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.accounting import OPEN, Accounts, accounts_of
+from fieldspec.tools.audit.citations import CitationResults, citation_results
+from fieldspec.tools.audit.coverage import coverage
+from fieldspec.tools.audit.line_facts import LineCitations, LineFacts, line_citations
+from fieldspec.tools.audit.manual_lines import (
     NAME,
     AlignedManual,
     ManualIndex,
@@ -28,11 +30,9 @@ from fieldspec.audit.manual_lines import (
     parsed,
     unmoved,
 )
-from fieldspec.audit.plan import Plan, plan_of
-from fieldspec.audit.section import Section, Subject
-from fieldspec.facts import FactRow, rows
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.plan import Plan, plan_of
+from fieldspec.tools.audit.section import Section, Subject
+from fieldspec.tools.facts import FactRow, rows
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from command_line import TEST_SPECS, CommandLine
-from fieldspec.classes import replace
+from fieldspec.foundation.classes import replace
 from layouts import all_layouts, newest
 from python_package import codec_error, module_of
 

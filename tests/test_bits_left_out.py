@@ -18,19 +18,19 @@ import pytest
 
 from command_line import CommandLine
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files as c_files
-from fieldspec.backends.iec.backend import files as iec_files
-from fieldspec.backends.js.backend import files as js_files
-from fieldspec.backends.js.backend import shared as js_shared
-from fieldspec.backends.kv.backend import files as kv_files
-from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.backends.python.client_cyclic import initial_bytes
-from fieldspec.backends.python.client_names import NoTask
-from fieldspec.explain.script.values import word_data
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.values import MeaningError, raw_value
-from fieldspec.pipeline import checked, load
-from fieldspec.simulator.memory import default_raw
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.values import MeaningError, raw_value
+from fieldspec.command.pipeline import checked, load
+from fieldspec.targets.c.backend import files as c_files
+from fieldspec.targets.explainer.values import word_data
+from fieldspec.targets.iec.backend import files as iec_files
+from fieldspec.targets.js.backend import files as js_files
+from fieldspec.targets.js.backend import shared as js_shared
+from fieldspec.targets.kv.backend import files as kv_files
+from fieldspec.targets.python.backend import PACKAGE, files, shared
+from fieldspec.targets.python.client_cyclic import initial_bytes
+from fieldspec.targets.python.client_names import NoTask
+from fieldspec.tools.simulator.memory import default_raw
 from layouts import layout_at
 from python_package import write
 from spec_files import DEVICE, gadget

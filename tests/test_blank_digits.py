@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained
-from fieldspec.model.digits import digits_text
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.language.model.digits import digits_text
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, link_of, module_of
 

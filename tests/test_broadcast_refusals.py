@@ -11,13 +11,13 @@ import pytest
 
 from command_line import SPECS, CommandLine
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files
-from fieldspec.backends.js.backend import shared
-from fieldspec.diagnostics import has_errors
-from fieldspec.explain.script.device import device_data
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.targets.c.backend import files
+from fieldspec.targets.explainer.device import device_data
+from fieldspec.targets.js.backend import shared
+from fieldspec.tools.proofs.running import outcome
 from fieldspec_devices import errors, tc100
 from fieldspec_devices.tc100 import client as tc100_client
 from random_devices.c_driver import REASONS

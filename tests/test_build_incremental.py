@@ -10,9 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec import pipeline
 from fieldspec.cli import main
-from fieldspec.commands import cache_folder, freshness, workers
+from fieldspec.command import pipeline
+from fieldspec.command.builds import freshness, workers
+from fieldspec.command.files import cache_folder
 
 SPECS = Path(__file__).resolve().parent / "specs"
 OUTPUTS = "vectors,c"

@@ -13,7 +13,10 @@ import pytest
 
 from command_line import TEST_SPECS
 from fieldspec.cli import main
-from fieldspec.commands import cache_folder, freshness, layout_cache, plugins
+from fieldspec.command.builds import freshness
+from fieldspec.command.files import cache_folder
+from fieldspec.command.packages import plugins
+from fieldspec.command.sources import layout_cache
 
 KINDS = ("builds", "devices", "plugins", "templates")
 SIGNATURE = "Signature: 8a477f597d28d172789f06886806bc55"
@@ -166,8 +169,8 @@ SHAPES = (
     b"\xff",
     b"[" * 100_000,
     b"[[],[]]",
-    b'[["fieldspec.model.device:Device"],[]]\n[1]',
-    b'[["fieldspec.model.nothing:Nothing"],[]]\n[1]',
+    b'[["fieldspec.language.model.device:Device"],[]]\n[1]',
+    b'[["fieldspec.language.model.nothing:Nothing"],[]]\n[1]',
     b'[["os:system"],[]]\n[1]',
 )
 CHANGES: dict[str, Callable[[Any], Any]] = {

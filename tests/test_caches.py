@@ -6,7 +6,7 @@ import gc
 
 import pytest
 
-from fieldspec.caches import ByIdentity, ObjectsKey
+from fieldspec.foundation.caches import ByIdentity, ObjectsKey
 
 
 def test_an_equal_object_is_another_key() -> None:

@@ -16,12 +16,12 @@ import canopen
 import pytest
 from canopen import objectdictionary as dictionary
 
-from fieldspec.explain.explanation import explained
-from fieldspec.explain.log import log_line
-from fieldspec.explain.readings import FrameOptions, read, remarks
-from fieldspec.reference.frames import codec
-from fieldspec.reference.records import CodecError
-from fieldspec.render.explanation import faults
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.log import log_line
+from fieldspec.codec.explain.readings import FrameOptions, read, remarks
+from fieldspec.codec.reference.frames import codec
+from fieldspec.codec.reference.records import CodecError
+from fieldspec.command.rendering.explanation import faults
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, package, runtime
 from random_devices.agreement import JUDGES, Comparison, compare_layout
@@ -99,7 +99,7 @@ def test_what_is_wrong_with_the_header_of_a_frame_is_said_alike(at: int, byte: i
 
 
 def test_the_page_of_a_device_says_which_bits_of_the_identifier_a_part_is() -> None:
-    from fieldspec.backends.docs.backend import files
+    from fieldspec.targets.docs.backend import files
 
     pages = [text for path, text in files([AXIS]).items() if path.endswith(".md")]
     text = "\n".join(page for page in pages if isinstance(page, str))

@@ -9,15 +9,15 @@ from pathlib import Path
 import pytest
 
 from capability_derivation import Key, changed_outputs, is_refused, legal_keys, stored_witnesses
-from fieldspec import rules
-from fieldspec.backends import OUTPUTS
-from fieldspec.backends.rules import RULES as OUTPUT_RULES
-from fieldspec.pipeline import layouts, load
-from fieldspec.plc.capabilities import ADAPTED, CONSTRUCTS, EXACT, REFUSED
-from fieldspec.plc.rules import RULES as PLC_RULES
-from fieldspec.render.capabilities import COLUMNS, capabilities, page
-from fieldspec.render.left_out import ROWS
-from fieldspec.schema.capabilities import CHECK, effects
+from fieldspec.command import rules
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.command.rendering.capabilities import COLUMNS, capabilities, page
+from fieldspec.command.rendering.left_out import ROWS
+from fieldspec.language.schema.capabilities import CHECK, effects
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.controllers.capabilities import ADAPTED, CONSTRUCTS, EXACT, REFUSED
+from fieldspec.targets.controllers.rules import RULES as PLC_RULES
+from fieldspec.targets.rules import RULES as OUTPUT_RULES
 
 PAGE = Path(__file__).parent.parent / "docs" / "capabilities.md"
 FRACTION = 1 if os.environ.get("FIELDSPEC_CAPABILITIES") == "all" else 100

@@ -14,24 +14,24 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.audit.coverage import coverage
-from fieldspec.audit.manual_lines import index_of
-from fieldspec.audit.register_dump import compared, judged
-from fieldspec.audit.review import sign_off
-from fieldspec.audit.section import Subject
-from fieldspec.backends import OUTPUTS
-from fieldspec.commands.evidence_audit import folder_report
-from fieldspec.commands.spec_files import files as specs
-from fieldspec.diagnostics import Diagnostic, in_order
-from fieldspec.evidence.report import baseline
-from fieldspec.facts import rows
-from fieldspec.lists.dump import dump
-from fieldspec.lists.text_sheet import text_sheet
-from fieldspec.pipeline import checked, layouts, load, refusals
-from fieldspec.reading.project import DeviceSpec
-from fieldspec.render.finding_text import concise
-from fieldspec.rules import all_rules, rule
-from fieldspec.source import SourceFile
+from fieldspec.command.audits.evidence_audit import folder_report
+from fieldspec.command.pipeline import checked, layouts, load, refusals
+from fieldspec.command.rendering.finding_text import concise
+from fieldspec.command.rules import all_rules, rule
+from fieldspec.command.sources.spec_files import files as specs
+from fieldspec.foundation.source import SourceFile
+from fieldspec.language.diagnostics import Diagnostic, in_order
+from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.targets import OUTPUTS
+from fieldspec.tools.audit.coverage import coverage
+from fieldspec.tools.audit.manual_lines import index_of
+from fieldspec.tools.audit.register_dump import compared, judged
+from fieldspec.tools.audit.review import sign_off
+from fieldspec.tools.audit.section import Subject
+from fieldspec.tools.evidence.report import baseline
+from fieldspec.tools.facts import rows
+from fieldspec.tools.lists.dump import dump
+from fieldspec.tools.lists.text_sheet import text_sheet
 
 CASES = Path(__file__).parent / "cases"
 FOLDERS = sorted(path for pattern in ("failing*", "passing*") for path in CASES.glob(f"*/{pattern}"))

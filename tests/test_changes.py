@@ -13,14 +13,14 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec import rules
-from fieldspec.changes import RULES, changes
-from fieldspec.changes import rules as functions_of_rules
-from fieldspec.changes.change import Change, Effect
-from fieldspec.line_text import visible_text
-from fieldspec.model.device import Device
-from fieldspec.reading.project import read
-from fieldspec.render.changes import places
+from fieldspec.command import rules
+from fieldspec.command.rendering.changes import places
+from fieldspec.foundation.line_text import visible_text
+from fieldspec.language.changes import RULES, changes
+from fieldspec.language.changes import rules as functions_of_rules
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.project import read
 
 CASES = Path(__file__).parent / "changes"
 FOLDERS = sorted(path for path in CASES.iterdir() if path.is_dir())

@@ -21,16 +21,16 @@ from typing import Any
 
 import pytest
 
-import fieldspec.model
-from fieldspec.changes import changes
-from fieldspec.model.device import Device
-from fieldspec.model.fact import Citation, Claim, Place, Report, Standard
-from fieldspec.model.link import Part
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.text_form import TextForm
-from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Sentinel, Value
-from fieldspec.reading.project import read
-from fieldspec.source import SourceFile, Span
+import fieldspec.language.model
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.changes import changes
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Citation, Claim, Place, Report, Standard
+from fieldspec.language.model.link import Part
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.text_form import TextForm
+from fieldspec.language.model.value import PRIMITIVES, ParameterPart, Primitive, Sentinel, Value
+from fieldspec.language.reading.project import read
 from spec_files import gadget
 
 TEST_SPECS = Path(__file__).parent / "specs"
@@ -137,8 +137,8 @@ def devices() -> tuple[Device, ...]:
 
 def classes() -> Iterator[type]:
     """All dataclasses of the model."""
-    for module in iter_modules(fieldspec.model.__path__, "fieldspec.model."):
-        if module.name == "fieldspec.model.attributes":
+    for module in iter_modules(fieldspec.language.model.__path__, "fieldspec.language.model."):
+        if module.name == "fieldspec.language.model.attributes":
             continue  # it describes these classes
         for member in vars(import_module(module.name)).values():
             if dataclasses.is_dataclass(member) and isinstance(member, type) and member.__module__ == module.name:

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.changes import changes
-from fieldspec.changes.change import Change, Effect
-from fieldspec.layout.device import device_layout
-from fieldspec.model.device import Device
-from fieldspec.reading.building.device import built
-from fieldspec.reading.nodes import Mapping, Scalar
-from fieldspec.reading.project import read
-from fieldspec.render.changes import AcceptedChange, Difference, hurts
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.command.rendering.changes import AcceptedChange, Difference, hurts
+from fieldspec.language.changes import changes
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.nodes import Mapping, Scalar
+from fieldspec.language.reading.project import read
 from mutations import MUTATIONS, mappings, put, scalar
 
 ROOT = Path(__file__).parent

@@ -6,12 +6,12 @@ import random
 
 import pytest
 
-from fieldspec.changes import changes
-from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes
-from fieldspec.reading.building.device import built
-from fieldspec.reading.nodes import Mapping, Node
-from fieldspec.reading.scalars import violations_at
-from fieldspec.reading.versions import Lines, selected
+from fieldspec.language.changes import changes
+from fieldspec.language.changes.acceptances import ComparedVersions, accepts_used, judged_changes
+from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.nodes import Mapping, Node
+from fieldspec.language.reading.scalars import violations_at
+from fieldspec.language.reading.versions import Lines, selected
 from test_checks_never_raise import changed, every, trees
 
 ROUNDS = 8

@@ -7,8 +7,8 @@ from itertools import combinations, pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.checks.finding import enumeration, longest_ascent, missing, near
-from fieldspec.model.ranges import Ranges, merged, uncovered
+from fieldspec.language.checks.finding import enumeration, longest_ascent, missing, near
+from fieldspec.language.model.ranges import Ranges, merged, uncovered
 
 small = st.integers(min_value=-8, max_value=24)
 interval = st.tuples(small, small).map(sorted).map(tuple)

@@ -13,15 +13,15 @@ from pathlib import Path
 import pytest
 
 from example_counts import FACTOR
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import device_layout
-from fieldspec.proofs.running import everything
-from fieldspec.reading.building.device import built
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
-from fieldspec.reading.project import read
-from fieldspec.reading.scalars import violations_at
-from fieldspec.reading.versions import Lines, selected
-from fieldspec.reference.frames import codec
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.codec.reference.frames import codec
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, children
+from fieldspec.language.reading.project import read
+from fieldspec.language.reading.scalars import violations_at
+from fieldspec.language.reading.versions import Lines, selected
+from fieldspec.tools.proofs.running import everything
 
 TESTS = Path(__file__).parent
 NUMBERS = (0, 1, 2, 7, 16, 255, 256, 65535, 65536, 2**31, 2**63, 10**18, -1, -(2**31))

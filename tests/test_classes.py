@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from fieldspec import classes
+from fieldspec.foundation import classes
 
 BOTH = pytest.mark.parametrize("module", [classes, dataclasses], ids=["ours", "standard"])
 

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 
 from command_line import SPECS, CommandLine
 from example_counts import examples
-from fieldspec.lists.comparison import compared
-from fieldspec.lists.item import items
-from fieldspec.lists.listing import listing
-from fieldspec.lists.text_sheet import text_sheet
+from fieldspec.tools.lists.comparison import compared
+from fieldspec.tools.lists.item import items
+from fieldspec.tools.lists.listing import listing
+from fieldspec.tools.lists.text_sheet import text_sheet
 from layouts import newest
 from spec_files import DEVICE
 

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
-from fieldspec.explain.readings import FrameOptions, read
-from fieldspec.model.texts import Example
-from fieldspec.reference import codec
+from fieldspec.codec.explain.readings import FrameOptions, read
+from fieldspec.codec.reference import codec
+from fieldspec.language.model.texts import Example
 from layouts import newest
 
 EXAMPLES = newest(TEST_SPECS, "widget").device.examples
@@ -262,7 +262,15 @@ def test_json_writes_numbers_that_json_lacks_as_text(
     assert row(run.json("decode", "gizmo", frame), "ratio")["number"] == "nan"
 
 
-LAZY = {"construct", "jinja2", "rich", "shtab", "fieldspec.checks.table", "fieldspec.backends", "fieldspec.reference"}
+LAZY = {
+    "construct",
+    "jinja2",
+    "rich",
+    "shtab",
+    "fieldspec.language.checks.table",
+    "fieldspec.targets",
+    "fieldspec.codec.reference",
+}
 
 
 def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:

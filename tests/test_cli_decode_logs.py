@@ -16,8 +16,8 @@ from typing import Any
 import pytest
 
 from command_line import TEST_SPECS, CommandLine
-from fieldspec.commands.decode import LONGEST_LINE, FramePrinter, Log
-from fieldspec.explain.readings import FrameOptions
+from fieldspec.codec.explain.readings import FrameOptions
+from fieldspec.command.verbs.decode import LONGEST_LINE, FramePrinter, Log
 from layouts import newest
 
 READ = "01 03 10 00 00 02 C0 CB"

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
-from fieldspec.model.texts import Example
+from fieldspec.language.model.texts import Example
 from layouts import newest
 
 WIDGET = newest(TEST_SPECS, "widget")

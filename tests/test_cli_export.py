@@ -14,10 +14,10 @@ import openpyxl
 import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
-from fieldspec.lists.export import COLUMNS, as_csv, as_json, as_xlsx
-from fieldspec.lists.item import Item, items
-from fieldspec.lists.text_sheet import text_sheet
-from fieldspec.lists.workbook import workbook_sheet
+from fieldspec.tools.lists.export import COLUMNS, as_csv, as_json, as_xlsx
+from fieldspec.tools.lists.item import Item, items
+from fieldspec.tools.lists.text_sheet import text_sheet
+from fieldspec.tools.lists.workbook import workbook_sheet
 from layouts import newest
 
 DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))

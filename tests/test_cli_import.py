@@ -13,12 +13,12 @@ from hypothesis import strategies as st
 
 from command_line import SPECS, TEST_SPECS, CommandLine
 from example_counts import examples
-from fieldspec.diagnostics import Severity
-from fieldspec.lists.listing import listing
-from fieldspec.lists.sheet import ListError
-from fieldspec.lists.skeleton import Origin, named, skeleton, snake
-from fieldspec.lists.text_sheet import text_sheet
-from fieldspec.pipeline import checked, load
+from fieldspec.command.pipeline import checked, load
+from fieldspec.language.diagnostics import Severity
+from fieldspec.tools.lists.listing import listing
+from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.skeleton import Origin, named, skeleton, snake
+from fieldspec.tools.lists.text_sheet import text_sheet
 from spec_files import DEVICE
 
 ORIGIN = Origin("list.csv", "0" * 64, 999)

@@ -6,8 +6,8 @@ import pytest
 from rich.console import Console
 
 from command_line import SPECS, TEST_SPECS, CommandLine
-from fieldspec.commands import terminal
-from fieldspec.plc.layout.memory import MEMORIES
+from fieldspec.command.console import terminal
+from fieldspec.targets.controllers.layout.memory import MEMORIES
 from layouts import newest
 
 

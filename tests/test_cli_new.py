@@ -9,7 +9,7 @@ import pytest
 
 from command_line import SPECS
 from fieldspec.cli import main
-from fieldspec.commands.layout_cache import layout
+from fieldspec.command.sources.layout_cache import layout
 
 
 @pytest.fixture

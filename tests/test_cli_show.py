@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from command_line import TEST_SPECS, CommandLine
-from fieldspec.render.blocks import drawn
-from fieldspec.render.item import handles, items
+from fieldspec.command.rendering.blocks import drawn
+from fieldspec.command.rendering.item import handles, items
 from layouts import newest
 
 WIDGET = newest(TEST_SPECS, "widget")

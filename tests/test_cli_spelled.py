@@ -7,8 +7,8 @@ from contextlib import suppress
 
 import pytest
 
-from fieldspec.commands.decode import LONGEST_LINE
-from fieldspec.explain.log import LogLine, Unreadable, log_line
+from fieldspec.codec.explain.log import LogLine, Unreadable, log_line
+from fieldspec.command.verbs.decode import LONGEST_LINE
 from layouts import TEST_SPECS, newest
 
 LINKS = [link.link for link in newest(TEST_SPECS, "widget").links.values()]

@@ -10,8 +10,8 @@ import pytest
 
 from command_line import TEST_SPECS, CommandLine
 from fieldspec.cli import main
-from fieldspec.commands.completion import suggest
-from fieldspec.model.texts import Example
+from fieldspec.command.verbs.completion import suggest
+from fieldspec.language.model.texts import Example
 from layouts import newest
 from test_cli_encode import arguments_of
 

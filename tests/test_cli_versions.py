@@ -12,11 +12,11 @@ import pytest
 
 from command_line import SPECS, TEST_SPECS
 from fieldspec.cli import main
-from fieldspec.diagnostics import has_errors
-from fieldspec.facts.matrix import matrix
-from fieldspec.facts.row import row
-from fieldspec.layout.device import device_layout
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.tools.facts.matrix import matrix
+from fieldspec.tools.facts.row import row
 from layouts import layouts
 
 OVERLAY = """

@@ -9,11 +9,11 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.live.client import Client, NoAnswerError, Timing
-from fieldspec.pipeline import layouts, load
-from fieldspec.reference.frames import codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference.frames import codec
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.targets.python.backend import PACKAGE, files, shared
+from fieldspec.tools.live.client import Client, NoAnswerError, Timing
 from python_package import write
 from test_client_parts import Line
 

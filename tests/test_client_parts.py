@@ -11,17 +11,17 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.behaviour.reading import behaviour_of
 from fieldspec.cli import main
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.live.client import Client, NoAnswerError, Timing
-from fieldspec.live.messages import signals
-from fieldspec.pipeline import layouts, load
-from fieldspec.reference.frames import codec
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Server
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference.frames import codec
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.targets.python.backend import PACKAGE, files, shared
 from fieldspec.testing import simulation
+from fieldspec.tools.live.client import Client, NoAnswerError, Timing
+from fieldspec.tools.live.messages import signals
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
 from layouts import TEST_SPECS, newest
 from python_package import module_of, runtime, write
 

@@ -15,15 +15,16 @@ from typing import Any
 import pytest
 
 from command_line import SPECS, TEST_SPECS
-from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
-from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
-from fieldspec.commands import cache_folder, layout_cache, spec_files
-from fieldspec.commands.specs import layout_of
-from fieldspec.model.attributes import descendants
-from fieldspec.model.fact import Citation, Claim, Place
-from fieldspec.reading import project
-from fieldspec.source import SourceFile, Span
+from fieldspec.command.files import cache_folder
+from fieldspec.command.sources import layout_cache, spec_files
+from fieldspec.command.sources.specs import layout_of
+from fieldspec.foundation.classes import attributes, replace
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.checks.layout_conditions import LAYOUT_CONDITIONS
+from fieldspec.language.model.attributes import descendants
+from fieldspec.language.model.fact import Citation, Claim, Place
+from fieldspec.language.reading import project
 from layouts import newest
 
 NOWHERE = Span(SourceFile("x", ""), 0, 0)
@@ -152,7 +153,7 @@ def test_the_state_of_the_compiler_changes_with_each_of_its_files(
     shutil.copytree(cache_folder._PACKAGE, package)
     monkeypatch.setattr(cache_folder, "_PACKAGE", str(package))
     states = {cache_folder.state()}
-    for name in ("layout/record.py", "schema/spec.schema.json", "source.py"):
+    for name in ("codec/layout/record.py", "language/schema/spec.schema.json", "foundation/source.py"):
         with (package / name).open("a", encoding="utf-8") as file:
             file.write("\n")
         states.add(cache_folder.state())
@@ -231,7 +232,7 @@ def test_paths_are_shown_relative_to_the_current_folder(
 def test_a_compiled_device_is_loaded_without_the_modules_that_read_specs(cache: Path) -> None:
     code = (
         "import sys; from fieldspec.cli import main; main(sys.argv[1:]); "
-        "print({'yaml', 'jsonschema_rs', 'construct', 'fieldspec.commands.specs'} & {*sys.modules})"
+        "print({'yaml', 'jsonschema_rs', 'construct', 'fieldspec.command.sources.specs'} & {*sys.modules})"
     )
     command = [sys.executable, "-c", code, "show", "widget", "--specs", str(TEST_SPECS)]
     first, second = (subprocess.run(command, capture_output=True, encoding="utf-8", check=True) for _ in range(2))

@@ -39,7 +39,7 @@ def test_every_condition_number_operator_and_statement_has_a_mutant() -> None:
 
 
 def test_every_mutant_can_be_compiled_and_differs() -> None:
-    for mutant in mutants(PACKAGE, "reference"):
+    for mutant in mutants(PACKAGE, "codec/reference"):
         source = (PACKAGE / mutant.path).read_bytes()
         assert mutant.applied(source) != source
         compile(mutant.applied(source), mutant.path, "exec")
@@ -60,19 +60,19 @@ def test_every_folder_and_test_in_the_table_is_there() -> None:
 TABLE = """
 | you change | run | seconds |
 |---|---|---|
-| `layout/`, `codegen/fieldspec/names.py` | `make accept`, then `pytest tests/test_bits.py tests/test_c*s.py` | 9 |
-| `layout/inner/` and what uses it | `python tests/recorded_outputs.py c`, then `pytest tests/test_bits.py` | 9 |
+| `codec/layout/`, `codegen/fieldspec/cli.py` | `make accept`, then `pytest tests/test_bits.py tests/test_c*s.py` | 9 |
+| `codec/layout/inner/` and what uses it | `python tests/recorded_outputs.py c`, then `pytest tests/test_bits.py` | 9 |
 """
 
 
 @pytest.mark.parametrize(
     ("path", "named"),
     [
-        ("layout/a.py", ["pytest tests/test_bits.py tests/test_c*s.py"]),
-        ("names.py", ["pytest tests/test_bits.py tests/test_c*s.py"]),
-        ("layout/inner/deep/a.py", ["python tests/recorded_outputs.py c", "pytest tests/test_bits.py"]),
-        ("layouts/a.py", []),
-        ("inner/layout/a.py", []),
+        ("codec/layout/a.py", ["pytest tests/test_bits.py tests/test_c*s.py"]),
+        ("cli.py", ["pytest tests/test_bits.py tests/test_c*s.py"]),
+        ("codec/layout/inner/deep/a.py", ["python tests/recorded_outputs.py c", "pytest tests/test_bits.py"]),
+        ("codec/layouts/a.py", []),
+        ("codec/inner/layout/a.py", []),
     ],
 )
 def test_the_row_of_the_nearest_folder_says_who_judges_a_module(path: str, named: list[str]) -> None:
@@ -85,8 +85,8 @@ def test_a_folder_without_named_tests_does_not_pass(
     guide = tmp_path / "CONTRIBUTING.md"
     guide.write_text(TABLE, "utf-8")
     monkeypatch.setattr("compiler_judges.GUIDE", guide)
-    assert main(1, 1, names=["reference"]) == 1
-    assert "names no tests for: reference/" in capsys.readouterr().out
+    assert main(1, 1, names=["codec/reference"]) == 1
+    assert "names no tests for: codec/reference/" in capsys.readouterr().out
 
 
 def test_a_folder_that_is_not_there_does_not_pass(capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,16 +95,20 @@ def test_a_folder_that_is_not_there_does_not_pass(capsys: pytest.CaptureFixture[
 
 
 def test_the_same_seed_gives_the_same_mutants() -> None:
-    assert sample(PACKAGE, "layout", 5, 1) == sample(PACKAGE, "layout", 5, 1) != sample(PACKAGE, "layout", 5, 2)
+    assert (
+        sample(PACKAGE, "codec/layout", 5, 1)
+        == sample(PACKAGE, "codec/layout", 5, 1)
+        != sample(PACKAGE, "codec/layout", 5, 2)
+    )
 
 
 def test_a_mutant_is_noticed_and_the_right_compiler_is_not(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     command = "pytest tests/test_checksums.py"
     monkeypatch.setattr("compiler_judges.commands", lambda path: [command])
-    copy, path = Copy(tmp_path), "reference/checksums.py"
+    copy, path = Copy(tmp_path), "codec/reference/checksums.py"
     source = (PACKAGE / path).read_bytes()
     mutant = next(mutant for mutant in Source(path, source).mutants() if mutant.kind == "condition")
-    assert copy.judge("reference", mutant).judge == command
+    assert copy.judge("codec/reference", mutant).judge == command
     assert (copy.package / path).read_bytes() == source
     assert not copy.fails(command)
 
@@ -113,5 +117,5 @@ def test_a_command_that_refuses_the_right_compiler_does_not_pass(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("compiler_judges.commands", lambda path: ["python tests/recorded_outputs.py nothing"])
-    assert main(1, 1, names=["reference"]) == 1
+    assert main(1, 1, names=["codec/reference"]) == 1
     assert capsys.readouterr().out == "fails without a mutant too: python tests/recorded_outputs.py nothing\n"

@@ -12,8 +12,8 @@ import pytest
 import pyvisa
 
 from fieldspec.cli import main
-from fieldspec.explain.explanation import explained
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.reference import CodecError, codec
 from fieldspec.testing import simulation
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, link_of, module_of, runtime

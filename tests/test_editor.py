@@ -11,7 +11,7 @@ import pytest
 
 from external_tools import require_tool
 from fieldspec.cli import main
-from fieldspec.schema import described, schema
+from fieldspec.language.schema import described, schema
 from language_server import LanguageServer
 
 ROOT = Path(__file__).parent.parent

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.targets.c.backend import files
+from fieldspec.tools.proofs.running import outcome
 from random_devices.c_driver import REASONS
 from random_devices.javascript_judge import JavaScript
 from random_devices.python_judge import Python

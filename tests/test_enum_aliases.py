@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from command_line import TEST_SPECS, CommandLine
-from fieldspec.backends import OUTPUTS
-from fieldspec.layout.values import raw_value
+from fieldspec.codec.layout.values import raw_value
+from fieldspec.targets import OUTPUTS
 from layouts import newest
 from python_package import module_of
 

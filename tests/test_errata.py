@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec import checks
-from fieldspec.model.texts import JUDGEMENT
-from fieldspec.proofs.errata import put_back
-from fieldspec.proofs.running import FindingsCache, errata_proofs, everything
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.language import checks
+from fieldspec.language.model.texts import JUDGEMENT
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.proofs.errata import put_back
+from fieldspec.tools.proofs.running import FindingsCache, errata_proofs, everything
 from layouts import TEST_SPECS, newest
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"

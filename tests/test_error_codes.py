@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.backends.c.backend import files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.pipeline import layouts, load
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.targets.c.backend import files
 from python_package import module_apart
 
 SPEC = """

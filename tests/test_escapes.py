@@ -9,13 +9,13 @@ import pytest
 import sliplib
 from cobs import cobs
 
-from fieldspec.behaviour.part import Behaviour
-from fieldspec.layout.escapes import EscapeError, original_places
-from fieldspec.model.escape import Escape
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.escapes import escaped, unescaped
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Answer, Server
+from fieldspec.codec.layout.escapes import EscapeError, original_places
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.escapes import escaped, unescaped
+from fieldspec.language.behaviour.part import Behaviour
+from fieldspec.language.model.escape import Escape
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Answer, Server
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, runtime
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained
-from fieldspec.explain.readings import FrameOptions, OpenRequest, read, remarks
-from fieldspec.live.client import Client, RefusedError, Timing
-from fieldspec.reference.frames import codec
-from fieldspec.reference.records import CodecError
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.reference.frames import codec
+from fieldspec.codec.reference.records import CodecError
+from fieldspec.tools.live.client import Client, RefusedError, Timing
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained
-from fieldspec.explain.readings import FrameOptions, read, remarks
-from fieldspec.reference import codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.readings import FrameOptions, read, remarks
+from fieldspec.codec.reference import codec
 from random_devices.agreement import layouts_of
 from random_devices.fuzz import CASES
 

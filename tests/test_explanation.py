@@ -11,14 +11,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
-from fieldspec.explain.values import decimal_text
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.raw_numbers import SinglePrecision
-from fieldspec.model.texts import Example
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.checksums import checksum as checksum_of
-from fieldspec.reference.frames import Decoded
+from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, explained
+from fieldspec.codec.explain.values import decimal_text
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.checksums import checksum as checksum_of
+from fieldspec.codec.reference.frames import Decoded
+from fieldspec.language.model.raw_numbers import SinglePrecision
+from fieldspec.language.model.texts import Example
 from layouts import TEST_SPECS, all_layouts, newest
 
 LAYOUTS = all_layouts()

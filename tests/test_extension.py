@@ -85,7 +85,9 @@ def test_the_door_loads_no_library() -> None:
 
 
 def test_a_verb_that_uses_a_package_loads_nothing_more_for_the_door() -> None:
-    assert new_modules(", fieldspec.commands.plugin_loading, fieldspec.checks.table") == {"fieldspec.extension"}
+    assert new_modules(", fieldspec.command.packages.plugin_loading, fieldspec.language.checks.table") == {
+        "fieldspec.extension"
+    }
 
 
 MISTAKES = """from fieldspec.extension import Device, DeviceLayout, Diagnostic, Files, finding

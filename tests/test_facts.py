@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.facts import COLUMNS, FactRow, rows
-from fieldspec.layout.device import device_layout
-from fieldspec.reading.nodes import Mapping, Scalar, Sequence, find
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.language.reading.nodes import Mapping, Scalar, Sequence, find
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.facts import COLUMNS, FactRow, rows
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"

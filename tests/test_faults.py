@@ -13,12 +13,12 @@ import pytest
 
 from faults import FAULTS, Fault, struck
 from fieldspec.cli import main
-from fieldspec.commands import freshness, workers
-from fieldspec.commands.cache_folder import TAG
-from fieldspec.commands.placement import Staging
-from fieldspec.commands.storage import BESIDE
-from fieldspec.commands.usage import UsageError
-from fieldspec.schema import ADDRESS
+from fieldspec.command.builds import freshness, workers
+from fieldspec.command.console.usage import UsageError
+from fieldspec.command.files.cache_folder import TAG
+from fieldspec.command.files.placement import Staging
+from fieldspec.command.files.storage import BESIDE
+from fieldspec.language.schema import ADDRESS
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.proofs.running import proven
-from fieldspec.reading.project import read
+from fieldspec.language.reading.project import read
+from fieldspec.tools.proofs.running import proven
 
 SPEC = """
 device: {id: gadget, name: Gadget, vendor: Maker, manual: {title: Manual, file: gadget.txt, sha256: "HASH", lines: 9}}

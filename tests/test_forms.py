@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.render import finding_text as text
-from fieldspec.render.finding_formats import format_findings
-from fieldspec.source import SourceFile, Span
+from fieldspec.command.rendering import finding_text as text
+from fieldspec.command.rendering.finding_formats import format_findings
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.diagnostics import Diagnostic, Label
 
 SPECS = str(Path(__file__).resolve().parent.parent / "specs")
 FILE = SourceFile("device/points.yaml", "label: 伺服, name: servo\nhostile: ]]> </x> %0A, :: \n")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.layout.bits import packed_bits, packed_size, unpacked_bits
-from fieldspec.layout.frame import original_parts
+from fieldspec.codec.layout.bits import packed_bits, packed_size, unpacked_bits
+from fieldspec.codec.layout.frame import original_parts
 from layouts import TEST_SPECS, newest
 
 CALLER = newest(TEST_SPECS, "caller")

@@ -13,12 +13,12 @@ from typing import Any
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.js.backend import shared
-from fieldspec.backends.js.module import module_texts
-from fieldspec.backends.python.backend import PACKAGE, files
-from fieldspec.backends.python.backend import shared as python_modules
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.pipeline import layouts, load
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.targets.js.backend import shared
+from fieldspec.targets.js.module import module_texts
+from fieldspec.targets.python.backend import PACKAGE, files
+from fieldspec.targets.python.backend import shared as python_modules
 from python_package import link_of, write
 from random_devices.framer_judge import SCRIPT
 from random_devices.python_judge import module_of_device

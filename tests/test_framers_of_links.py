@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
 from layouts import TEST_SPECS
 from layouts import layouts as layouts_of
 from python_package import link_of, module_of, runtime

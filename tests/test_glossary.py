@@ -16,7 +16,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "codegen" / "fieldspec"
 GLOSSARY = (ROOT / "docs" / "glossary.md").read_text("utf-8")
-SCHEMA = PACKAGE / "schema" / "spec.schema.json"
+SCHEMA = PACKAGE / "language" / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 
 
@@ -87,7 +87,7 @@ def folder(path: Path) -> str:
     """The folder under which a file is counted: that of the compiler, of tests, or the first one below the root."""
     if PACKAGE in path.parents:
         parts = path.relative_to(PACKAGE).parts
-        return "/".join(parts[:2] if parts[0] == "backends" and len(parts) > 2 else parts[:1])
+        return "/".join(parts[: min(2, len(parts) - 1)] or parts[:1])
     parts = path.relative_to(ROOT).parts[:-1]
     return "/".join(parts[:2] if parts[0] == "tests" else parts[:1])
 
@@ -200,7 +200,7 @@ def test_keys_of_specs_follow_the_glossary() -> None:
 
 def generated_names() -> Iterator[tuple[str, str]]:
     """The names in the runtime of the generated Python, which every user of it reads."""
-    for path in sorted((PACKAGE / "backends" / "python" / "runtime").glob("*.py")):
+    for path in sorted((PACKAGE / "targets" / "python" / "runtime").glob("*.py")):
         for token in tokenize.generate_tokens(io.StringIO(path.read_text("utf-8")).readline):
             if token.type == tokenize.NAME and not keyword.iskeyword(token.string):
                 yield path.name, token.string

@@ -14,9 +14,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benchmarks" / "
 
 import registers
 
-from fieldspec.backends import OUTPUTS
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.reading.project import read
+from fieldspec.targets import OUTPUTS
 from layouts import SPECS, layout_at
 
 FEW, MANY = 50, 200

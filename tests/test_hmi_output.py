@@ -10,13 +10,13 @@ from functools import cache
 import openpyxl
 import pytest
 
-from fieldspec.backends.hmi.backend import files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.lists.packing import packed
-from fieldspec.model.enums import Enum
-from fieldspec.names import Name, stem
-from fieldspec.plc.enums import KINDS
-from fieldspec.spreadsheet import Workbook
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import Name, stem
+from fieldspec.foundation.spreadsheet import Workbook
+from fieldspec.language.model.enums import Enum
+from fieldspec.targets.controllers.enums import KINDS
+from fieldspec.targets.hmi.backend import files
+from fieldspec.tools.lists.packing import packed
 from layouts import SPECS, TEST_SPECS, layout_at, layouts, newest
 from spec_files import gadget
 

@@ -9,74 +9,57 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
-from functools import cache
-from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
 
-from fieldspec.backends import BUILT_IN
+from compiler_modules import GENERATED, MODULES, PACKAGE, imported, inside, tree
+from fieldspec.targets import BUILT_IN
 
 ROOT = Path(__file__).parent.parent
-PACKAGE = ROOT / "codegen" / "fieldspec"
 ARCHITECTURE = ROOT / "docs" / "architecture.md"
 
-# Python that is copied into an output is a text like any other, not a module of the compiler.
-GENERATED = "runtime"
-MODULES = sorted(path for path in PACKAGE.rglob("*.py") if GENERATED not in path.parts)
 TEXTS = sorted(path for path in PACKAGE.rglob("*") if path.is_file() and path.suffix not in (".pyc", ".json"))
 TESTS = sorted((ROOT / "tests").glob("*.py"))
 
 LONGEST_FILE = 400
-BACK_ENDS_IMPORT = {
-    *(
-        "backends",
-        "classes",
-        "changes",
-        "diagnostics",
-        "explain",
-        "html_text",
-        "layout",
-        "model",
-        "names",
-        "plc",
-        "reserved",
-        "spreadsheet",
-    ),
-}
+COMMANDS = tuple(
+    f"{inside(path)}/" for path in sorted((PACKAGE / "command").iterdir()) if path.is_dir() and path.name != "rendering"
+)
+"""The verbs and what they share: the only ones that read and write files, and print."""
 
 # The only places where a library is imported: folders end with a slash.
 HOMES = {
-    "yaml": ("reading/",),
-    "jsonschema_rs": ("reading/",),
-    "jinja2": ("backends/templates.py",),
-    "construct": ("reference/",),
-    "pyarrow": ("captures/",),
-    "openpyxl": ("lists/workbook.py",),
-    "xlsxwriter": ("lists/packing.py",),
-    "argparse": ("cli.py", "commands/"),
-    "rich": ("commands/",),
-    "shtab": ("commands/",),
-    "os": ("cli.py", "commands/", "carriers/"),
-    "shutil": ("commands/",),
-    "tempfile": ("commands/",),
-    "subprocess": ("commands/",),
-    "socket": ("carriers/",),
-    "serial": ("carriers/",),
-    "websockets": ("carriers/",),
-    "can": ("carriers/can_bus.py",),
-    "textual": ("commands/",),
-    "mcp": ("commands/",),
+    "yaml": ("language/reading/",),
+    "jsonschema_rs": ("language/reading/",),
+    "jinja2": ("targets/templates.py",),
+    "construct": ("codec/reference/",),
+    "pyarrow": ("tools/captures/",),
+    "openpyxl": ("tools/lists/workbook.py",),
+    "xlsxwriter": ("tools/lists/packing.py",),
+    "argparse": ("cli.py", *COMMANDS),
+    "rich": COMMANDS,
+    "shtab": COMMANDS,
+    "os": ("cli.py", *COMMANDS, "tools/carriers/"),
+    "shutil": COMMANDS,
+    "tempfile": COMMANDS,
+    "subprocess": COMMANDS,
+    "socket": ("tools/carriers/",),
+    "serial": ("tools/carriers/",),
+    "websockets": ("tools/carriers/",),
+    "can": ("tools/carriers/can_bus.py",),
+    "textual": COMMANDS,
+    "mcp": COMMANDS,
     "platform": (),
     "getpass": (),
-    "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them
+    "datetime": ("tools/lists/packing.py",),  # workbooks have one that is the same in all of them
     # A review records the date of the day, and a simulation runs by a clock.
-    "time": ("commands/build.py", "commands/audit_files.py", "simulator/clock.py"),
-    "random": ("simulator/faults.py",),
-    "uuid": ("backends/twincat/",),  # identifiers are computed from names and equal in every build
+    "time": ("command/verbs/build.py", "command/audits/audit_files.py", "tools/simulator/clock.py"),
+    "random": ("tools/simulator/faults.py",),
+    "uuid": ("targets/twincat/",),  # identifiers are computed from names and equal in every build
     "pickle": (),
     "jsonschema": (),
-    "dataclasses": ("classes.py",),
+    "dataclasses": ("foundation/classes.py",),
 }
 TOUCHES_THE_WORLD = {
     "print",
@@ -91,16 +74,12 @@ TOUCHES_THE_WORLD = {
     "unlink",
 }
 NOT_THE_WORLD = {
-    ("classes.py", "exec"),  # it writes constructors, from names of attributes alone
-    ("lists/workbook_size.py", "open"),  # it opens a part of a workbook that is in memory
+    ("foundation/classes.py", "exec"),  # it writes constructors, from names of attributes alone
+    ("tools/lists/workbook_size.py", "open"),  # it opens a part of a workbook that is in memory
 }
 UNDONE = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 ALGORITHMS = re.compile(r"crc16_modbus|CRC-16/MODBUS")
 MAKERS = ("hiwin", "toyo", "taiyo", "profidrive")
-
-
-def inside(path: Path) -> str:
-    return path.relative_to(PACKAGE).as_posix()
 
 
 FOLDERS = {
@@ -110,72 +89,8 @@ FOLDERS = {
 """The modules by their folder. A test of each module would take longer to run than to pass."""
 
 
-@cache
-def tree(path: Path) -> ast.Module:
-    return ast.parse(path.read_text("utf-8"))
-
-
-@cache
-def imported(path: Path) -> tuple[str, ...]:
-    """The modules that a module imports, wherever in it; `from fieldspec import checks` is `fieldspec.checks`."""
-    return tuple(_imported(path))
-
-
-def _imported(path: Path) -> Iterator[str]:
-    for node in ast.walk(tree(path)):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{inside(path)} imports by a relative path"
-            assert node.module
-            yield from (
-                [f"fieldspec.{alias.name}" for alias in node.names] if node.module == "fieldspec" else [node.module]
-            )
-
-
-def imported_modules(path: Path, known: set[str]) -> Iterator[str]:
-    """The modules that a module imports, those in folders by their own names."""
-    for node in ast.walk(tree(path)):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names if alias.name in known)
-        elif isinstance(node, ast.ImportFrom) and node.module in known:
-            names = {f"{node.module}.{alias.name}" for alias in node.names}
-            yield from names & known
-            yield from [node.module] * bool(names - known)
-
-
-def layer(name: str) -> str:
-    """The part of the compiler that a module belongs to: `reading` for `fieldspec.reading.nodes`."""
-    return name.split(".")[1]
-
-
-@cache
-def order() -> list[list[set[str]]]:
-    """The order of imports as the documentation prints it: levels of siblings that may not import each other.
-
-    Modules that a comma joins are one sibling.
-    """
-    section = ARCHITECTURE.read_text("utf-8").partition("\n## The order of imports\n")[2]
-    block = section.partition("```text\n")[2].partition("```")[0]
-    return [[set(re.findall(r"\w+", sibling)) for sibling in level.split("|")] for level in block.split("->")]
-
-
-def above(name: str) -> set[str]:
-    """What a part of the compiler may import: itself, those joined with it by a comma, and every level above."""
-    levels = order()
-    (at,) = (number for number, level in enumerate(levels) for sibling in level if name in sibling)
-    (own,) = (sibling for sibling in levels[at] if name in sibling)
-    return own.union(*(sibling for level in levels[:at] for sibling in level))
-
-
 def named(node: ast.Call) -> str:
     return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
-
-
-def test_every_part_of_the_compiler_is_in_the_order_of_imports() -> None:
-    parts = {path.name.removesuffix(".py") for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
-    levels = [name for level in order() for sibling in level for name in sibling]
-    assert sorted(levels) == sorted(parts - {"__init__", "__main__", "__pycache__"})
 
 
 def test_paths_that_the_documentation_names_exist() -> None:
@@ -183,36 +98,6 @@ def test_paths_that_the_documentation_names_exist() -> None:
     assert len(named) > 40
     homes = (ROOT, PACKAGE, ROOT / "docs")
     assert [place for place in named if not any((home / place).exists() for home in homes)] == []
-
-
-@pytest.mark.parametrize("folder", FOLDERS)
-def test_a_module_imports_only_what_stands_above_it(folder: str) -> None:
-    wrong = []
-    for path in FOLDERS[folder]:
-        own = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
-        if not own.startswith("__"):
-            ours = {name for name in imported(path) if name.startswith("fieldspec.")} - {"fieldspec.__version__"}
-            wrong += [(inside(path), name) for name in ours if layer(name) not in above(own)]
-    assert wrong == []
-
-
-def test_no_modules_import_each_other_in_a_circle() -> None:
-    # An import for annotations alone counts: a reader has to know both modules to understand one.
-    names = {path: ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts) for path in MODULES}
-    names = {path: name.removesuffix(".__init__") for path, name in names.items()}
-    # `from fieldspec.commands import streams` imports a module, `from fieldspec.names import Name` no other one.
-    graph = {name: {*imported_modules(path, {*names.values()})} - {name} for path, name in names.items()}
-    TopologicalSorter(graph).prepare()
-
-
-@pytest.mark.parametrize("path", [path for path in MODULES if inside(path).startswith("backends/")], ids=inside)
-def test_a_back_end_imports_layouts_and_no_other_back_end(path: Path) -> None:
-    ours = {name for name in imported(path) if name.startswith("fieldspec")}
-    own = path.relative_to(PACKAGE / "backends").parts[0]
-    more = {"reference"} if own == "vectors" else set()  # vectors are the frames that codecs are compared with
-    assert {name for name in ours if layer(name) not in BACK_ENDS_IMPORT | more} == set()
-    others = {name.split(".")[2] for name in ours if name.startswith("fieldspec.backends.")}
-    assert others <= {own, "fact_texts", "templates", "usages"}
 
 
 @pytest.mark.parametrize("library", HOMES)
@@ -225,7 +110,7 @@ def test_only_the_command_line_touches_the_world() -> None:
     uses = {
         f"{inside(path)}:{node.lineno}: {named(node)}"
         for path in MODULES
-        if not inside(path).startswith(("cli.py", "commands/"))
+        if not inside(path).startswith(("cli.py", *COMMANDS))
         for node in ast.walk(tree(path))
         if isinstance(node, ast.Call) and named(node) in TOUCHES_THE_WORLD
         if (inside(path), named(node)) not in NOT_THE_WORLD
@@ -234,7 +119,7 @@ def test_only_the_command_line_touches_the_world() -> None:
 
 
 def test_lines_are_printed_only_where_they_are_escaped() -> None:
-    homes = ("commands/streams.py", "commands/terminal.py")
+    homes = ("command/console/streams.py", "command/console/terminal.py")
     uses = {
         f"{inside(path)}:{node.lineno}"
         for path in MODULES
@@ -248,7 +133,7 @@ def test_lines_are_printed_only_where_they_are_escaped() -> None:
 
 def test_html_comes_from_templates_which_escape_it() -> None:
     # Pages have too many cells and lines for templates.
-    homes = tuple(f"backends/docs/{name}.py" for name in ("html", "markdown"))
+    homes = tuple(f"targets/docs/{name}.py" for name in ("html", "markdown"))
     end_tag = re.compile("</(a|body|code|d[dlt]|div|h[1-6]|li|ol|p|script|span|strong|style|svg|table|t[dhr]|ul)>")
     uses = {
         f"{inside(path)}:{node.lineno}"
@@ -385,9 +270,9 @@ def test_generated_code_does_not_import_the_compiler() -> None:
 
 BUILD = """
 import hashlib, json, pathlib
-from fieldspec.backends import OUTPUTS
-from fieldspec.diagnostics import has_errors
-from fieldspec.pipeline import checked, layouts, load, outputs
+from fieldspec.targets import OUTPUTS
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.command.pipeline import checked, layouts, load, outputs
 places = (("specs", "protocols/*.yaml"), ("tests/specs", "**/*.yaml"))
 paths = [(root, path) for root, pattern in places for path in sorted(pathlib.Path(root).glob(pattern))]
 project = load({path.relative_to(root).as_posix(): path.read_bytes() for root, path in paths})

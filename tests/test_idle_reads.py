@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.vectors.backend import idle_vectors
+from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS, newest
 from python_package import module_of
 

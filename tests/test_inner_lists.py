@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from captures.bulk import Sent, decoded, verdicts
-from fieldspec.captures.decoding import Choices
-from fieldspec.evidence.redaction import Redaction
-from fieldspec.evidence.secrets import Secrets
-from fieldspec.explain.explanation import explained
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.tools.captures.decoding import Choices
+from fieldspec.tools.evidence.redaction import Redaction
+from fieldspec.tools.evidence.secrets import Secrets
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, link_of, module_of
 

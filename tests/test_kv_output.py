@@ -13,13 +13,13 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.kv.areas import Area, PlacedValue, areas
-from fieldspec.backends.kv.backend import files
-from fieldspec.backends.kv.dialect import KV
-from fieldspec.backends.vectors.backend import vector
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.targets.kv.areas import Area, PlacedValue, areas
+from fieldspec.targets.kv.backend import files
+from fieldspec.targets.kv.dialect import KV
+from fieldspec.targets.vectors.backend import vector
 from layouts import SPECS, TEST_SPECS, has_digits, layout_at, layouts, newest
 from spec_files import gadget
 from word_memory import ROOTS, Row, comments, memory, number, signed, texts, word_map

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.reading.scalars import typed
-from fieldspec.reading.yaml_reader import decoded, parsed
-from fieldspec.schema import schema
-from fieldspec.schema.manual import anchor, manual, parts
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.yaml_reader import decoded, parsed
+from fieldspec.language.schema import schema
+from fieldspec.language.schema.manual import anchor, manual, parts
 
 MANUAL = Path(__file__).parent.parent / "docs" / "language.md"
 BLOCKS = re.findall(r"```yaml\n(.*?)```", manual(), re.DOTALL)

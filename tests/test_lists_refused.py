@@ -17,11 +17,11 @@ from openpyxl.utils import get_column_letter
 
 from command_line import SPECS, CommandLine
 from example_counts import examples
-from fieldspec.commands.list_files import sheet
-from fieldspec.lists import json_text, text_sheet, workbook_size
-from fieldspec.lists import sheet as limits
-from fieldspec.lists.listing import listing
-from fieldspec.lists.sheet import ListError
+from fieldspec.command.files.list_files import sheet
+from fieldspec.tools.lists import json_text, text_sheet, workbook_size
+from fieldspec.tools.lists import sheet as limits
+from fieldspec.tools.lists.listing import listing
+from fieldspec.tools.lists.sheet import ListError
 
 LIST = "地址,名称\n0x2000,位置\n"
 

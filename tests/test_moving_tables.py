@@ -16,16 +16,16 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 from c_output.compilers import compiled
 from command_line import CommandLine
 from external_tools import require_tool
-from fieldspec.audit.register_dump import compared
 from fieldspec.cli import main
-from fieldspec.explain.registers import occupants
-from fieldspec.explain.spans import Span
-from fieldspec.layout.bases import at_usual_bases
-from fieldspec.layout.read_plan import read_plan
-from fieldspec.lists.dump import dump
-from fieldspec.lists.text_sheet import text_sheet
-from fieldspec.simulator.seeding import seed
+from fieldspec.codec.explain.registers import occupants
+from fieldspec.codec.explain.spans import Span
+from fieldspec.codec.layout.bases import at_usual_bases
+from fieldspec.codec.layout.read_plan import read_plan
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.audit.register_dump import compared
+from fieldspec.tools.lists.dump import dump
+from fieldspec.tools.lists.text_sheet import text_sheet
+from fieldspec.tools.simulator.seeding import seed
 from js_output.explanations import explained_by_node, explained_by_python
 from pymodbus_server import free_port, running
 from recorder import FOLDER, LAYOUT, module, output_folder

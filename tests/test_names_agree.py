@@ -15,12 +15,12 @@ from pathlib import Path
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files as c_files
-from fieldspec.backends.js.backend import files as js_files
-from fieldspec.backends.python.backend import files as python_files
-from fieldspec.backends.python.naming import Scope
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import Name
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import Name
+from fieldspec.targets.c.backend import files as c_files
+from fieldspec.targets.js.backend import files as js_files
+from fieldspec.targets.python.backend import files as python_files
+from fieldspec.targets.python.naming import Scope
 from layouts import SPECS, TEST_SPECS, has_digits, layouts, newest
 from python_package import module_of
 

@@ -11,14 +11,14 @@ import pytest
 from captures.bulk import Sent, decoded, values
 from command_line import CommandLine
 from external_tools import require_tool
-from fieldspec.captures.decoding import Choices
 from fieldspec.cli import main
-from fieldspec.evidence.redaction import Redaction
-from fieldspec.evidence.secrets import Secrets
-from fieldspec.explain.hazards import CLEARS, hazards_by_fact
-from fieldspec.layout.read_plan import read_plan
-from fieldspec.reference import codec
+from fieldspec.codec.explain.hazards import CLEARS, hazards_by_fact
+from fieldspec.codec.layout.read_plan import read_plan
+from fieldspec.codec.reference import codec
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.captures.decoding import Choices
+from fieldspec.tools.evidence.redaction import Redaction
+from fieldspec.tools.evidence.secrets import Secrets
 from js_output.explanations import explained_by_node, explained_by_python
 from oven import DATA, FOLDER, LAYOUT, RAW, module, output_folder, read_frames
 from wireshark_output.expectations import Case, expect, results

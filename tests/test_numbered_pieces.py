@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.live.client import Client, Timing
-from fieldspec.live.messages import named_signals, parameter_assignment, read_signals, signals, write_parameter
-from fieldspec.pipeline import layouts, load
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Server
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.targets.python.backend import PACKAGE, files, shared
+from fieldspec.tools.live.client import Client, Timing
+from fieldspec.tools.live.messages import named_signals, parameter_assignment, read_signals, signals, write_parameter
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
 from python_package import write
 
 SPEC = Path(__file__).parent / "cases" / "segments_complete" / "passing_numbered" / "device.yaml"

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files
 from fieldspec.cli import main
-from fieldspec.evidence.redaction import Redaction
-from fieldspec.evidence.secrets import Secrets
-from fieldspec.explain.explanation import explained
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.targets.c.backend import files
+from fieldspec.tools.evidence.redaction import Redaction
+from fieldspec.tools.evidence.secrets import Secrets
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 

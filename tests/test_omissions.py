@@ -13,18 +13,18 @@ from typing import Any
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends import OUTPUTS
-from fieldspec.backends.queries.backend import remaining as remaining_queries
-from fieldspec.backends.wireshark.backend import dissector
 from fieldspec.cli import main
-from fieldspec.diagnostics import LEAVE_OUT, Diagnostic, has_errors
-from fieldspec.layout.omissions import expressed
-from fieldspec.layout.refusal import Refusal
-from fieldspec.model.fact import Fact
-from fieldspec.pipeline import merged_refusals, refusals
-from fieldspec.plc.dialects import DIALECTS
-from fieldspec.plc.omissions import for_dialect
-from fieldspec.reference import codec
+from fieldspec.codec.layout.omissions import expressed
+from fieldspec.codec.layout.refusal import Refusal
+from fieldspec.codec.reference import codec
+from fieldspec.command.pipeline import merged_refusals, refusals
+from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, has_errors
+from fieldspec.language.model.fact import Fact
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.controllers.dialects import DIALECTS
+from fieldspec.targets.controllers.omissions import for_dialect
+from fieldspec.targets.queries.backend import remaining as remaining_queries
+from fieldspec.targets.wireshark.backend import dissector
 from layouts import SPECS, layouts, newest
 from matiec import VARIABLE
 from random_devices.queries import queries
@@ -159,7 +159,7 @@ def refused(fact: Fact) -> Refusal:
 def test_a_task_that_is_watched_by_what_is_left_out_does_not_apply(monkeypatch: pytest.MonkeyPatch) -> None:
     layout = newest(SPECS, "tc100")
     state = next(register.register for register in layout.registers if "servo_state" in register.register.roles)
-    monkeypatch.setattr("fieldspec.plc.omissions.number_refusals", lambda *_: [refused(state)])
+    monkeypatch.setattr("fieldspec.targets.controllers.omissions.number_refusals", lambda *_: [refused(state)])
     before = {task.name: task for task in layout.device.tasks}
     after = {task.name: task for task in for_dialect(layout, DIALECTS["st"]).layout.device.tasks}
     changed = {name for name in before if after[name].not_applicable != before[name].not_applicable}

@@ -9,8 +9,8 @@ from xml.etree import ElementTree
 import openpyxl
 import pytest
 
-from fieldspec.lists.packing import LONGEST, packed
-from fieldspec.spreadsheet import Cell, Workbook, Worksheet
+from fieldspec.foundation.spreadsheet import Cell, Workbook, Worksheet
+from fieldspec.tools.lists.packing import LONGEST, packed
 
 CELLS: list[tuple[Cell, str | int]] = [
     ("plain", "plain"),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from fieldspec.backends.st.backend import files
-from fieldspec.reading.project import read
+from fieldspec.language.reading.project import read
+from fieldspec.targets.st.backend import files
 from layouts import layout_at
 
 SPEC = """

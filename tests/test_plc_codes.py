@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.backends.st.backend import text
-from fieldspec.layout.device import device_layout
-from fieldspec.plc.structured.program import program
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.targets.controllers.structured.program import program
+from fieldspec.targets.st.backend import text
 from spec_files import project
 
 SPEC = """

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.backends.kv.dialect import KV
-from fieldspec.backends.kv.word_map import COLUMNS
-from fieldspec.pipeline import layouts, load, outputs
+from fieldspec.command.pipeline import layouts, load, outputs
+from fieldspec.targets.kv.dialect import KV
+from fieldspec.targets.kv.word_map import COLUMNS
 from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.classes import attributes, replace
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.cache import cached
-from fieldspec.plc.dialects import DIALECTS, STRUCTURED
-from fieldspec.plc.structured.program import program, refusals
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import attributes, replace
+from fieldspec.targets.controllers.cache import cached
+from fieldspec.targets.controllers.dialects import DIALECTS, STRUCTURED
+from fieldspec.targets.controllers.structured.program import program, refusals
 from layouts import TEST_SPECS, layout_at, newest
 from spec_files import gadget
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec import rules
+from fieldspec.command import rules
 from package_site import DEVICE, EXAMPLE, HERE, Site
 
 UNLIMITED = DEVICE.replace(", range: 1..100", "")
@@ -147,7 +147,10 @@ def test_without_the_package_its_output_is_unknown_and_its_protocol_missing(site
 
 
 def test_the_documentation_of_rules_has_none_of_installed_packages(site: Site) -> None:
-    code = "from fieldspec.commands.plugin_loading import load_checks; load_checks(); from fieldspec import rules; "
+    code = (
+        "from fieldspec.command.packages.plugin_loading import load_checks; load_checks(); "
+        "from fieldspec.command import rules; "
+    )
     code += "print(rules.page(), end=''); assert rules.rule('writable_ranges_present')"
     environment = {**os.environ, "PYTHONPATH": str(site.packages), "PYTHONIOENCODING": "utf-8"}
     ran = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, check=True)
@@ -158,7 +161,7 @@ LAZY = """
 import sys
 from fieldspec.cli import main
 main(sys.argv[1:])
-loaded = {"importlib.metadata", "fieldspec.commands.plugin_loading", "fieldspec.extension"}
+loaded = {"importlib.metadata", "fieldspec.command.packages.plugin_loading", "fieldspec.extension"}
 print(sorted(loaded & {*sys.modules}))
 """
 

@@ -12,12 +12,12 @@ from pathlib import Path
 import pytest
 
 from captures.conversations import ethernet, pcap, tcp_poll
-from fieldspec.captures.conversion import Conversion
-from fieldspec.captures.decoding import Choices, DeviceDecoder
 from fieldspec.cli import main
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.simulator.simulation import completed_place, stated_place, usual_place
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.testing import simulation
+from fieldspec.tools.captures.conversion import Conversion
+from fieldspec.tools.captures.decoding import Choices, DeviceDecoder
+from fieldspec.tools.simulator.simulation import completed_place, stated_place, usual_place
 from layouts import SPECS, TEST_SPECS, newest
 from python_package import module_of
 

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from drive_variants import drive_variant
 from example_counts import examples
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reference.records import decoded, encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference.records import decoded, encoded
 from layouts import TEST_SPECS, newest
 from python_package import built, codec_error, module_of, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of

@@ -14,8 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
 from python_package import built, codec_error, module_of, outcome, record_class
 from random_values import values_of

@@ -11,9 +11,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.backends import OUTPUTS
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.value import Conversion
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.value import Conversion
+from fieldspec.targets import OUTPUTS
 from layouts import TEST_SPECS, all_layouts, newest
 from python_package import codec_error, module_of
 

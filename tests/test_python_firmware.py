@@ -13,9 +13,9 @@ from types import ModuleType
 
 import pytest
 
-from fieldspec import pipeline
-from fieldspec.backends.python.backend import files, shared
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.command import pipeline
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.targets.python.backend import files, shared
 from layouts import SPECS, layout_at, layouts
 from python_package import NAME, package, write
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.checksums import checksum as checksum_of
+from fieldspec.codec.layout.checksums import checksum as checksum_of
 from layouts import SPECS, TEST_SPECS, newest
 from python_package import link_of, module_of
 

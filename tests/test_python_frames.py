@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.layout.checksums import checksum as checksum_of
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.part import PartLayout
-from fieldspec.layout.values import body_of, raw_values
-from fieldspec.model.texts import Example
-from fieldspec.reference import CodecError, DeviceCodec, codec
+from fieldspec.codec.layout.checksums import checksum as checksum_of
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.values import body_of, raw_values
+from fieldspec.codec.reference import CodecError, DeviceCodec, codec
+from fieldspec.language.model.texts import Example
 from layouts import all_layouts
 from python_package import (
     built,

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from drive_variants import drive_variant
 from example_counts import examples
-from fieldspec.layout.checksums import checksum as checksum_of
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.checksums import SIMPLE
-from fieldspec.reference import DeviceCodec, codec
+from fieldspec.codec.layout.checksums import checksum as checksum_of
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import DeviceCodec, codec
+from fieldspec.language.model.checksums import SIMPLE
 from layouts import TEST_SPECS, newest
 from python_package import built, codec_error, module_of, outcome, package
 from random_values import values_of

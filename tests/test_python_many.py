@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
 from python_package import built, codec_error, module_of, outcome, raws, record_class, runtime
 from random_values import bytes_of, values_of

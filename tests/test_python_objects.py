@@ -13,8 +13,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.backends.python.scaling import in_unit, quantity, ratio
-from fieldspec.layout.checksums import checksum as checksum_of
+from fieldspec.codec.layout.checksums import checksum as checksum_of
+from fieldspec.targets.python.scaling import in_unit, quantity, ratio
 from layouts import SPECS, TEST_SPECS, layouts, newest
 from python_package import codec_error, module_of, package, runtime
 

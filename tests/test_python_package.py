@@ -13,10 +13,10 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.backends.python.backend import PACKAGE, files
-from fieldspec.backends.python.naming import Scope, module_name, package_name
-from fieldspec.backends.python.text import docstring, literal
-from fieldspec.names import stem
+from fieldspec.foundation.names import stem
+from fieldspec.targets.python.backend import PACKAGE, files
+from fieldspec.targets.python.naming import Scope, module_name, package_name
+from fieldspec.targets.python.text import docstring, literal
 from layouts import SPECS, TEST_SPECS, layouts, newest
 from python_package import module_of, texts, write
 

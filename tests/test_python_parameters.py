@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.registers import Parameter, ParameterSet
-from fieldspec.model.value import Kind
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.registers import Parameter, ParameterSet
+from fieldspec.language.model.value import Kind
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from python_package import codec_error, module_of, package
 

@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.reference.records import decoded, encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference.records import decoded, encoded
 from layouts import all_layouts
 from python_package import built, module_of, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of

@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.python.backend import PACKAGE, files
-from fieldspec.layout.device import device_layout
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.language.reading.project import read
+from fieldspec.targets.python.backend import PACKAGE, files
 from layouts import SPECS, TEST_SPECS, layouts, newest
 from python_package import codec_error, module_of
 

@@ -12,8 +12,8 @@ import canopen
 import pytest
 from canopen import objectdictionary as dictionary
 
-from fieldspec.live.client import Client, Timing
-from fieldspec.live.messages import named_signals, read_signals, signals
+from fieldspec.tools.live.client import Client, Timing
+from fieldspec.tools.live.messages import named_signals, read_signals, signals
 from layouts import TEST_SPECS, newest
 from python_package import module_of, package, runtime
 

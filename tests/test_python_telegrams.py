@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from example_counts import examples
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.reference import codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.reference import codec
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from python_package import built, class_of, codec_error, link_of, module_of, outcome, package, record_class
 from random_values import bytes_of, values_of

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.backends.js.backend import files, shared
-from fieldspec.explain.body import percentage_text
-from fieldspec.explain.values import in_unit, range_in_unit
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.quantity import real_text
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.record import Field
+from fieldspec.codec.explain.body import percentage_text
+from fieldspec.codec.explain.values import in_unit, range_in_unit
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.quantity import real_text
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.record import Field
+from fieldspec.targets.js.backend import files, shared
 from js_output.explanations import explained_by_node, explained_by_python
 from layouts import SPECS, TEST_SPECS, layout_at, newest
 from spec_files import gadget

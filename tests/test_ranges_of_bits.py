@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from fieldspec.explain.values import decode_value
-from fieldspec.layout.values import MeaningError, raw_value
-from fieldspec.reference.records import CodecError, decoded, encoded
+from fieldspec.codec.explain.values import decode_value
+from fieldspec.codec.layout.values import MeaningError, raw_value
+from fieldspec.codec.reference.records import CodecError, decoded, encoded
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 import random_specs
 from example_counts import examples
-from fieldspec.reading import yaml_reader
-from fieldspec.reading.project import Project, read
+from fieldspec.language.reading import yaml_reader
+from fieldspec.language.reading.project import Project, read
 from spec_files import DEVICE, codes
 
 ROOT = Path(__file__).parent.parent

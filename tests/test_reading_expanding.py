@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from fieldspec.model.device import Device
-from fieldspec.model.ranges import Ranges
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.ranges import Ranges
 from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 
 BLOCK = """

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import random_specs
-from fieldspec.reading.building.device import built
-from fieldspec.reading.findings import SYNONYMS
-from fieldspec.reading.nodes import Mapping, Node, Sequence
-from fieldspec.reading.project import read
-from fieldspec.schema import Schema, resolved, schema
+from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.findings import SYNONYMS
+from fieldspec.language.reading.nodes import Mapping, Node, Sequence
+from fieldspec.language.reading.project import read
+from fieldspec.language.schema import Schema, resolved, schema
 
 SEEDS = 400
 # Random specs hardly ever need it: the default length of parameters, which only texts have.

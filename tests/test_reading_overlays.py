@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.model.device import Device
-from fieldspec.reading.nodes import Mapping, Scalar
-from fieldspec.reading.project import Project, read
-from fieldspec.reading.removals import RemovedFact, removal_findings
-from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.nodes import Mapping, Scalar
+from fieldspec.language.reading.project import Project, read
+from fieldspec.language.reading.removals import RemovedFact, removal_findings
+from fieldspec.language.reading.yaml_reader import decoded, parsed
 from spec_files import DEVICE, codes, pointed_at, unmarked
 
 BASE = """

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.reading.nodes import Node, Scalar, changed, exact, find, keys
-from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.language.reading.nodes import Node, Scalar, changed, exact, find, keys
+from fieldspec.language.reading.yaml_reader import decoded, parsed
 
 TEXT = b"""
 registers:

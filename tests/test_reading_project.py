@@ -6,8 +6,8 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.model.device import Device
-from fieldspec.reading.project import read
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.project import read
 from spec_files import DEVICE, MANUAL, codes, gadget, pointed_at, project, unmarked
 
 WIRE = """

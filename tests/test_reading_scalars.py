@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence
-from fieldspec.reading.project import read
-from fieldspec.reading.scalars import typed
-from fieldspec.reading.yaml_reader import decoded, key_span, parsed
-from fieldspec.render.finding_text import rendered
+from fieldspec.command.rendering.finding_text import rendered
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence
+from fieldspec.language.reading.project import read
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.yaml_reader import decoded, key_span, parsed
 from spec_files import DEVICE, pointed_at, project, unmarked
 
 WRONG = object()

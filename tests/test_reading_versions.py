@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.model.device import Device
+from fieldspec.language.model.device import Device
 from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 
 LINES = """

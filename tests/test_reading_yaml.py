@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import pytest
 import yaml
 
-from fieldspec.reading import yaml_reader
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.reading.yaml_reader import DEEPEST_TREE, decoded, key_span, parsed
+from fieldspec.language.reading import yaml_reader
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.language.reading.yaml_reader import DEEPEST_TREE, decoded, key_span, parsed
 from spec_files import codes, pointed_at, unmarked
 
 DEEP = "[" * (DEEPEST_TREE + 1) + "«[»" + "]" * (DEEPEST_TREE + 2)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.recognition import closest, recognised
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.texts import Example
+from fieldspec.codec.explain.recognition import closest, recognised
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.texts import Example
 from layouts import TEST_SPECS, all_layouts, newest
 
 EXAMPLES = [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.backends import OUTPUTS
+from fieldspec.targets import OUTPUTS
 from recorded_outputs import RECORDED, digests, digests_path
 
 

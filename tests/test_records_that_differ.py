@@ -13,12 +13,12 @@ from pymodbus.server import ModbusTcpServer
 from pymodbus.simulator import DataType, SimData, SimDevice
 
 from captures.bulk import Sent, decoded, verdicts
-from fieldspec.captures.decoding import Choices
-from fieldspec.evidence.redaction import Redaction
-from fieldspec.evidence.secrets import Secrets
-from fieldspec.explain.explanation import explained
-from fieldspec.pipeline import load
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.command.pipeline import load
+from fieldspec.tools.captures.decoding import Choices
+from fieldspec.tools.evidence.redaction import Redaction
+from fieldspec.tools.evidence.secrets import Secrets
 from layouts import SPECS, TEST_SPECS, layout_at, newest
 from pymodbus_server import SECONDS, free_port, running
 from python_package import codec_error, link_of, module_apart, module_of

@@ -11,11 +11,11 @@ from pymodbus.framer import FramerAscii, FramerRTU
 from pymodbus.pdu import DecodePDU
 from pymodbus.pdu.other_message import ReportDeviceIdResponse
 
-import fieldspec.reference
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.values import raw_values
-from fieldspec.model.texts import Example
-from fieldspec.reference import CodecError, codec
+import fieldspec.codec.reference
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.values import raw_values
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.language.model.texts import Example
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
 
 EXAMPLES = [
@@ -183,7 +183,7 @@ DECODING = {
 
 
 def test_the_reference_shares_no_code_that_decodes() -> None:
-    folder = Path(fieldspec.reference.__file__).parent
+    folder = Path(fieldspec.codec.reference.__file__).parent
     trees = [ast.parse(path.read_text("utf-8")) for path in folder.glob("*.py")]
     nodes = [node for tree in trees for node in ast.walk(tree)]
     modules = {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}

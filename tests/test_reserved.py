@@ -6,8 +6,8 @@ import re
 
 import pytest
 
-from fieldspec.reading.scalars import schema
-from fieldspec.reserved import TARGETS
+from fieldspec.foundation.reserved import TARGETS
+from fieldspec.language.reading.scalars import schema
 
 
 @pytest.mark.parametrize(

@@ -16,18 +16,18 @@ import pytest
 from bounded import HANGING
 from captures.bulk import Sent, decoded, values, verdicts
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files as c_files
-from fieldspec.backends.docs.backend import files as documentation
-from fieldspec.backends.iec.backend import files as iec_files
-from fieldspec.backends.python.backend import files as python_files
-from fieldspec.backends.st.backend import files as st_files
-from fieldspec.captures.decoding import Choices
 from fieldspec.cli import main
-from fieldspec.explain.explanation import explained
-from fieldspec.live.client import Client, NoAnswerError, RefusedError, Timing
-from fieldspec.reference.frames import codec
-from fieldspec.reference.records import CodecError
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.reference.frames import codec
+from fieldspec.codec.reference.records import CodecError
+from fieldspec.targets.c.backend import files as c_files
+from fieldspec.targets.docs.backend import files as documentation
+from fieldspec.targets.iec.backend import files as iec_files
+from fieldspec.targets.python.backend import files as python_files
+from fieldspec.targets.st.backend import files as st_files
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.captures.decoding import Choices
+from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, Timing
 from js_output.javascript import module_path
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of

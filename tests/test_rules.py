@@ -9,7 +9,8 @@ from functools import cache
 from pathlib import Path
 
 import fieldspec
-from fieldspec import checks, rules
+from fieldspec.command import rules
+from fieldspec.language import checks
 
 PACKAGE = Path(fieldspec.__file__).parent
 PAGE = Path(__file__).parent.parent / "docs" / "checks.md"
@@ -86,21 +87,21 @@ def test_checks_are_listed_by_name() -> None:
 
 
 def test_every_module_that_documents_a_check_is_in_the_table() -> None:
-    in_table = {check.__module__ for _, check in checks.CHECKS} | {"fieldspec.checks.allowances_used"}
+    in_table = {check.__module__ for _, check in checks.CHECKS} | {"fieldspec.language.checks.allowances_used"}
     documented = set()
-    for path in (PACKAGE / "checks").glob("*.py"):
+    for path in (PACKAGE / "language" / "checks").glob("*.py"):
         text = ast.get_docstring(ast.parse(path.read_text("utf-8")))
         if text is not None and "Cure: " in text:
-            documented.add(f"fieldspec.checks.{path.stem}")
+            documented.add(f"fieldspec.language.checks.{path.stem}")
     assert documented == in_table
 
 
 def test_every_other_module_of_their_folder_is_used() -> None:
     # A check that is neither documented nor in the table would judge nothing, and nobody would notice.
-    pattern = re.compile(r"from fieldspec\.checks\.(\w+) import")
+    pattern = re.compile(r"from fieldspec\.language\.checks\.(\w+) import")
     used = {name for path in PACKAGE.rglob("*.py") for name in pattern.findall(path.read_text("utf-8"))}
     in_table = {name for name, _ in checks.CHECKS}
-    modules = {path.stem for path in (PACKAGE / "checks").glob("*.py")}
+    modules = {path.stem for path in (PACKAGE / "language" / "checks").glob("*.py")}
     assert modules - used - in_table == {"__init__"}
 
 

@@ -8,11 +8,11 @@ from functools import partial
 import pytest
 from crccheck.crc import Crc8SaeJ1850, Crc16Modbus
 
-from fieldspec.explain.explanation import explained
-from fieldspec.layout.checksums import checksum
-from fieldspec.model.checksums import SIMPLE, Checksum, algorithm_name, checksum_named, preceded
-from fieldspec.model.crc_catalogue import CRC_CATALOGUE
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.layout.checksums import checksum
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.language.model.checksums import SIMPLE, Checksum, algorithm_name, checksum_named, preceded
+from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
 from layouts import TEST_SPECS, layout_at, newest
 from python_package import codec_error, link_of, module_apart, module_of
 from spec_files import gadget

@@ -17,13 +17,13 @@ import pytest
 from jsonschema.protocols import Validator
 
 from example_counts import FACTOR
-from fieldspec.reading.nodes import json_data
-from fieldspec.reading.scalars import typed
-from fieldspec.reading.yaml_reader import decoded, parsed
-from fieldspec.schema import ADDRESS, described, schema
+from fieldspec.language.reading.nodes import json_data
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.yaml_reader import decoded, parsed
+from fieldspec.language.schema import ADDRESS, described, schema
 
 ROOT = Path(__file__).parent.parent
-SCHEMA = ROOT / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
+SCHEMA = ROOT / "codegen" / "fieldspec" / "language" / "schema" / "spec.schema.json"
 BESIDE_THE_SPECS = ROOT / "specs" / ADDRESS
 SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])
 WIDTH = 120

@@ -13,9 +13,9 @@ from typing import Any
 import dynamixel_sdk as sdk
 import pytest
 
-from fieldspec.explain.explanation import explained
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.read_plan import read_plan
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.read_plan import read_plan
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 from simulators import Unit

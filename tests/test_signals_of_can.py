@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.explain.values import decode_value
+from fieldspec.codec.explain.values import decode_value
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 from serial_lines import SECONDS

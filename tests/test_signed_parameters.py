@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.js.backend import files, shared
 from fieldspec.cli import main
-from fieldspec.simulator.codecs import device_module
+from fieldspec.targets.js.backend import files, shared
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.simulator.codecs import device_module
 from layouts import layouts
 
 SPEC = """

@@ -12,10 +12,10 @@ from typing import Any
 import pytest
 
 from bounded import HANGING
-from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.live.client import Client, Timing
-from fieldspec.reference import codec
-from fieldspec.simulator.clock import ManualClock
+from fieldspec.codec.reference import codec
+from fieldspec.targets.python.backend import PACKAGE, files, shared
+from fieldspec.tools.live.client import Client, Timing
+from fieldspec.tools.simulator.clock import ManualClock
 from python_package import write
 from streams import linker
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained
-from fieldspec.explain.recognition import recognised
-from fieldspec.reference.frames import codec
-from fieldspec.reference.records import CodecError
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.recognition import recognised
+from fieldspec.codec.reference.frames import codec
+from fieldspec.codec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 from simulators import Unit

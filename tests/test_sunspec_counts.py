@@ -11,7 +11,7 @@ from sunspec2.modbus.client import SunSpecModbusClientDeviceTCP, SunSpecModbusCl
 
 from command_line import CommandLine
 from fieldspec.cli import main
-from fieldspec.layout.read_plan import read_plan
+from fieldspec.codec.layout.read_plan import read_plan
 from fieldspec.testing import SimulatedDevice
 from layouts import TEST_SPECS
 from python_package import codec_error, runtime

@@ -18,8 +18,8 @@ from sunspec2.modbus.client import SunSpecModbusClientDeviceTCP
 
 from command_line import CommandLine
 from fieldspec.cli import main
-from fieldspec.explain.registers import Occupant
-from fieldspec.model.value import Value
+from fieldspec.codec.explain.registers import Occupant
+from fieldspec.language.model.value import Value
 from fieldspec.testing import SimulatedDevice
 from layouts import TEST_SPECS
 from python_package import codec_error, runtime

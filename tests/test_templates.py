@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from fieldspec.backends import templates
+from fieldspec.targets import templates
 
 NAME = "docs/page.md.j2"
 VIEW = {"identity": "1", "title": "a", "head": "", "contents": "", "sections": ""}

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from bounded import HANGING
-from fieldspec.render.blocks import Table, split, width
+from fieldspec.command.rendering.blocks import Table, split, width
 
 ROOT = Path(__file__).resolve().parent.parent
 TELEGRAM = "04 BF 00 00 00 00 00 00 00 00 FF FF CF C7 10 00 00 00 00 00 00 00 00 00"

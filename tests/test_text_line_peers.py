@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import pyvisa
 
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.reference import CodecError, codec
 from fieldspec.testing import simulation
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, link_of, module_of

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.explain.values import decode_value
-from fieldspec.model.text_form import decoded_text, text_bytes
+from fieldspec.codec.explain.values import decode_value
+from fieldspec.language.model.text_form import decoded_text, text_bytes
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 

@@ -6,13 +6,13 @@ import importlib
 
 import pytest
 
-from fieldspec.explain.explanation import explained
-from fieldspec.explain.recognition import recognised
-from fieldspec.explain.registers import occupant_at
-from fieldspec.live.client import Client, Timing
-from fieldspec.live.writing import Assignment, write
-from fieldspec.reference.frames import codec
-from fieldspec.reference.records import CodecError
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.recognition import recognised
+from fieldspec.codec.explain.registers import occupant_at
+from fieldspec.codec.reference.frames import codec
+from fieldspec.codec.reference.records import CodecError
+from fieldspec.tools.live.client import Client, Timing
+from fieldspec.tools.live.writing import Assignment, write
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, runtime
 from simulators import Unit

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from command_line import CommandLine
-from fieldspec.live.client import Client, Timing
-from fieldspec.reference.frames import codec
-from fieldspec.reference.records import CodecError
+from fieldspec.codec.reference.frames import codec
+from fieldspec.codec.reference.records import CodecError
+from fieldspec.tools.live.client import Client, Timing
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 from test_client_parts import Line

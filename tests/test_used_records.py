@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.diagnostics import has_errors
+from fieldspec.language.diagnostics import has_errors
 from spec_files import project
 
 PROTOCOL = """

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from command_line import CommandLine
-from fieldspec.backends.js.backend import shared
-from fieldspec.backends.js.explainer import explainer_files
-from fieldspec.explain.explanation import explained
-from fieldspec.layout.value_texts import spec_text
-from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read
-from fieldspec.render.explanation import frame_table
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.layout.value_texts import spec_text
+from fieldspec.command.rendering.explanation import frame_table
+from fieldspec.language.reading.project import read
+from fieldspec.targets.js.backend import shared
+from fieldspec.targets.js.explainer import explainer_files
+from fieldspec.tools.proofs.running import outcome
 from js_output.explanations import explained_by_node, explained_by_python
 from layouts import SPECS, layout_at
 from oven import FOLDER

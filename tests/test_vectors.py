@@ -13,10 +13,10 @@ import pytest
 from pymodbus.framer import FramerAscii, FramerRTU
 from pymodbus.pdu import DecodePDU
 
-from fieldspec.backends.vectors.backend import files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.read_plan import read_plan
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.read_plan import read_plan
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.targets.vectors.backend import files
 from layouts import SPECS, TEST_SPECS, layouts
 
 FORMAT = Path(__file__).parent.parent / "docs" / "vectors.md"

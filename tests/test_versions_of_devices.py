@@ -6,10 +6,10 @@ from functools import cache
 
 import pytest
 
-from fieldspec import checks
-from fieldspec.layout.device import device_layout
-from fieldspec.model.device import Device
-from fieldspec.reading.project import Project, read
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.language import checks
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.project import Project, read
 from layouts import SPECS
 
 

@@ -7,9 +7,9 @@ import io
 
 import pytest
 
-from fieldspec.backends.kv.backend import files, refusals
-from fieldspec.backends.queries.backend import files as query_files
-from fieldspec.diagnostics import Severity
+from fieldspec.language.diagnostics import Severity
+from fieldspec.targets.kv.backend import files, refusals
+from fieldspec.targets.queries.backend import files as query_files
 from layouts import layout_at
 from spec_files import gadget
 from word_memory import Row

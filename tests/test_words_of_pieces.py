@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.layout.segments import segments_of
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.codec.layout.segments import segments_of
+from fieldspec.language.reading.project import read
 
 SPEC = """
 device:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from fieldspec.carriers.carrier import CarrierError
-from fieldspec.simulator import codecs
-from fieldspec.simulator.clock import ManualClock
-from fieldspec.simulator.faults import Faults
-from fieldspec.simulator.line import Line
-from fieldspec.simulator.server import Answer
-from fieldspec.simulator.simulation import usual_place
+from fieldspec.tools.carriers.carrier import CarrierError
+from fieldspec.tools.simulator import codecs
+from fieldspec.tools.simulator.clock import ManualClock
+from fieldspec.tools.simulator.faults import Faults
+from fieldspec.tools.simulator.line import Line
+from fieldspec.tools.simulator.server import Answer
+from fieldspec.tools.simulator.simulation import usual_place
 from simulators import Unit
 
 

@@ -7,8 +7,8 @@ import io
 from collections.abc import Sequence
 from functools import cache
 
-from fieldspec.backends.kv.backend import files
-from fieldspec.names import stem
+from fieldspec.foundation.names import stem
+from fieldspec.targets.kv.backend import files
 from layouts import SPECS, TEST_SPECS, layouts
 
 Row = dict[str, str]

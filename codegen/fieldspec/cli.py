@@ -1,4 +1,4 @@
-"""The command line: parses the arguments and runs a verb. Each verb is a module of `commands`, imported when called.
+"""The command line: parses the arguments and runs a verb. Each verb is a module of `command.verbs`.
 
 Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input, 141 where nobody read the output to its end.
 """
@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from importlib import import_module
 
 from fieldspec import __version__
-from fieldspec.commands import streams
-from fieldspec.commands.usage import WRONG_USE, UsageError
+from fieldspec.command.console import streams
+from fieldspec.command.console.usage import WRONG_USE, UsageError
 
 TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
 if TYPE_CHECKING:
@@ -172,7 +172,7 @@ def _parser() -> argparse.ArgumentParser:
 
     build = verb("build", "generate code and documentation")
     build.add_argument("devices", nargs="*", default=[], metavar="DEVICE[@VERSION]", help="default: all devices")
-    build.late_help = ("fieldspec.commands.plugin_loading", "outputs_help")
+    build.late_help = ("fieldspec.command.packages.plugin_loading", "outputs_help")
     build.add_argument("--to", metavar="NAME,...", help="the outputs to write, separated by commas (default: all)")
     build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (default: generated)")
     build.add_argument("--check", action="store_true", help="write nothing; list the files that are out of date")
@@ -202,7 +202,7 @@ def _parser() -> argparse.ArgumentParser:
     placed.add_argument(
         "--target",
         required=True,
-        choices=_Names("fieldspec.plc.layout.memory", "MEMORIES"),
+        choices=_Names("fieldspec.targets.controllers.layout.memory", "MEMORIES"),
         metavar="NAME",
         help="one of %(choices)s",
     )
@@ -214,7 +214,7 @@ def _parser() -> argparse.ArgumentParser:
     def add_frame_options(inner: _Verb, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
         inner.set_defaults(words=[])
-        inner.late_help = ("fieldspec.commands.frame_options", "device_help")
+        inner.late_help = ("fieldspec.command.frames.frame_options", "device_help")
         inner.add_argument("--link", help="the link on which the frame is sent")
         inner.add_argument("--direction", choices=_Suggested(("request", "response")), metavar="NAME", help=direction)
         inner.add_argument("--message", metavar="NAME", help=message)
@@ -291,7 +291,7 @@ def _parser() -> argparse.ArgumentParser:
     into.set_defaults(verb="importing")
 
     audit = verb("audit", "report the evidence that the spec of a device is right, and where it is missing")
-    audit.late_arguments = ("fieldspec.commands.audit_options", "add_audit")
+    audit.late_arguments = ("fieldspec.command.audits.audit_options", "add_audit")
 
     for name, help in (
         ("simulate", "serve a device that is simulated from its spec"),
@@ -300,7 +300,7 @@ def _parser() -> argparse.ArgumentParser:
         ("redact", "write captures, dumps and scans of a unit anew, without what identifies it"),
         ("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol"),
     ):
-        verb(name, help).late_arguments = ("fieldspec.commands.device_options", f"add_{name}")
+        verb(name, help).late_arguments = ("fieldspec.command.console.device_options", f"add_{name}")
     for name, help in (
         ("versions", "list the versions of a device and what depends on them"),
         ("resolve", "print the complete spec of a version, with the place of each value"),
@@ -352,7 +352,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         try:
             parsed = _parser().parse_args(arguments)
-            code = int(import_module(f"fieldspec.commands.{parsed.verb}").run(parsed))
+            code = int(import_module(f"fieldspec.command.verbs.{parsed.verb}").run(parsed))
             sys.stdout.flush()
         except UsageError as error:
             code = WRONG_USE

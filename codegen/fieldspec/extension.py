@@ -9,25 +9,25 @@ ends the verb with one line that names the package and exit code 2.
 
 from __future__ import annotations
 
-from fieldspec.backends import Files
-from fieldspec.checks.finding import Check, finding, label
-from fieldspec.diagnostics import LEAVE_OUT, Diagnostic, Label, Severity
-from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.part import PartLayout
-from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.model.device import Device, Manual
-from fieldspec.model.enums import Bit, Enum, Flags, Member
-from fieldspec.model.fact import Citation, Fact, Place
-from fieldspec.model.link import Link
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.record import Field, Message, Record
-from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Table
-from fieldspec.model.value import Kind, Primitive, Sentinel, Value
-from fieldspec.names import Name, stem
-from fieldspec.source import Span
-from fieldspec.spreadsheet import Cell, Workbook, Worksheet, csv_text
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.foundation.names import Name, stem
+from fieldspec.foundation.source import Span
+from fieldspec.foundation.spreadsheet import Cell, Workbook, Worksheet, csv_text
+from fieldspec.language.checks.finding import Check, finding, label
+from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, Label, Severity
+from fieldspec.language.model.device import Device, Manual
+from fieldspec.language.model.enums import Bit, Enum, Flags, Member
+from fieldspec.language.model.fact import Citation, Fact, Place
+from fieldspec.language.model.link import Link
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.record import Field, Message, Record
+from fieldspec.language.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Table
+from fieldspec.language.model.value import Kind, Primitive, Sentinel, Value
+from fieldspec.targets import Files
 
 __all__ = [
     "LEAVE_OUT",

@@ -16,12 +16,12 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.commands import specs
-from fieldspec.simulator.clock import Clock, ManualClock, SystemClock
-from fieldspec.simulator.control import carried_out
-from fieldspec.simulator.faults import fault_of
-from fieldspec.simulator.simulation import Simulation, settings_of, usual_place, usual_unit_address
+from fieldspec.command.sources import specs
+from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.tools.simulator.clock import Clock, ManualClock, SystemClock
+from fieldspec.tools.simulator.control import carried_out
+from fieldspec.tools.simulator.faults import fault_of
+from fieldspec.tools.simulator.simulation import Simulation, settings_of, usual_place, usual_unit_address
 
 __all__ = ["ManualClock", "SimulatedDevice", "simulated", "simulation"]
 

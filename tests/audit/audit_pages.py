@@ -5,11 +5,11 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from fieldspec.audit.manual_lines import NAME, parsed
-from fieldspec.backends.docs.backend import fact_links
-from fieldspec.pipeline import output
-from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.render.audit_pages import LINK, pages
+from fieldspec.command.pipeline import output
+from fieldspec.command.rendering.audit_pages import LINK, pages
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.targets.docs.backend import fact_links
+from fieldspec.tools.audit.manual_lines import NAME, parsed
 from layouts import SPECS, TEST_SPECS, layout_at
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.audit.address_map import STATES, Space, spaces_of
-from fieldspec.audit.addresses import read_rows
-from fieldspec.layout.read_plan import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, ReadPlan, read_plan
+from fieldspec.codec.layout.read_plan import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, ReadPlan, read_plan
+from fieldspec.tools.audit.address_map import STATES, Space, spaces_of
+from fieldspec.tools.audit.addresses import read_rows
 from layouts import SPECS, all_layouts, layout_at, newest
 from spec_files import gadget
 

@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gauge
-from fieldspec.audit.agreement import byte_pairs, has_word, numbers, readings, words
-from fieldspec.audit.manual_lines import ManualError, aligned, digest, index_line, index_of, index_text, parsed
-from fieldspec.audit.pattern import COLUMNS, FORMS, PatternError, row, template
+from fieldspec.tools.audit.agreement import byte_pairs, has_word, numbers, readings, words
+from fieldspec.tools.audit.manual_lines import ManualError, aligned, digest, index_line, index_of, index_text, parsed
+from fieldspec.tools.audit.pattern import COLUMNS, FORMS, PatternError, row, template
 
 PIECES = st.sampled_from(
     [

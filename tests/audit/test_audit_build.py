@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from command_line import TEST_SPECS
-from fieldspec.audit.manual_lines import NAME, index_of, index_text
 from fieldspec.cli import main
+from fieldspec.tools.audit.manual_lines import NAME, index_of, index_text
 
 SPECS = Path(__file__).parent / "right"
 AUDIT = "docs/pump/audit.html"

@@ -20,19 +20,19 @@ from selenium.webdriver.chrome.service import Service
 from audit.audit_pages import files, page, projects
 from command_line import SPECS, TEST_SPECS, CommandLine
 from external_tools import require_tool
-from fieldspec.audit.address_map import STATES, spaces_of
-from fieldspec.audit.section import Figure, Report, Section, SectionTable
-from fieldspec.backends.docs.backend import shared
-from fieldspec.classes import replace
-from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.model.fact import Citation
-from fieldspec.render.audit_html import rendered
-from fieldspec.render.audit_map import maps
-from fieldspec.source import SourceFile, Span
+from fieldspec.command.rendering.audit_html import rendered
+from fieldspec.command.rendering.audit_map import maps
+from fieldspec.foundation.classes import replace
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.model.fact import Citation
+from fieldspec.targets.docs.backend import shared
+from fieldspec.tools.audit.address_map import STATES, spaces_of
+from fieldspec.tools.audit.section import Figure, Report, Section, SectionTable
 from layouts import all_layouts, newest
 
 DEVICES = ("esc11", "widget", "glider-x", "gizmo", "hostile")
-STYLE = resources("fieldspec.render").joinpath("audit.css").read_text("utf-8")
+STYLE = resources("fieldspec.command.rendering").joinpath("audit.css").read_text("utf-8")
 SCRIPT, INDEX = "../search.js", "../index.html"
 FLAGS = (
     "--headless=new",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import gauge
-from fieldspec.audit.section import SectionTable
+from fieldspec.tools.audit.section import SectionTable
 
 
 def without(text: str, *lines: str) -> str:

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from command_line import SPECS, CommandLine
-from fieldspec import checks
-from fieldspec.audit.detection import CLASSES, OF_WRITING, WIRE, PrintedDevice, as_printed, misprint
-from fieldspec.checks import table
-from fieldspec.model.texts import JUDGEMENT
-from fieldspec.proofs.running import errata_proofs
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.language import checks
+from fieldspec.language.checks import table
+from fieldspec.language.model.texts import JUDGEMENT
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.detection import CLASSES, OF_WRITING, WIRE, PrintedDevice, as_printed, misprint
+from fieldspec.tools.proofs.running import errata_proofs
 
 HERE = Path(__file__).parent
 FILES = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in sorted(SPECS.glob("*/*.yaml"))}

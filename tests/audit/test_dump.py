@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 
 from command_line import CommandLine, RunResult
-from fieldspec.audit.addressed_values import addressed_values
-from fieldspec.lists.workbook import workbook_sheet
-from fieldspec.reference.records import CodecError, decoded_value
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.reference.records import CodecError, decoded_value
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.tools.audit.addressed_values import addressed_values
+from fieldspec.tools.lists.workbook import workbook_sheet
 from layouts import TEST_SPECS, layout_at, newest
 from spec_files import DEVICE, gadget
 
@@ -231,8 +231,8 @@ def test_options_of_dumps_need_a_dump(run: CommandLine) -> None:
 
 
 def test_a_dump_may_be_a_workbook(run: CommandLine) -> None:
-    from fieldspec.lists.packing import packed
-    from fieldspec.spreadsheet import Workbook, Worksheet
+    from fieldspec.foundation.spreadsheet import Workbook, Worksheet
+    from fieldspec.tools.lists.packing import packed
 
     content = packed(Workbook((Worksheet("dump", (("address", "value"), ("0x10", 101))),)))
     assert workbook_sheet(content).rows
@@ -264,7 +264,7 @@ def test_the_columns_of_compare_are_as_they_were(run: CommandLine, tmp_path: Pat
 @pytest.mark.parametrize("device", ["widget", "glider-x", "gizmo"])
 @pytest.mark.parametrize("pattern", [b"\0\0", b"\0\1", b"\xff\xff", b"\x12\x34", b"\x80\0"])
 def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pattern: bytes) -> None:
-    from fieldspec.explain.values import decode_value
+    from fieldspec.codec.explain.values import decode_value
 
     layout = newest(TEST_SPECS, device)
     seen = 0

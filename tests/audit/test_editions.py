@@ -8,7 +8,7 @@ import time
 import pytest
 
 import gauge
-from fieldspec.audit.manual_lines import ManualError, aligned, index_of, index_text, parsed
+from fieldspec.tools.audit.manual_lines import ManualError, aligned, index_of, index_text, parsed
 
 LINES = gauge.MANUAL.splitlines(keepends=True)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.audit.hazards import KINDS, hazards, undivided
-from fieldspec.audit.sources import inferred_keys, sourced_facts
+from fieldspec.tools.audit.hazards import KINDS, hazards, undivided
+from fieldspec.tools.audit.sources import inferred_keys, sourced_facts
 from layouts import SPECS, layout_at, newest
 from spec_files import gadget
 

@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 from command_line import SPECS, CommandLine
-from fieldspec.audit.ledger import COLUMNS, EFFECTS, KINDS, by_effect, verdict
-from fieldspec.audit.section import SectionTable
-from fieldspec.lists.workbook import workbook_sheet
-from fieldspec.proofs.running import errata_proofs
-from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.render.audit_formats import as_csv, as_xlsx
+from fieldspec.command.rendering.audit_formats import as_csv, as_xlsx
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.ledger import COLUMNS, EFFECTS, KINDS, by_effect, verdict
+from fieldspec.tools.audit.section import SectionTable
+from fieldspec.tools.lists.workbook import workbook_sheet
+from fieldspec.tools.proofs.running import errata_proofs
 
 HERE = Path(__file__).parent
 FILES = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in sorted(SPECS.glob("*/*.yaml"))}

@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from command_line import CommandLine
-from fieldspec.audit.detection import as_printed
-from fieldspec.audit.ledger import verdict
-from fieldspec.diagnostics import Diagnostic
-from fieldspec.pipeline import checked, load
-from fieldspec.proofs.running import errata_proofs
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.command.pipeline import checked, load
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.tools.audit.detection import as_printed
+from fieldspec.tools.audit.ledger import verdict
+from fieldspec.tools.proofs.running import errata_proofs
 
 HERE = Path(__file__).parent
 MANUAL = HERE / "pump.txt"

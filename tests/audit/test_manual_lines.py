@@ -6,8 +6,8 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.audit.agreement import byte_pairs, has_word, numbers, readings
-from fieldspec.audit.manual_lines import LONGEST, digest, index_line, index_of
+from fieldspec.tools.audit.agreement import byte_pairs, has_word, numbers, readings
+from fieldspec.tools.audit.manual_lines import LONGEST, digest, index_line, index_of
 
 INDEX_LINES = [
     ("words of prose are left out", "Set the speed before you start the motor.", "Set …."),

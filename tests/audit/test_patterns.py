@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.audit.pattern import COLUMNS, FORMS, Match, PatternError, row, template
+from fieldspec.tools.audit.pattern import COLUMNS, FORMS, Match, PatternError, row, template
 
 
 def texts(match: Match | None) -> list[str] | None:

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from command_line import CommandLine
-from fieldspec.audit.review import State, reviewed, reviews_of, since, state_hash, states, uncited
-from fieldspec.facts import rows
-from fieldspec.reading.project import DeviceSpec
+from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.tools.audit.review import State, reviewed, reviews_of, since, state_hash, states, uncited
+from fieldspec.tools.facts import rows
 from layouts import layout_at
 from spec_files import DEVICE, codes, gadget
 
@@ -110,7 +110,7 @@ def test_a_chapter_stands_for_its_sections() -> None:
         f"      - {{at: {n}, name: r{n}, type: u16, source: {s}}}\n" for n, s in enumerate(sections.values())
     )
     sections_by_name = state("registers:\n  - group: all\n    rows:\n" + rows)
-    from fieldspec.commands.audit_files import _picked
+    from fieldspec.command.audits.audit_files import _picked
 
     assert list(_picked(sections_by_name, "9")) == ["9", "9.1", "9.10"]
 

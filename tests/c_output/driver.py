@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.backend import header
-from fieldspec.backends.c.delimiters import is_wrapped
-from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.naming import Naming
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.names import stem
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.foundation.names import stem
+from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.delimiters import is_wrapped
+from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.naming import Naming
 
 _MAIN = """
 static int hex(const char *text, uint8_t *out)

@@ -13,8 +13,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from fieldspec.backends.c.backend import files
-from fieldspec.names import stem
+from fieldspec.foundation.names import stem
+from fieldspec.targets.c.backend import files
 from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent.parent

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from fieldspec.backends.c.backend import files
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets.c.backend import files
 from layouts import SPECS, TEST_SPECS, layouts
 from shared_results import shared
 

@@ -16,13 +16,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import require_tool
 from driver import records, settled, source
 
-from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.runtime_files import status_names
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.value import Kind
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.records import decoded, encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.records import decoded, encoded
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.c.backend import files
+from fieldspec.targets.c.runtime_files import status_names
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]

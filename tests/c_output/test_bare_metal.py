@@ -20,7 +20,7 @@ from compilers import STRICT, require_tool
 from headers import DEVICES, write_newest
 
 from example_counts import FACTOR
-from fieldspec.names import Name, stem
+from fieldspec.foundation.names import Name, stem
 from layouts import SPECS, TEST_SPECS, layouts
 
 BARE = Path(__file__).parent / "bare"

@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import compiled
 
-from fieldspec.backends.c.backend import files
+from fieldspec.targets.c.backend import files
 from layouts import SPECS, newest
 
 TEXT = (Path(__file__).resolve().parent.parent.parent / "docs" / "c.md").read_text("utf-8")

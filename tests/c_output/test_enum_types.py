@@ -12,8 +12,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import compiled
 
-from fieldspec.backends.c.backend import header
-from fieldspec.backends.c.naming import Naming
+from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.naming import Naming
 from layouts import SPECS, TEST_SPECS, layouts
 
 CAST = """

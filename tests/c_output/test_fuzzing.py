@@ -15,8 +15,8 @@ from compilers import STRICT, require_tool
 from fuzz import built, command
 
 from external_tools import without
-from fieldspec.backends.c.backend import files
-from fieldspec.names import stem
+from fieldspec.foundation.names import stem
+from fieldspec.targets.c.backend import files
 from layouts import SPECS, TEST_SPECS, newest
 
 DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]

@@ -14,12 +14,12 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import require_tool
 from driver import settled
 
-from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.delimiters import is_wrapped
-from fieldspec.backends.vectors.backend import idle_vectors
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.value import Kind
-from fieldspec.names import stem
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import stem
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.c.backend import files
+from fieldspec.targets.c.delimiters import is_wrapped
+from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS, newest
 
 DEVICES = [(SPECS, "ck10"), (SPECS, "tc100"), (TEST_SPECS, "widget")]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.backends.c.declarations import Function
-from fieldspec.backends.c.expressions import (
+from fieldspec.targets.c.declarations import Function
+from fieldspec.targets.c.expressions import (
     IN,
     INDEX,
     OUT,
@@ -33,9 +33,9 @@ from fieldspec.backends.c.expressions import (
     subtract,
     unsigned,
 )
-from fieldspec.backends.c.fields import INNER_LENGTH
-from fieldspec.backends.c.printer import Printer
-from fieldspec.backends.c.statements import CountUp, If, Return, Switch, assign, contains
+from fieldspec.targets.c.fields import INNER_LENGTH
+from fieldspec.targets.c.printer import Printer
+from fieldspec.targets.c.statements import CountUp, If, Return, Switch, assign, contains
 
 A, B, C = (Identifier(name) for name in "abc")
 

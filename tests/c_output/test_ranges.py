@@ -10,10 +10,10 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from fieldspec.backends.c.backend import header
-from fieldspec.backends.c.naming import Naming
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.value import Kind, Value
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.naming import Naming
 from layouts import SPECS, TEST_SPECS, layouts
 
 NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]

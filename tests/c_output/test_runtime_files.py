@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import compiled
 
-from fieldspec.backends.c import runtime_files
+from fieldspec.targets.c import runtime_files
 
 FOLDER = Path(runtime_files.__file__).parent
 RUNTIME = FOLDER / "runtime"

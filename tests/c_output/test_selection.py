@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import compiled
 
-from fieldspec.backends.c.backend import files
+from fieldspec.targets.c.backend import files
 from layouts import SPECS, layouts
 
 VERSIONS = layouts(SPECS)["esc11"]

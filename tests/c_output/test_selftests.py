@@ -15,8 +15,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import COMPILERS, compiled, require_tool
 from headers import texts_of_versions
 
-from fieldspec.names import stem
-from fieldspec.reading.project import read
+from fieldspec.foundation.names import stem
+from fieldspec.language.reading.project import read
 from layouts import SPECS, TEST_SPECS, layout_at, layouts
 
 KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_bytes()}).devices["knot-1"]

@@ -14,7 +14,7 @@ from compilers import STRICT, require_tool
 from headers import DEVICES, write_newest
 
 from example_counts import FACTOR
-from fieldspec.names import stem
+from fieldspec.foundation.names import stem
 
 # Padding depends on the machine; the other warning says that the linker of a machine may lack a library.
 EVERYTHING = ["-Weverything", "-Wno-padded", "-Wno-unknown-warning-option", "-Wno-avr-rtlib-linking-quirks"]

@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from fieldspec.captures.decoding import Batch, Choices, DeviceDecoder, SourceDecoder
-from fieldspec.captures.payloads import DIRECTION_CODES, Names, payloads_of
-from fieldspec.captures.verdicts import VERDICTS
-from fieldspec.explain.explanation import Explanation
-from fieldspec.explain.row import ExplanationRow
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.explain.explanation import Explanation
+from fieldspec.codec.explain.row import ExplanationRow
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.tools.captures.decoding import Batch, Choices, DeviceDecoder, SourceDecoder
+from fieldspec.tools.captures.payloads import DIRECTION_CODES, Names, payloads_of
+from fieldspec.tools.captures.verdicts import VERDICTS
 
 
 class Value(NamedTuple):

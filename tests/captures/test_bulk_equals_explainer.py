@@ -7,12 +7,12 @@ import random
 import pytest
 
 from captures.bulk import Sent, Value, decoded, expected, values, verdicts
-from fieldspec.captures.decoding import Choices
-from fieldspec.explain.explanation import Explanation, explained
-from fieldspec.explain.row import ExplanationRow
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.texts import Example
-from fieldspec.reference import codec
+from fieldspec.codec.explain.explanation import Explanation, explained
+from fieldspec.codec.explain.row import ExplanationRow
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import codec
+from fieldspec.language.model.texts import Example
+from fieldspec.tools.captures.decoding import Choices
 from layouts import all_layouts
 
 NEWEST = {layout.device.id: layout for layout in all_layouts() if layout.links}

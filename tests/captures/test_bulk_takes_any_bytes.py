@@ -9,12 +9,12 @@ from contextlib import suppress
 import pytest
 
 from captures.conversations import RTAC, USER_0, ethernet, pcap, pcapng, rtu, tcp_poll
-from fieldspec.captures.capture_files import CaptureError
-from fieldspec.captures.conversion import Conversion
-from fieldspec.captures.decoding import Choices, DeviceDecoder
-from fieldspec.captures.network import Network
-from fieldspec.captures.payloads import Names
-from fieldspec.captures.sources import PacketSource
+from fieldspec.tools.captures.capture_files import CaptureError
+from fieldspec.tools.captures.conversion import Conversion
+from fieldspec.tools.captures.decoding import Choices, DeviceDecoder
+from fieldspec.tools.captures.network import Network
+from fieldspec.tools.captures.payloads import Names
+from fieldspec.tools.captures.sources import PacketSource
 from layouts import TEST_SPECS, newest
 
 METER = newest(TEST_SPECS, "wattmeter")

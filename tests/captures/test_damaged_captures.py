@@ -27,9 +27,9 @@ from captures.network_captures import (
 from captures.test_bulk_takes_any_bytes import damaged
 from captures.test_decode_in_bulk import decode, rows, stopped_after_first_part
 from captures.test_every_kind_of_capture import own_frames, own_values, true_values, truth
-from fieldspec.captures.capture_files import CaptureError
-from fieldspec.captures.conversion import Conversion
-from fieldspec.captures.decoding import Choices, DeviceDecoder
+from fieldspec.tools.captures.capture_files import CaptureError
+from fieldspec.tools.captures.conversion import Conversion
+from fieldspec.tools.captures.decoding import Choices, DeviceDecoder
 from layouts import TEST_SPECS, newest
 
 CHANCE = random.Random(7)
@@ -149,7 +149,7 @@ def test_a_file_of_which_everything_is_left_out_is_a_failure(tmp_path: Path, nam
 
 def test_a_connection_is_told_from_pieces_in_several_batches(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = decode(tmp_path, capture(SPLIT))
-    monkeypatch.setattr("fieldspec.captures.capture_files.BATCH", 150)
+    monkeypatch.setattr("fieldspec.tools.captures.capture_files.BATCH", 150)
     again = tmp_path / "again"
     again.mkdir()
     assert decode(again, capture(SPLIT)) == whole

@@ -126,8 +126,8 @@ STOP_BATCH = 40_000
 
 def stopped_after_first_part(folder: Path, content: bytes, part_frames: str = "500") -> str:
     """Runs until the first part is noted, as a kill would end it."""
-    from fieldspec.captures import capture_files
-    from fieldspec.commands import bulk_decoding
+    from fieldspec.command.bulk import bulk_decoding
+    from fieldspec.tools.captures import capture_files
 
     class Stop(BaseException):
         pass
@@ -153,8 +153,8 @@ def stopped_after_first_part(folder: Path, content: bytes, part_frames: str = "5
 def test_texts_are_forgotten_between_parts_without_a_trace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     content = pcap([READ, ANSWER, READ, ANSWER] * 20, USER_0)
     whole = decode(tmp_path, content)[2:]
-    monkeypatch.setattr("fieldspec.captures.conversion.MOST_TEXTS", 0)
-    monkeypatch.setattr("fieldspec.captures.capture_files.BATCH", 300)
+    monkeypatch.setattr("fieldspec.tools.captures.conversion.MOST_TEXTS", 0)
+    monkeypatch.setattr("fieldspec.tools.captures.capture_files.BATCH", 300)
     again = tmp_path / "again"
     again.mkdir()
     assert decode(again, content, "--part-frames", "10")[2:] == whole

@@ -10,11 +10,11 @@ from typing import NamedTuple
 import pytest
 
 from captures.bulk import Sent, decoded
-from fieldspec.captures.decoding import Choices
-from fieldspec.commands.decode import FramePrinter, Log
-from fieldspec.explain.readings import ChosenReading, FrameOptions
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.pipeline import layouts, load
+from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.command.verbs.decode import FramePrinter, Log
+from fieldspec.tools.captures.decoding import Choices
 from wireshark_output.dissection import Packet, pcap, tshark
 
 PORT = 2300

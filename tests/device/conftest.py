@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.commands import specs
+from fieldspec.command.sources import specs
 from fieldspec.testing import SimulatedDevice, simulation
 from simulators import SPECS
 

@@ -6,12 +6,12 @@ import random
 
 import pytest
 
-from fieldspec.behaviour.part import NONE
 from fieldspec.cli import main
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Server
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.behaviour.part import NONE
 from fieldspec.testing import simulation
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
 from layouts import SPECS, TEST_SPECS, layouts
 
 NEWEST = [

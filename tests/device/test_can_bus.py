@@ -9,10 +9,10 @@ import canopen
 import pytest
 from canopen import objectdictionary as dictionary
 
-from fieldspec.carriers.can_bus import CanBus
-from fieldspec.carriers.carrier import CarrierError
 from fieldspec.cli import main
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.carriers.can_bus import CanBus
+from fieldspec.tools.carriers.carrier import CarrierError
 from layouts import TEST_SPECS
 
 FOLDER = str(TEST_SPECS)

@@ -21,9 +21,9 @@ from pymodbus.client import ModbusSerialClient, ModbusTcpClient
 from bounded import HANGING
 from external_tools import require_tool
 from fieldspec.cli import main
-from fieldspec.reference.checksums import checksum
-from fieldspec.simulator.clock import ManualClock
+from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation
+from fieldspec.tools.simulator.clock import ManualClock
 from simulators import SPECS
 
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import pytest
 
-from fieldspec.carriers.carrier import CarrierError
-from fieldspec.reference.checksums import checksum
-from fieldspec.simulator.simulation import settings_of
+from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import simulation
+from fieldspec.tools.carriers.carrier import CarrierError
+from fieldspec.tools.simulator.simulation import settings_of
 from simulators import SPECS
 
 

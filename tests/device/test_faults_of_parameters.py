@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.simulator.faults import KINDS
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.simulator.faults import KINDS
 from layouts import TEST_SPECS
 
 FOLDER = str(TEST_SPECS)

@@ -6,13 +6,13 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.texts import Example
-from fieldspec.reference import codec
-from fieldspec.reference.frames import Decoded
-from fieldspec.simulator import parameters
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Server
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import codec
+from fieldspec.codec.reference.frames import Decoded
+from fieldspec.language.model.texts import Example
+from fieldspec.tools.simulator import parameters
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
 from simulators import parts_of
 
 DEVICES = ("tc100", "ck10", "esc11", "hiwin-e")

@@ -6,10 +6,10 @@ import re
 
 import pytest
 
-from fieldspec.commands.simulate import report_silence
-from fieldspec.simulator.control import CommandError, carried_out
-from fieldspec.simulator.faults import Fault, FaultError
-from fieldspec.simulator.simulation import Simulation
+from fieldspec.command.verbs.simulate import report_silence
+from fieldspec.tools.simulator.control import CommandError, carried_out
+from fieldspec.tools.simulator.faults import Fault, FaultError
+from fieldspec.tools.simulator.simulation import Simulation
 from simulators import Unit, parts_of
 
 SPEC = """

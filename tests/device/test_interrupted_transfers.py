@@ -13,10 +13,10 @@ from pathlib import Path
 import pytest
 
 from bounded import HANGING
-from fieldspec.commands.journal_file import JournalFile
-from fieldspec.live.client import Client
-from fieldspec.live.journal import journal_state
+from fieldspec.command.files.journal_file import JournalFile
 from fieldspec.testing import SimulatedDevice
+from fieldspec.tools.live.client import Client
+from fieldspec.tools.live.journal import journal_state
 from point_lists import (
     WRITES,
     command,

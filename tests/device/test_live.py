@@ -155,7 +155,7 @@ def test_a_failed_write_says_what_was_written(
 
 
 def test_what_starts_something_is_sent_once(tc100: SimulatedDevice, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fieldspec.commands.live_writing.active_states", lambda access, client: [])
+    monkeypatch.setattr("fieldspec.command.live.writing.active_states", lambda access, client: [])
     requests: list[bytes] = []
     tc100.simulation.listeners.append(
         lambda now, link, way, data, text: requests.append(data) if way == "request" else None
@@ -171,9 +171,9 @@ def test_a_dump_is_what_another_device_begins_with(
     tc100.set(target_position=4711)
     path = str(tmp_path / "dump.csv")
     assert live(tc100, "dump", path) == 0
-    from fieldspec.lists.dump import dump
-    from fieldspec.lists.text_sheet import text_sheet
-    from fieldspec.simulator.seeding import seed
+    from fieldspec.tools.lists.dump import dump
+    from fieldspec.tools.lists.text_sheet import text_sheet
+    from fieldspec.tools.simulator.seeding import seed
 
     with simulation("tc100", folder=SPECS) as other:
         count, unused = seed(other.simulation.engine, dump(text_sheet(Path(path).read_bytes(), ""), {}))

@@ -68,9 +68,9 @@ def test_a_dump_names_the_spaces(station: SimulatedDevice, tmp_path: Path) -> No
     assert "coils,0x0000,1" in lines
     assert "discrete_inputs,0x0000,0" in lines
     assert any(line.endswith(",0x0000,7") for line in lines)
-    from fieldspec.lists.dump import dump
-    from fieldspec.lists.text_sheet import text_sheet
-    from fieldspec.simulator.seeding import seed
+    from fieldspec.tools.lists.dump import dump
+    from fieldspec.tools.lists.text_sheet import text_sheet
+    from fieldspec.tools.simulator.seeding import seed
 
     with simulation("station", ports={"tcp": "tcp://127.0.0.1:0"}, folder=str(TEST_SPECS)) as other:
         seed(other.simulation.engine, dump(text_sheet(path.read_bytes(), ""), {}))

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.explain.hazards import COMMANDING, write_hazards
-from fieldspec.model.value import UNSPECIFIED
+from fieldspec.codec.explain.hazards import COMMANDING, write_hazards
+from fieldspec.language.model.value import UNSPECIFIED
 from fieldspec.testing import SimulatedDevice
 from simulators import SPECS
 
@@ -31,7 +31,7 @@ STOPPING = {"stop", "quick_stop"}
 
 
 def schema_roles() -> set[str]:
-    path = Path(SPECS).parent / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
+    path = Path(SPECS).parent / "codegen" / "fieldspec" / "language" / "schema" / "spec.schema.json"
     return set(json.loads(path.read_text("utf-8"))["$defs"]["role"]["enum"])
 
 

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.lists.dump import dump
-from fieldspec.lists.text_sheet import text_sheet
-from fieldspec.simulator.seeding import seed
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.lists.dump import dump
+from fieldspec.tools.lists.text_sheet import text_sheet
+from fieldspec.tools.simulator.seeding import seed
 from layouts import TEST_SPECS
 from simulators import SPECS
 

@@ -6,10 +6,10 @@ import argparse
 
 import pytest
 
-from fieldspec.commands.live_connection import connected
-from fieldspec.live.client import Client, NoAnswerError, Timing
-from fieldspec.simulator.clock import ManualClock
-from fieldspec.simulator.faults import Fault, Faults
+from fieldspec.command.live.connection import connected
+from fieldspec.tools.live.client import Client, NoAnswerError, Timing
+from fieldspec.tools.simulator.clock import ManualClock
+from fieldspec.tools.simulator.faults import Fault, Faults
 from simulators import Unit, parts_of
 from wires import Wire
 

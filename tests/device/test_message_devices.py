@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import pytest
 
-from fieldspec.behaviour.part import NONE
 from fieldspec.cli import main
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.pipeline import layouts, load
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Server
-from fieldspec.simulator.simulation import usual_place
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.language.behaviour.part import NONE
 from fieldspec.testing import simulation
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
+from fieldspec.tools.simulator.simulation import usual_place
 
 SPEC = """
 device:

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 import serial
 
-from fieldspec.backends.python.backend import PACKAGE, files, shared
 from fieldspec.cli import main
-from fieldspec.pipeline import layouts, load
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.targets.python.backend import PACKAGE, files, shared
 from fieldspec.testing import SimulatedDevice, simulation
 from python_package import write
 

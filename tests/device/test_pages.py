@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from bounded import wait_until
-from fieldspec.carriers.pages import PageServer
+from fieldspec.tools.carriers.pages import PageServer
 
 SECRET = b"of somebody else"
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import pytest
 
-from fieldspec.carriers import terminals
-from fieldspec.carriers.carrier import CarrierError, LineSettings
 from fieldspec.cli import main
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.carriers import terminals
+from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
 from serial_lines import Line, serial_line
 from simulators import SPECS
 

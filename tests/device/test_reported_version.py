@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 import pytest
 
-from fieldspec.backends.python.runtime._firmware import module_name, version_in
-from fieldspec.behaviour.reading import behaviour_of
-from fieldspec.layout.detection import version_detection
-from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.reported_version import reported_version
+from fieldspec.codec.layout.detection import version_detection
+from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.targets.python.runtime._firmware import module_name, version_in
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.reported_version import reported_version
 from layouts import layout_at
 
 SPEC = """

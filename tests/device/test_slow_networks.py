@@ -10,9 +10,9 @@ from contextlib import contextmanager
 import pytest
 
 from bounded import HANGING
-from fieldspec.reference.checksums import checksum
-from fieldspec.simulator import simulation as simulations
+from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.simulator import simulation as simulations
 from layouts import TEST_SPECS
 from simulators import SPECS
 

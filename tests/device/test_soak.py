@@ -13,9 +13,10 @@ from typing import Any
 
 import pytest
 
-from fieldspec.carriers.carrier import CarrierError
-from fieldspec.live.client import Client, NoAnswerError, RefusedError, Timing
-from fieldspec.live.messages import (
+from fieldspec.codec.reference import CodecError
+from fieldspec.tools.carriers.carrier import CarrierError
+from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, Timing
+from fieldspec.tools.live.messages import (
     ParameterAssignment,
     Signal,
     parameter_address,
@@ -23,10 +24,9 @@ from fieldspec.live.messages import (
     parameter_request,
     signals,
 )
-from fieldspec.live.writing import WriteError
-from fieldspec.reference import CodecError
-from fieldspec.simulator.clock import ManualClock
-from fieldspec.simulator.faults import KINDS, Fault, Faults
+from fieldspec.tools.live.writing import WriteError
+from fieldspec.tools.simulator.clock import ManualClock
+from fieldspec.tools.simulator.faults import KINDS, Fault, Faults
 from simulators import Unit
 from wires import Wire
 

@@ -12,12 +12,12 @@ from pathlib import Path
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.live.list_reading import entries
-from fieldspec.live.reading import reading
-from fieldspec.live.register_access import RegisterAccess
-from fieldspec.live.value_files import file_content, file_sheet
-from fieldspec.live.value_lists import elements, table_list
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.live.list_reading import entries
+from fieldspec.tools.live.reading import reading
+from fieldspec.tools.live.register_access import RegisterAccess
+from fieldspec.tools.live.value_files import file_content, file_sheet
+from fieldspec.tools.live.value_lists import elements, table_list
 from point_lists import (
     HEAD,
     five_points,

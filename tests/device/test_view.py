@@ -6,9 +6,9 @@ import asyncio
 
 from textual.widgets import DataTable, Static
 
-from fieldspec.commands.simulation_view import SimulationView
-from fieldspec.simulator.clock import ManualClock
+from fieldspec.command.serving.simulation_view import SimulationView
 from fieldspec.testing import simulation
+from fieldspec.tools.simulator.clock import ManualClock
 from simulators import SPECS
 
 

@@ -11,8 +11,8 @@ import pytest
 from websockets.sync.client import connect
 
 from bounded import wait_until
-from fieldspec.carriers.carrier import CarrierError
-from fieldspec.carriers.web import WebServer, WebSocket
+from fieldspec.tools.carriers.carrier import CarrierError
+from fieldspec.tools.carriers.web import WebServer, WebSocket
 
 HANDSHAKE = (
     "GET {target} HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 
 import lxml.html
 
-from fieldspec.backends.docs.backend import files, overview, shared
+from fieldspec.targets.docs.backend import files, overview, shared
 from layouts import SPECS, TEST_SPECS, layouts
 from shared_results import shared as shared_by_all
 

@@ -9,7 +9,7 @@ import pytest
 from selenium import webdriver
 from selenium.webdriver.common.by import By
 
-from fieldspec.backends.docs.site import SCRIPTS
+from fieldspec.targets.docs.site import SCRIPTS
 
 
 @pytest.mark.parametrize(

@@ -10,12 +10,12 @@ from xml.etree.ElementTree import Element
 import pytest
 
 from docs_output.documented import tree, visible_text
-from fieldspec.backends.docs.backend import files
-from fieldspec.backends.docs.changes import page_name, steps
-from fieldspec.backends.docs.document import innermost
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.texts import Acceptance
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.texts import Acceptance
+from fieldspec.language.reading.project import read
+from fieldspec.targets.docs.backend import files
+from fieldspec.targets.docs.changes import page_name, steps
+from fieldspec.targets.docs.document import innermost
 from layouts import TEST_SPECS, all_layouts, layout_at, layouts
 
 LAYOUTS = {f"{layout.device.id}/{layout.device.version}.html": layout for layout in all_layouts()}

@@ -7,7 +7,7 @@ from importlib.resources import files
 
 import pytest
 
-STYLE = files("fieldspec.backends").joinpath("page.css").read_text("utf-8")
+STYLE = files("fieldspec.targets").joinpath("page.css").read_text("utf-8")
 SCHEMES = [
     dict(re.findall(r"--(\w+): (#[0-9a-f]{6});", block)) for block in re.findall(r":root \{(.*?)\}", STYLE, re.S)[:2]
 ]

@@ -7,11 +7,11 @@ from collections import Counter
 import pytest
 
 from docs_output.documented import documentation
-from fieldspec.audit.ledger import verdict
-from fieldspec.backends.docs.changes import page_name
-from fieldspec.backends.docs.errata import EFFECTS, VERDICTS
-from fieldspec.commands import specs
-from fieldspec.proofs.running import errata_proofs
+from fieldspec.command.sources import specs
+from fieldspec.targets.docs.changes import page_name
+from fieldspec.targets.docs.errata import EFFECTS, VERDICTS
+from fieldspec.tools.audit.ledger import verdict
+from fieldspec.tools.proofs.running import errata_proofs
 from layouts import SPECS
 
 DEVICES = specs.project(str(SPECS)).devices

@@ -13,11 +13,11 @@ import html5lib
 import pytest
 
 from docs_output.documented import documentation, resolved, tree, visible_text, with_ending
-from fieldspec.backends.docs import lab
-from fieldspec.backends.docs.backend import files
-from fieldspec.backends.docs.site import SCRIPTS
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.fact import Fact
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.fact import Fact
+from fieldspec.targets.docs import lab
+from fieldspec.targets.docs.backend import files
+from fieldspec.targets.docs.site import SCRIPTS
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 
 PAGES = with_ending(".html")

@@ -13,8 +13,8 @@ import pytest
 from selenium import webdriver
 
 from docs_output.lab import open_lab
-from fieldspec.carriers.pages import PageServer
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.tools.carriers.pages import PageServer
 from js_output import javascript
 from js_output.javascript import judged, package
 from js_output.test_javascript_explanations import LAYOUTS, explained_by_python, jobs_of

@@ -15,7 +15,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 from docs_output.lab import cells, open_lab, requested, text_of, wait_for
 from external_tools import NODE_TOOLS, without
-from fieldspec.backends.docs.lab import lab_script
+from fieldspec.targets.docs.lab import lab_script
 
 AXE = NODE_TOOLS.parent / "axe-core" / "axe.min.js"
 HOMING = "01 06 20 1E 00 03 A2 0D"

@@ -20,8 +20,8 @@ from websockets.sync.client import connect
 from websockets.typing import Origin
 
 from docs_output.lab import cells, open_lab, text_of, wait_for
-from fieldspec.backends.docs.backend import files, shared
-from fieldspec.backends.docs.lab import request_data
+from fieldspec.targets.docs.backend import files, shared
+from fieldspec.targets.docs.lab import request_data
 from layouts import SPECS, TEST_SPECS, layouts, newest
 
 READ = "01 03 10 00 00 01 80 CA"

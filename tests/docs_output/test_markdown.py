@@ -12,8 +12,8 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from docs_output.documented import documentation, resolved, visible_text, with_ending
-from fieldspec.backends.docs.markdown import escaped
-from fieldspec.html_text import clean
+from fieldspec.foundation.html_text import clean
+from fieldspec.targets.docs.markdown import escaped
 from layouts import TEST_SPECS, newest
 
 PAGES = with_ending(".md")

@@ -14,7 +14,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 from docs_output.axe import screen, violations
 from docs_output.documented import documentation
 from docs_output.usage_rows import usages
-from fieldspec.backends.docs.fact_index import NAME, parsed
+from fieldspec.targets.docs.fact_index import NAME, parsed
 
 ANSWERS = [
     # which word of telegram 111 holds the override, and what is 100 %

@@ -13,7 +13,7 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 from docs_output.documented import documentation
-from fieldspec.backends.docs.search_index import NAME, parsed
+from fieldspec.targets.docs.search_index import NAME, parsed
 
 SOON = 100
 """Milliseconds from the last key to the results."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.backends.docs import html, markdown
-from fieldspec.backends.docs.context import Holding
-from fieldspec.backends.docs.document import Document, Section, code, text_piece
-from fieldspec.backends.docs.page import page
-from fieldspec.backends.docs.site import device_place
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets.docs import html, markdown
+from fieldspec.targets.docs.context import Holding
+from fieldspec.targets.docs.document import Document, Section, code, text_piece
+from fieldspec.targets.docs.page import page
+from fieldspec.targets.docs.site import device_place
 from layouts import SPECS, TEST_SPECS, layouts
 
 SEVERAL = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values() if len(versions) > 1]

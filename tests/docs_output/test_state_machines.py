@@ -10,9 +10,9 @@ from itertools import combinations
 import pytest
 
 from docs_output.documented import documentation
-from fieldspec.backends.docs.document import Arrow, StateDrawing
-from fieldspec.backends.docs.drawing import state_drawing
-from fieldspec.model.machines import StateMachine
+from fieldspec.language.model.machines import StateMachine
+from fieldspec.targets.docs.document import Arrow, StateDrawing
+from fieldspec.targets.docs.drawing import state_drawing
 from layouts import SPECS, newest
 
 ARROW = re.compile(r'<path class="arrow[^"]*" d="M(\d+) (\d+)H(\d+)V(\d+)H(\d+)"')

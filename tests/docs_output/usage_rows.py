@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from fieldspec.backends import OUTPUTS
-from fieldspec.backends.usages import Usage
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.usages import Usage
 from layouts import SPECS, TEST_SPECS, layouts
 
 

@@ -13,13 +13,13 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from fieldspec.backends.queries.backend import remaining
-from fieldspec.caches import ByIdentity
-from fieldspec.diagnostics import has_errors
-from fieldspec.explain.values import decode_value
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reference import CodecError
-from fieldspec.reference.records import encoded
+from fieldspec.codec.explain.values import decode_value
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.records import encoded
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.targets.queries.backend import remaining
 from frozen.inputs import Input
 from js_output.explanations import explained_by_node, explained_by_python
 from python_package import record_class, runtime

@@ -15,7 +15,7 @@ from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
 from frozen.codecs import CODECS, Aspects
 from frozen.inputs import Fact, Input, facts, inputs
 from layouts import SPECS, TEST_SPECS, layouts

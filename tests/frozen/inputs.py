@@ -11,10 +11,10 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.reference import CodecError, DeviceCodec, codec
-from fieldspec.reference.records import encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError, DeviceCodec, codec
+from fieldspec.codec.reference.records import encoded
 from frozen.dice import Dice
 from frozen.edges import edge_data, edge_numbers, places
 from random_devices.inputs import (

@@ -8,9 +8,9 @@ from functools import cache
 
 import yaml
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import DeviceSpec, read
 from hostile_texts.poison import poison
 from layouts import SPECS, TEST_SPECS, layout_at
 

@@ -13,10 +13,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from fieldspec import pipeline
-from fieldspec.backends import OUTPUTS
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command import pipeline
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.targets import OUTPUTS
 from hostile_texts.filled_specs import layouts, spec
 from hostile_texts.poison import harmless
 from hostile_texts.structures import ParserError, structures

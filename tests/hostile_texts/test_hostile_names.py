@@ -19,13 +19,13 @@ import yaml
 
 from command_line import TEST_SPECS, RunResult
 from external_tools import require_tool
-from fieldspec.backends import OUTPUTS
 from fieldspec.cli import main
-from fieldspec.commands import cache_folder
-from fieldspec.line_text import visible_text
-from fieldspec.names import folded
-from fieldspec.reading.project import read
-from fieldspec.reserved import file_name_fault
+from fieldspec.command.files import cache_folder
+from fieldspec.foundation.line_text import visible_text
+from fieldspec.foundation.names import folded
+from fieldspec.foundation.reserved import file_name_fault
+from fieldspec.language.reading.project import read
+from fieldspec.targets import OUTPUTS
 from hostile_texts import fuzz
 from hostile_texts.filled_specs import filled_files, layouts, spec
 from hostile_texts.names import NAMES, acting, random_names, workflow_commands

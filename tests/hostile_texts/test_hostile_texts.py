@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 import yaml
 
-from fieldspec.backends.python import text as python_text
 from fieldspec.cli import main
-from fieldspec.reading.project import read
+from fieldspec.language.reading.project import read
+from fieldspec.targets.python import text as python_text
 from hostile_texts import fuzz
 from hostile_texts.filled_specs import filled_files
 from hostile_texts.poison import FRAGMENTS, harmless, poison

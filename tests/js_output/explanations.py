@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from external_tools import require_tool
-from fieldspec.explain.log import LogLine
-from fieldspec.explain.readings import FrameOptions, OpenRequest, read, remarks
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.render.explanation import as_data
+from fieldspec.codec.explain.log import LogLine
+from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.rendering.explanation import as_data
 
 SCRIPT = Path(__file__).with_name("explanations.mjs")
 DIRECTIONS = ("request", "response")

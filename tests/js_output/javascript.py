@@ -12,14 +12,14 @@ from pathlib import Path
 from typing import Any
 
 from external_tools import require_tool
-from fieldspec.backends.js.backend import files, shared
-from fieldspec.backends.js.members import members_of
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.model.value import Kind
-from fieldspec.names import Name, version_word
-from fieldspec.reference import CodecError, DeviceCodec
-from fieldspec.reference.frames import Decoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError, DeviceCodec
+from fieldspec.codec.reference.frames import Decoded
+from fieldspec.foundation.names import Name, version_word
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.js.backend import files, shared
+from fieldspec.targets.js.members import members_of
 from layouts import SPECS, TEST_SPECS, layouts
 
 JUDGE = Path(__file__).with_name("judge.mjs")

@@ -8,10 +8,10 @@ import subprocess
 from pathlib import Path
 
 from external_tools import require_tool
-from fieldspec.backends.js.links import checksum_function
-from fieldspec.layout.checksums import checksum
-from fieldspec.model.checksums import checksum_named
-from fieldspec.model.crc_catalogue import CRC_CATALOGUE
+from fieldspec.codec.layout.checksums import checksum
+from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+from fieldspec.targets.js.links import checksum_function
 from js_output.javascript import package
 
 NAMES = [

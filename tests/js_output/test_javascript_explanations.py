@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 
-from fieldspec.commands.decode import FramePrinter, Log
-from fieldspec.explain.readings import ChosenReading, FrameOptions
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.texts import Example
-from fieldspec.render.explanation import as_data
+from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.rendering.explanation import as_data
+from fieldspec.command.verbs.decode import FramePrinter, Log
+from fieldspec.language.model.texts import Example
 from js_output.explanations import explained_by_node, explained_by_python, portable
 from js_output.javascript import module_path
 from js_output.test_javascript_frames import frames_of

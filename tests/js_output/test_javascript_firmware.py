@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 from external_tools import require_tool
-from fieldspec import pipeline
-from fieldspec.backends.js.backend import files, shared
-from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.command import pipeline
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.targets.js.backend import files, shared
 from layouts import SPECS, layout_at
 from test_python_firmware import DETECTIONS, MILL, detecting_spec
 

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.js.backend import shared
-from fieldspec.backends.js.module import module_texts
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets.js.backend import shared
+from fieldspec.targets.js.module import module_texts
 from js_output.javascript import module_path
 from layouts import all_layouts
 from python_package import link_of, module_of, write

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.texts import Example
-from fieldspec.reference import codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import codec
+from fieldspec.language.model.texts import Example
 from js_output.javascript import expectation, judged, module_path
 from layouts import all_layouts
 

@@ -8,20 +8,29 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import original_parts
-from fieldspec.layout.record import RecordLayout
-from fieldspec.model.texts import Example
-from fieldspec.model.value import Kind
-from fieldspec.plc.declarations import declarations
-from fieldspec.plc.dialects import DIALECTS
-from fieldspec.plc.layout.fitting import misfit_findings, misfits
-from fieldspec.plc.layout.images import Images, SpecNaming
-from fieldspec.plc.layout.memory import MEMORIES, Memory, Placed, placed
-from fieldspec.plc.routines.expressions import BOOL, BYTE, DINT, INT, LINT, ArrayType, StructType, Type
-from fieldspec.plc.structs import Struct, StructMember
-from fieldspec.reference import codec
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import original_parts
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import codec
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.texts import Example
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.controllers.declarations import declarations
+from fieldspec.targets.controllers.dialects import DIALECTS
+from fieldspec.targets.controllers.layout.fitting import misfit_findings, misfits
+from fieldspec.targets.controllers.layout.images import Images, SpecNaming
+from fieldspec.targets.controllers.layout.memory import MEMORIES, Memory, Placed, placed
+from fieldspec.targets.controllers.statements.expressions import (
+    BOOL,
+    BYTE,
+    DINT,
+    INT,
+    LINT,
+    ArrayType,
+    StructType,
+    Type,
+)
+from fieldspec.targets.controllers.structs import Struct, StructMember
 from layouts import SPECS, TEST_SPECS, has_digits, layouts, newest
 
 NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]

@@ -21,12 +21,12 @@ sys.path.insert(0, str(Path(__file__).parent))
 from s7_text import Member, blocks, step7, types
 
 from external_tools import without
-from fieldspec.backends.scl.backend import files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.names import Name, stem
-from fieldspec.reference import codec
-from fieldspec.reference.records import encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import codec
+from fieldspec.codec.reference.records import encoded
+from fieldspec.foundation.names import Name, stem
+from fieldspec.targets.scl.backend import files
 from layouts import SPECS, layouts
 
 TRIES = 3

@@ -15,19 +15,19 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from s7_text import blocks, types
 
-from fieldspec.backends.scl.backend import files, refusals
-from fieldspec.backends.scl.project import project
-from fieldspec.backends.scl.sources import clashes, string
-from fieldspec.classes import replace
 from fieldspec.cli import main
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.lists.packing import packed
-from fieldspec.names import stem
-from fieldspec.plc.declarations import declarations
-from fieldspec.plc.dialects import SIEMENS
-from fieldspec.reference.records import encoded
-from fieldspec.spreadsheet import Workbook
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference.records import encoded
+from fieldspec.foundation.classes import replace
+from fieldspec.foundation.names import stem
+from fieldspec.foundation.spreadsheet import Workbook
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.targets.controllers.declarations import declarations
+from fieldspec.targets.controllers.dialects import SIEMENS
+from fieldspec.targets.scl.backend import files, refusals
+from fieldspec.targets.scl.project import project
+from fieldspec.targets.scl.sources import clashes, string
+from fieldspec.tools.lists.packing import packed
 from layouts import SPECS, TEST_SPECS, layouts, newest
 from shared_results import shared
 from spec_files import DEVICE

@@ -13,8 +13,8 @@ from st_syntax import parsed
 from standard_text import anonymous, named, needed, without_comments
 from vendor_blocks import ALL
 
-from fieldspec.backends.iec.backend import source, text
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE
+from fieldspec.targets.controllers.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE
+from fieldspec.targets.iec.backend import source, text
 from layouts import SPECS, newest
 
 

@@ -13,13 +13,21 @@ from st_syntax import Unit, parsed
 from standard_text import anonymous, named, needed, without_comments
 from test_scl_execution import siemens_text
 
-from fieldspec.backends.iec.backend import source, text
-from fieldspec.backends.scl.project import project
-from fieldspec.plc.dialects import Spelling
-from fieldspec.plc.routines.expressions import BOOL, TIME, ArrayType, Elementary, EnumType, StructType, Type
-from fieldspec.plc.routines.printer import type_text
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.world import World
+from fieldspec.targets.controllers.dialects import Spelling
+from fieldspec.targets.controllers.routines.printer import type_text
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.statements.expressions import (
+    BOOL,
+    TIME,
+    ArrayType,
+    Elementary,
+    EnumType,
+    StructType,
+    Type,
+)
+from fieldspec.targets.controllers.statements.routine import Routine
+from fieldspec.targets.iec.backend import source, text
+from fieldspec.targets.scl.project import project
 from layouts import newest
 
 ORDER = "aOrder"

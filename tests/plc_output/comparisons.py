@@ -10,15 +10,15 @@ from drawing import drawn_bytes, drawn_values
 from loaded import judged, reason, words_in
 from proving import Proof, without
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.model.value import Kind
-from fieldspec.plc.routines.absent import absent_values
-from fieldspec.plc.routines.telegrams import telegrams
-from fieldspec.plc.routines.wrapping import framed
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.records import decoded, encoded
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.records import decoded, encoded
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.controllers.routines.absent import absent_values
+from fieldspec.targets.controllers.routines.telegrams import telegrams
+from fieldspec.targets.controllers.routines.wrapping import framed
 
 
 def compare_telegrams(prover: Proof, dice: random.Random, tries: int) -> None:

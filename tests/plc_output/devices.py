@@ -10,8 +10,8 @@ from typing import Any
 
 from benches import Bench
 
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.targets.controllers.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FREE
 from layouts import SPECS, newest
 
 TIMEOUT = 2

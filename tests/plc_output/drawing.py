@@ -5,9 +5,9 @@ from __future__ import annotations
 import random
 from typing import Any
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.value import Kind, Value
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.language.model.value import Kind, Value
 
 
 def drawn_bytes(record: RecordLayout, dice: random.Random) -> bytes:

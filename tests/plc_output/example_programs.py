@@ -16,10 +16,10 @@ from st_syntax import parsed
 from standard_text import ARRAY, anonymous, named, without_comments
 from test_docs_telegram import declared
 
-from fieldspec.backends.iec.backend import source
-from fieldspec.backends.iec.backend import text as standard_text
-from fieldspec.backends.scl.backend import files as scl_files
-from fieldspec.backends.st.backend import text
+from fieldspec.targets.iec.backend import source
+from fieldspec.targets.iec.backend import text as standard_text
+from fieldspec.targets.scl.backend import files as scl_files
+from fieldspec.targets.st.backend import text
 from layouts import SPECS, newest
 
 STATUS_BITS = (

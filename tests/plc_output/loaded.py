@@ -16,11 +16,11 @@ from proving import REASONS, Proof
 from st_machine import Machine
 from st_syntax import parsed
 
-from fieldspec.backends.iec.backend import source
-from fieldspec.backends.iec.backend import text as standard_text
-from fieldspec.backends.st.backend import text
-from fieldspec.plc.structured.program import Program, program
-from fieldspec.reference import CodecError
+from fieldspec.codec.reference import CodecError
+from fieldspec.targets.controllers.structured.program import Program, program
+from fieldspec.targets.iec.backend import source
+from fieldspec.targets.iec.backend import text as standard_text
+from fieldspec.targets.st.backend import text
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL = ["ck10", "esc11", "hiwin-e", "tc100"]

@@ -18,7 +18,7 @@ from device_models.frames import Exchange, Line
 from device_models.history import History, Scan
 from device_models.hiwin import RECEIVED, HiwinE
 from device_models.tc100 import Tc100
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FRAMES, FREE
+from fieldspec.targets.controllers.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, FRAMES, FREE
 from layouts import SPECS
 
 MODELS = {"tc100": Tc100, "ck10": Ck10, "esc11": Esc11}

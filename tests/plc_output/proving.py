@@ -9,16 +9,16 @@ from typing import Any
 
 from st_machine import Machine
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.model.value import Kind, Value
-from fieldspec.plc.routines.expressions import BITS, EnumType, Type
-from fieldspec.plc.routines.frames import head_members
-from fieldspec.plc.routines.records import is_user_field
-from fieldspec.plc.routines.routine import STATUSES
-from fieldspec.plc.routines.world import World
-from fieldspec.plc.routines.wrapping import link_words
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.controllers.routines.frames import head_members
+from fieldspec.targets.controllers.routines.records import is_user_field
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.routines.wrapping import link_words
+from fieldspec.targets.controllers.statements.expressions import BITS, EnumType, Type
+from fieldspec.targets.controllers.statements.routine import STATUSES
 
 STATUS = {number: name for number, (name, _) in enumerate(STATUSES)}
 REASONS = {"wrong_const": "wrong_constant", "not_hex": "not_hexadecimal"}

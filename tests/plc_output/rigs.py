@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 from benches import Bench, block_names
 from devices import Esc11, Tc100, Telegram111, Transport
 
-from fieldspec.plc.routines.blocks.ports import FRAMES
-from fieldspec.plc.routines.blocks.standard import ERRORS
+from fieldspec.targets.controllers.routines.blocks.ports import FRAMES
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
 from layouts import SPECS
 
 NUMBER = {name: number for name, (number, _) in ERRORS.items()}

@@ -7,7 +7,7 @@ from typing import Any
 from benches import Bench
 from devices import TIMEOUT, Transport
 
-from fieldspec.plc.routines.blocks.ports import axis_key
+from fieldspec.targets.controllers.routines.blocks.ports import axis_key
 from simulators import Unit
 
 MILLISECONDS = 10

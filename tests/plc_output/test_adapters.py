@@ -17,7 +17,7 @@ from scans import of_siemens
 from standard_text import named, needed, without_comments
 from vendor_blocks import ALL
 
-from fieldspec.backends.iec.backend import source, text
+from fieldspec.targets.iec.backend import source, text
 from layouts import SPECS, newest
 from matiec import matiec
 

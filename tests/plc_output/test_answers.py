@@ -17,8 +17,8 @@ from loaded import programs
 from rigs import NUMBER
 from test_every_block import drawn_frame
 
-from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FRAMES, FREE
-from fieldspec.reference import codec
+from fieldspec.codec.reference import codec
+from fieldspec.targets.controllers.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FRAMES, FREE
 from layouts import SPECS, TEST_SPECS, layouts, newest
 
 CLIENTS = {

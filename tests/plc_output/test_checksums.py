@@ -16,13 +16,13 @@ from proving import Proof
 from st_machine import Machine
 from st_syntax import parsed
 
-from fieldspec.backends.iec.backend import source
-from fieldspec.backends.iec.backend import text as standard_text
-from fieldspec.backends.st.backend import text
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.checksums import checksum_named
-from fieldspec.model.crc_catalogue import CRC_CATALOGUE
-from fieldspec.plc.structured.program import program
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+from fieldspec.targets.controllers.structured.program import program
+from fieldspec.targets.iec.backend import source
+from fieldspec.targets.iec.backend import text as standard_text
+from fieldspec.targets.st.backend import text
 from random_devices.agreement import layouts_of
 
 DERIVED = (

@@ -21,8 +21,8 @@ from loaded import program_of
 from page import PAGE, blocks, example
 from scans import Scans, of_siemens
 
-from fieldspec.backends.st.backend import text
-from fieldspec.reference import codec
+from fieldspec.codec.reference import codec
+from fieldspec.targets.st.backend import text
 from layouts import SPECS, newest
 
 CHANNEL = "xExecute : BOOL; iChannelIndex : INT; xDone : BOOL; xError : BOOL;"

@@ -13,9 +13,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 from page import example
 from scans import Scans, of_siemens
 
-from fieldspec.backends.scl.backend import files as scl_files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reference import codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import codec
+from fieldspec.targets.scl.backend import files as scl_files
 from layouts import SPECS, newest
 
 SIZES = {"word": 2, "uint": 2, "int": 2, "dint": 4, "udint": 4}

@@ -22,11 +22,11 @@ from rigs import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
 from test_simulated_blocks import SPEEDS, Ck10Rig, Ck10TableRig, Telegram9Rig, TelegramRig, connect
 from test_speed_blocks import LimitRig
 
-from fieldspec.plc.routines.blocks.ports import FRAMES, own_links
-from fieldspec.plc.routines.register_range import answer_type
-from fieldspec.plc.routines.wrapping import link_words
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.records import encoded
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.records import encoded
+from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, own_links
+from fieldspec.targets.controllers.routines.register_range import answer_type
+from fieldspec.targets.controllers.routines.wrapping import link_words
 from layouts import SPECS, newest
 
 LINES = [

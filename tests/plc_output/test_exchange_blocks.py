@@ -19,9 +19,9 @@ from st_syntax import parsed
 from standard_text import anonymous, named, needed, without_comments
 from test_scl_execution import siemens_text
 
-from fieldspec.backends.iec.backend import source, text
-from fieldspec.plc.routines.exchanges import ERRORS
-from fieldspec.reference import codec
+from fieldspec.codec.reference import codec
+from fieldspec.targets.controllers.routines.exchanges import ERRORS
+from fieldspec.targets.iec.backend import source, text
 from layouts import SPECS, newest
 
 DEVICES = [(device, link) for device in ("tc100", "ck10") for link in ("rtu", "ascii")]

@@ -17,8 +17,8 @@ from comparisons import compare_requests, compare_responses, compare_telegrams, 
 from loaded import WAY_NAMES, WAYS, judged, proof_by
 from proving import Proof, without
 
-from fieldspec.plc.routines.wrapping import framed
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.targets.controllers.routines.wrapping import framed
 
 TRIES = 25
 

@@ -15,8 +15,8 @@ from loaded import proof_by
 from proving import Proof
 from test_execution_registers import READ, WRITABLE, member, ordered, registers, spans
 
-from fieldspec.layout.record import RegisterLayout
-from fieldspec.model.registers import RegisterGroup
+from fieldspec.codec.layout.record import RegisterLayout
+from fieldspec.language.model.registers import RegisterGroup
 from layouts import TEST_SPECS
 
 WAYS = [(TEST_SPECS, "station", way) for way in ("interpreted", "compiled")]

@@ -20,15 +20,15 @@ from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, judged, proof_by, words_in
 from proving import Proof, without
 
-from fieldspec.backends.vectors.backend import idle_vectors
-from fieldspec.layout.record import RegisterLayout
-from fieldspec.model.registers import RegisterGroup
-from fieldspec.plc.routines.enums import enum_routines
-from fieldspec.plc.routines.register_range import answer_name, answer_type
-from fieldspec.plc.routines.scaling import quantities
-from fieldspec.reference import CodecError
-from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.layout.record import RegisterLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.records import decoded, decoded_value, encoded, encoded_value
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.routines.enums import enum_routines
+from fieldspec.targets.controllers.routines.register_range import answer_name, answer_type
+from fieldspec.targets.controllers.routines.scaling import quantities
+from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS
 
 TRIES = 25

@@ -24,14 +24,14 @@ from st_machine import Machine
 from st_syntax import StError, parsed, tokens
 from standard_text import DECLARED
 
-from fieldspec.backends.plcopen.backend import files as plcopen_files
-from fieldspec.backends.st.backend import files as st_files
-from fieldspec.backends.twincat.backend import files as twincat_files
-from fieldspec.backends.twincat.backend import identifier, path
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.plc.structured.objects import length, string
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.targets.controllers.structured.objects import length, string
+from fieldspec.targets.plcopen.backend import files as plcopen_files
+from fieldspec.targets.st.backend import files as st_files
+from fieldspec.targets.twincat.backend import files as twincat_files
+from fieldspec.targets.twincat.backend import identifier, path
 from layouts import SPECS, TEST_SPECS, newest
 
 HERE = Path(__file__).parent

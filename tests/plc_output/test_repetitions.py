@@ -16,10 +16,10 @@ from devices import Transport
 from loaded import programs
 from rigs import NUMBER, Rig
 
-from fieldspec.backends import OUTPUTS
-from fieldspec.plc.routines.blocks.ports import FRAMES
-from fieldspec.plc.routines.expressions import INT, Variable, compared
-from fieldspec.reference import codec
+from fieldspec.codec.reference import codec
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.controllers.routines.blocks.ports import FRAMES
+from fieldspec.targets.controllers.statements.expressions import INT, Variable, compared
 from layouts import SPECS, TEST_SPECS, layouts, newest
 
 SPEC = """

@@ -21,8 +21,8 @@ from st_syntax import parsed
 from st_values import WHOLE, MachineError, bounds
 from standard_text import named, without_comments
 
-from fieldspec.backends.scl.backend import files
-from fieldspec.backends.st.backend import text
+from fieldspec.targets.scl.backend import files
+from fieldspec.targets.st.backend import text
 from layouts import SPECS, newest
 
 TRIES = 20

@@ -19,7 +19,7 @@ from loaded import programs
 from rigs import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
 from simulated import ProcessData, Simulated
 
-from fieldspec.plc.routines.blocks.ports import FRAMES
+from fieldspec.targets.controllers.routines.blocks.ports import FRAMES
 from layouts import SPECS
 
 STEPS = int(os.environ.get("FIELDSPEC_RANDOM_STEPS", "800"))

@@ -18,11 +18,11 @@ from st_declared import NATURAL, size_of
 from standard_text import anonymous, named, without_comments
 
 from external_tools import require_tool
-from fieldspec.backends.st.backend import files, text
-from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.telegrams import telegrams
-from fieldspec.plc.structured.layout_table import rows
-from fieldspec.plc.structured.program import Program
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.targets.controllers.routines.telegrams import telegrams
+from fieldspec.targets.controllers.structured.layout_table import rows
+from fieldspec.targets.controllers.structured.program import Program
+from fieldspec.targets.st.backend import files, text
 from layouts import SPECS, newest
 from matiec import matiec
 

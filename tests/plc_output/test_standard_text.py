@@ -14,8 +14,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from loaded import DEVICES, NAMES, program_of
 from test_judges import hostile
 
-from fieldspec.backends.iec.backend import constants, files, source, text
-from fieldspec.plc.routines.printer import implementation
+from fieldspec.targets.controllers.routines.printer import implementation
+from fieldspec.targets.iec.backend import constants, files, source, text
 from layouts import newest
 from matiec import matiec
 

@@ -14,9 +14,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from adapter_texts import DOCS, PROGRAMS, SIEMENS, STRUCTURED
 
-from fieldspec.backends.iec.backend import source
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.routines.expressions import ArrayType
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets.controllers.statements.expressions import ArrayType
+from fieldspec.targets.iec.backend import source
 from layouts import SPECS, newest
 
 Setting = tuple[int, str, int, int]

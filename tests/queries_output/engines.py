@@ -12,10 +12,10 @@ from typing import Any
 import duckdb
 import polars
 
-from fieldspec.backends.queries.polars_text import polars_text
-from fieldspec.backends.queries.sql_text import sql_text
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import stem
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import stem
+from fieldspec.targets.queries.polars_text import polars_text
+from fieldspec.targets.queries.sql_text import sql_text
 
 Rows = list[dict[str, Any]]
 

@@ -8,12 +8,12 @@ from decimal import Context, Decimal, Inexact
 from fractions import Fraction
 from typing import Any
 
-from fieldspec.backends.fact_texts import unit_word
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.device import Device
-from fieldspec.model.value import Kind, Value
-from fieldspec.reference.bits import number_of_bits
-from fieldspec.reference.quantities import quantity, scale_of, special_name
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.reference.bits import number_of_bits
+from fieldspec.codec.reference.quantities import quantity, scale_of, special_name
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.fact_texts import unit_word
 
 Columns = dict[str, Any]
 Exponent = tuple[Value, Any]

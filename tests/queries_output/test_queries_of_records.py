@@ -7,11 +7,11 @@ import random
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.names import Name
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.records import decoded, encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.records import decoded, encoded
+from fieldspec.foundation.names import Name
 from layouts import SPECS, TEST_SPECS, has_digits, layouts
 from queries_output.engines import ENGINES, engine_of
 from queries_output.expected import Columns, is_equal, record_columns

@@ -8,16 +8,16 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.fact_texts import unit_word
-from fieldspec.classes import replace
-from fieldspec.explain.values import decode_value
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.value import Kind, Value
-from fieldspec.names import Name
-from fieldspec.reference import CodecError
-from fieldspec.reference.records import decoded
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.explain.values import decode_value
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import Orders, RecordLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.records import decoded
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.foundation.classes import replace
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.fact_texts import unit_word
 from layouts import SPECS, TEST_SPECS, newest
 from queries_output.engines import ENGINES, engine_of
 from queries_output.expected import Columns, Exponent, is_equal, record_columns, value_columns

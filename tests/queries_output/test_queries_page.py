@@ -13,7 +13,7 @@ import polars
 import pytest
 
 from bounded import HANGING
-from fieldspec.reference.records import decoded
+from fieldspec.codec.reference.records import decoded
 from layouts import SPECS, newest
 from queries_output.engines import engine_of
 from queries_output.expected import is_equal, record_columns

@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.exponents import exponent_of
-from fieldspec.layout.record import RecordLayout, RegisterLayout
-from fieldspec.model.record import Message
-from fieldspec.model.value import Kind, Value
-from fieldspec.names import Name
-from fieldspec.reference.quantities import quantity as reference_quantity
-from fieldspec.reference.quantities import scale_of, special_number
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.exponents import exponent_of
+from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
+from fieldspec.codec.reference.quantities import quantity as reference_quantity
+from fieldspec.codec.reference.quantities import scale_of, special_number
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.record import Message
+from fieldspec.language.model.value import Kind, Value
 from python_package import built, link_of, record_class, runtime
 from random_devices.inputs import is_computed, record_values
 from random_devices.python_judge import Python

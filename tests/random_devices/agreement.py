@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.tools.proofs.running import outcome
 from matiec import VARIABLE
 from random_devices.access_judge import Access
 from random_devices.c_judge import C

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.backend import header
-from fieldspec.backends.c.delimiters import is_wrapped
-from fieldspec.backends.c.encoded_texts import text_capacity
-from fieldspec.backends.c.fields import case_member, count_member, members
-from fieldspec.backends.c.frames import header_parts
-from fieldspec.backends.c.naming import Naming, frame_member, member
-from fieldspec.backends.c.runtime_files import status_names
-from fieldspec.backends.c.subcodes import shared_codes
-from fieldspec.backends.c.values import accessed_type
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout, PartLayout
-from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
-from fieldspec.model.value import Kind, Value
-from fieldspec.names import stem
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout, PartLayout
+from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.foundation.names import stem
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.delimiters import is_wrapped
+from fieldspec.targets.c.encoded_texts import text_capacity
+from fieldspec.targets.c.fields import case_member, count_member, members
+from fieldspec.targets.c.frames import header_parts
+from fieldspec.targets.c.naming import Naming, frame_member, member
+from fieldspec.targets.c.runtime_files import status_names
+from fieldspec.targets.c.subcodes import shared_codes
+from fieldspec.targets.c.values import accessed_type
 from random_devices.inputs import is_computed
 from random_devices.queries import shapes
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from bounded import HANGING
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets.c.backend import files
 from random_devices.c_driver import REASONS, Driver
 from random_devices.queries import Answer, Query
 

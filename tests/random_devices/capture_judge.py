@@ -11,18 +11,18 @@ from pathlib import Path
 from typing import Any
 
 from captures.bulk import Sent, decoded
-from fieldspec.captures.decoding import Choices
-from fieldspec.captures.tables import record_batches
-from fieldspec.captures.writers import CsvTable, JsonTable, ParquetTable
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RegisterLayout
-from fieldspec.model.device import Device
-from fieldspec.model.record import RegisterAccess
-from fieldspec.model.value import Kind
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.frames import Decoded
-from fieldspec.reference.records import decoded_value
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RegisterLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.frames import Decoded
+from fieldspec.codec.reference.records import decoded_value
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.record import RegisterAccess
+from fieldspec.language.model.value import Kind
+from fieldspec.tools.captures.decoding import Choices
+from fieldspec.tools.captures.tables import record_batches
+from fieldspec.tools.captures.writers import CsvTable, JsonTable, ParquetTable
 from random_devices.inputs import header_values
 from random_devices.meanings import Leaf, is_nearest, leaves, meaning_of
 from random_devices.queries import Answer, Query

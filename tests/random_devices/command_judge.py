@@ -10,13 +10,13 @@ from pathlib import Path
 from unittest.mock import patch
 
 from fieldspec.cli import main
-from fieldspec.commands import layout_cache
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.record import FieldLayout
-from fieldspec.model.registers import Parameter, ParameterSet
-from fieldspec.model.value import Kind
-from fieldspec.reference.parameters import carries
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.codec.reference.parameters import carries
+from fieldspec.command.sources import layout_cache
+from fieldspec.language.model.registers import Parameter, ParameterSet
+from fieldspec.language.model.value import Kind
 from random_devices.inputs import header_values, number_or_text
 from random_devices.queries import Answer, Query
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from fieldspec.schema import schema
+from fieldspec.language.schema import schema
 from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, range_text
 from random_devices.drawn_escapes import add_escape
 from random_devices.drawn_values import value

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fieldspec.explain.explanation import explained
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.layout.device import DeviceLayout
 from random_devices.queries import Answer, Query, flat
 
 

@@ -6,10 +6,10 @@ import random
 import re
 from collections.abc import Iterator
 
-from fieldspec.backends import OUTPUTS, Output
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.targets import OUTPUTS, Output
 from random_devices.devices import text_of
 from random_devices.draft import Spec
 from random_devices.other_forms import DEVICE, Files, flat, overlaid, split, with_bits_from_most

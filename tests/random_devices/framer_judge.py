@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from external_tools import require_tool
-from fieldspec.backends.js.backend import shared
-from fieldspec.backends.js.module import module_texts
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import Name
-from fieldspec.reference.framing import Framing
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference.framing import Framing
+from fieldspec.foundation.names import Name
+from fieldspec.targets.js.backend import shared
+from fieldspec.targets.js.module import module_texts
 from python_package import link_of
 from random_devices.framer_streams import Stream, streams
 from random_devices.python_judge import module_of_device

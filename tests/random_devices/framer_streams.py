@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.first_bytes import first_bytes
-from fieldspec.layout.frame import FrameLayout, LinkLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.first_bytes import first_bytes
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError, codec
 from random_devices.inputs import header_values, record_values, sealed, spoiled
 
 FRAMES = 10

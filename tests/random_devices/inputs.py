@@ -7,13 +7,13 @@ import string
 import struct
 from typing import Any, Literal
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout
-from fieldspec.layout.part import PartLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.value import Kind, Value
-from fieldspec.reference import CodecError
-from fieldspec.reference.escapes import escaped
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import FrameLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.escapes import escaped
+from fieldspec.language.model.value import Kind, Value
 
 _LONGEST = 12
 """Elements of a list that are made beyond the least number, so that frames stay short."""

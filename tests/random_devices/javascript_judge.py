@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from external_tools import require_tool
-from fieldspec.backends.js.backend import shared
-from fieldspec.backends.js.links import WIDE
-from fieldspec.backends.js.members import members_of
-from fieldspec.backends.js.module import module_texts
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.model.value import Kind, Value
-from fieldspec.names import Name
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.js.backend import shared
+from fieldspec.targets.js.links import WIDE
+from fieldspec.targets.js.members import members_of
+from fieldspec.targets.js.module import module_texts
 from random_devices.queries import (
     ABSENT_OFFSET,
     EXPONENT,

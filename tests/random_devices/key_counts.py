@@ -12,10 +12,10 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import seed as seeded
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read
-from fieldspec.schema import resolved
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read
+from fieldspec.language.schema import resolved
+from fieldspec.tools.proofs.running import outcome
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
 from random_devices.schema_keys import ANYWHERE, WORDS, Key, key_path, known_keys, nodes_in, reason

@@ -10,18 +10,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from fieldspec.classes import replace
-from fieldspec.explain.explanation import explained
-from fieldspec.explain.row import ExplanationRow
-from fieldspec.explain.values import DecodedValue, decode_value
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.layout.values import MeaningError, raw_of
-from fieldspec.model.enums import Flags
-from fieldspec.model.value import Kind, Value
-from fieldspec.reference import CodecError, codec
-from fieldspec.reference.bits import bits_of_word, number_of_bits, printed_number
-from fieldspec.reference.quantities import (
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.row import ExplanationRow
+from fieldspec.codec.explain.values import DecodedValue, decode_value
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.layout.values import MeaningError, raw_of
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.bits import bits_of_word, number_of_bits, printed_number
+from fieldspec.codec.reference.quantities import (
     NoQuantityError,
     count_of_quantity,
     quantity,
@@ -29,7 +26,10 @@ from fieldspec.reference.quantities import (
     special_name,
     special_number,
 )
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.foundation.classes import replace
+from fieldspec.language.model.enums import Flags
+from fieldspec.language.model.value import Kind, Value
 from python_package import class_of
 from random_devices.inputs import number_or_text
 from random_devices.meanings import Leaf, Meaning, leaves, meaning_of

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.device import Device
-from fieldspec.model.enums import Bit, Enum, Flags
-from fieldspec.model.value import Kind, Value
-from fieldspec.reference.bits import number_of_bits, unlisted_bits
-from fieldspec.reference.quantities import quantity, special_name
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.reference.bits import number_of_bits, unlisted_bits
+from fieldspec.codec.reference.quantities import quantity, special_name
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit, Enum, Flags
+from fieldspec.language.model.value import Kind, Value
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,12 @@ from types import ModuleType
 from typing import Any
 
 import python_package
-from fieldspec.backends.python.backend import PACKAGE, files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.part import PartLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.model.value import Value
-from fieldspec.names import Name
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.value import Value
+from fieldspec.targets.python.backend import PACKAGE, files
 from python_package import built, class_of, codec_error, link_of, raw, raws, record_class
 from random_devices.queries import EXPONENT, Answer, Query, flat, flat_value, has_quantity, quantity_text, refused
 

@@ -9,11 +9,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
-from fieldspec.model.value import Kind, Value
-from fieldspec.reference import CodecError, DeviceCodec, codec
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.codec.reference import CodecError, DeviceCodec, codec
+from fieldspec.language.model.value import Kind, Value
 from random_devices.inputs import (
     delimited,
     header_values,

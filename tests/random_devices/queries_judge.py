@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from fieldspec.backends.queries.backend import remaining
-from fieldspec.backends.queries.plan import Names
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.names import Name
-from fieldspec.reference import CodecError
-from fieldspec.reference.records import decoded, encoded
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.records import decoded, encoded
+from fieldspec.foundation.names import Name
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.targets.queries.backend import remaining
+from fieldspec.targets.queries.plan import Names
 from queries_output.engines import ENGINES
 from queries_output.expected import is_equal, record_columns
 from random_devices.queries import UNKNOWN, Answer, Query

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from fieldspec.classes import replace
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.reference import CodecError, DeviceCodec, codec
-from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value
-from fieldspec.reference.structs import value_construct
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError, DeviceCodec, codec
+from fieldspec.codec.reference.records import decoded, decoded_value, encoded, encoded_value
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.foundation.classes import replace
 from random_devices.queries import UNKNOWN, Answer, Query, flat, flat_value, is_stable, refused, to_encode
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from fieldspec.schema import Schema, resolved, schema
+from fieldspec.language.schema import Schema, resolved, schema
 
 Key = tuple[str, str]
 """The definition or the path of a mapping in the schema, and a key of it."""

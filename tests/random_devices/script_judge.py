@@ -9,14 +9,14 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from fieldspec.backends.js.backend import shared
-from fieldspec.backends.js.explainer import explainer_files
-from fieldspec.explain.registers import Occupant, occupants
-from fieldspec.explain.spans import Span
-from fieldspec.layout.device import DeviceLayout, MessageLayout
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.model.record import RegisterAccess
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.spans import Span
+from fieldspec.codec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.language.model.record import RegisterAccess
+from fieldspec.targets.js.backend import shared
+from fieldspec.targets.js.explainer import explainer_files
 from js_output.explanations import explained_by_node, explained_by_python
 from random_devices.inputs import header_values, record_values, spoiled
 from random_devices.queries import Answer, Query

@@ -13,9 +13,9 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "c_output"))
 from compilers import STRICT
 
 from external_tools import require_tool
-from fieldspec.backends.c.backend import files
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import stem
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import stem
+from fieldspec.targets.c.backend import files
 from random_devices.queries import Answer, Query
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from fieldspec.behaviour.part import Behaviour
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reference import CodecError, codec
-from fieldspec.simulator.engine import Engine
-from fieldspec.simulator.server import Server
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.language.behaviour.part import Behaviour
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
 from random_devices.queries import Answer, Query
 
 

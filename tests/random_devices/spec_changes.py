@@ -7,11 +7,11 @@ import random
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.explain.readings import FrameOptions, read
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read as read_project
+from fieldspec.codec.explain.readings import FrameOptions, read
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.project import read as read_project
+from fieldspec.tools.proofs.running import outcome
 from random_devices.devices import text_of
 from random_devices.draft import SIZES, Spec
 from random_devices.queries import Answer, Query, is_stable

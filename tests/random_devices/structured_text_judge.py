@@ -6,13 +6,13 @@ import random
 import sys
 from pathlib import Path
 
-from fieldspec.backends import OUTPUTS
-from fieldspec.backends.iec.backend import refusals, source
-from fieldspec.backends.iec.backend import text as standard_text
-from fieldspec.backends.st.backend import text
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.structured.program import declared_in_text, program
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.targets import OUTPUTS
+from fieldspec.targets.controllers.structured.program import declared_in_text, program
+from fieldspec.targets.iec.backend import refusals, source
+from fieldspec.targets.iec.backend import text as standard_text
+from fieldspec.targets.st.backend import text
 from random_devices.queries import Answer, Query
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "plc_output"))

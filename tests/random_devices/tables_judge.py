@@ -6,15 +6,15 @@ import random
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from fieldspec.explain.registers import Occupant, occupants
-from fieldspec.explain.spans import Span
-from fieldspec.explain.values import number_of
-from fieldspec.layout.bases import at_usual_bases
-from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.record import RecordLayout
-from fieldspec.reference import CodecError
-from fieldspec.reference.records import decoded, encoded
-from fieldspec.simulator.memory import Memory
+from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.spans import Span
+from fieldspec.codec.explain.values import number_of
+from fieldspec.codec.layout.bases import at_usual_bases
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.records import decoded, encoded
+from fieldspec.tools.simulator.memory import Memory
 from random_devices.inputs import record_values
 from random_devices.queries import Answer, Query, to_encode
 

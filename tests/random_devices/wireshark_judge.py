@@ -9,10 +9,10 @@ from __future__ import annotations
 import random
 import shutil
 
-from fieldspec.backends.wireshark.backend import refusals
-from fieldspec.explain.explanation import explained
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.reference import CodecError, codec
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.reference import CodecError, codec
+from fieldspec.targets.wireshark.backend import refusals
 from random_devices.inputs import header_values, record_values
 from random_devices.queries import Answer, Query
 from wireshark_output.expectations import Case, expect, results

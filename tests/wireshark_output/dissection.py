@@ -13,9 +13,9 @@ from xml.etree import ElementTree
 
 from bounded import HANGING
 from external_tools import require_tool
-from fieldspec.backends.wireshark.backend import dissector
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import Name
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import Name
+from fieldspec.targets.wireshark.backend import dissector
 
 HEADERS = 42
 """The bytes of Ethernet, IP and UDP before the payload."""

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, explained
+from fieldspec.codec.layout.device import DeviceLayout
 from wireshark_output.dissection import FIRST_PORT, HEADERS, Item, Packet, dissected, port_options, prefix_of
 
 NUMBER = re.compile(r"-?\d+|0x[0-9a-f]+")

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from external_tools import require_tool
-from fieldspec.backends.wireshark.backend import dissector, refusals
-from fieldspec.diagnostics import has_errors
+from fieldspec.language.diagnostics import has_errors
+from fieldspec.targets.wireshark.backend import dissector, refusals
 from layouts import SPECS, TEST_SPECS, layouts
 
 DEVICES = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
 from layouts import SPECS, layout_at
 from spec_files import gadget
 from wireshark_output.dissection import FIRST_PORT, Packet, dissected, port_options

@@ -6,7 +6,7 @@ from typing import Literal
 
 import pytest
 
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
 from layouts import layout_at
 from spec_files import gadget
 from wireshark_output.dissection import FIRST_PORT, Item, Packet, dissected, port_options

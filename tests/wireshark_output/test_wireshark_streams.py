@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from external_tools import require_tool
-from fieldspec.backends.wireshark.backend import dissector
-from fieldspec.explain.explanation import explained
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.pipeline import layouts, load
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.pipeline import layouts, load
+from fieldspec.targets.wireshark.backend import dissector
 from layouts import SPECS, TEST_SPECS, newest
 from wireshark_output.dissection import Packet, pcap, prefix_of, tshark
 

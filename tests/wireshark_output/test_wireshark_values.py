@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 
-from fieldspec.backends.wireshark.backend import refusals
-from fieldspec.backends.wireshark.values import scale_data
+from fieldspec.targets.wireshark.backend import refusals
+from fieldspec.targets.wireshark.values import scale_data
 from layouts import SPECS, TEST_SPECS, layouts
 from wireshark_output.dissection import pcap, tshark
 from wireshark_output.expectations import Case, conversation, expect, results

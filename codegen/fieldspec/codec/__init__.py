@@ -1,0 +1,1 @@
+"""What bytes mean: layouts, explanations of frames, and the reference that every other codec is compared with."""

@@ -1,0 +1,400 @@
+"""The body of a frame, field by field, and quantities as percentages of their references."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from decimal import Context, Decimal
+
+from fieldspec.codec.explain.parameters import with_parameter
+from fieldspec.codec.explain.registers import exponent_applied
+from fieldspec.codec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
+from fieldspec.codec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
+from fieldspec.codec.layout.bits import packed_size
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.value_texts import spec_text
+from fieldspec.codec.layout.values import Raw
+from fieldspec.codec.layout.widths import extents, value_form, widened
+from fieldspec.foundation.classes import replace
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.record import Message
+from fieldspec.language.model.value import Conversion, Value
+
+_EXACT = Context(prec=200)
+
+
+def with_percentages(device: Device, row: ExplanationRow, field: FieldLayout, number: Raw) -> ExplanationRow:
+    """The row of a field that carries a signal, with the percentages that its conversions give."""
+    if not field.field.signal or not isinstance(number, int):
+        return row
+    meanings = tuple(
+        Meaning(conversion.name, conversion.label, percentage_text(device, conversion, number), "")
+        for conversion in device.conversions.values()
+        if field.field.signal in conversion.signals
+    )
+    return replace(row, meanings=(*row.meanings, *meanings)) if meanings else row
+
+
+def percentage_text(device: Device, conversion: Conversion, number: int) -> str:
+    """The percentage that a count stands for: `50 % of Pt317 (3000 rpm by default) or Pt386`."""
+    from fractions import Fraction
+
+    percent = conversion.quantity(number, Fraction(100))
+    exact = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
+    return f"{decimal_text(exact, Fraction(100, conversion.full_scale))} % of {references_text(device, conversion)}"
+
+
+def references_text(device: Device, conversion: Conversion) -> str:
+    """The printed names of a conversion's references with their defaults: `Pt317 (3000 rpm by default) or Pt386`."""
+    return " or ".join(_reference(device, path) for path in conversion.references) or "its reference"
+
+
+def _reference(device: Device, path: str) -> str:
+    fact, value = next(((fact, value) for fact, value in _values(device) if fact.place.path == path), (None, None))
+    if fact is None or value is None:
+        return path.rpartition("/")[2]
+    default = in_unit(value, value.default) if value.default and isinstance(value.default, int) else ""
+    return f"{fact.printed_name or fact.name} ({default} by default)" if default else fact.printed_name or fact.name
+
+
+def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
+    """The facts that a conversion can refer to, with their values."""
+    for words in device.parameters.values():
+        yield from ((parameter, parameter.value) for parameter in words.parameters)
+    yield from ((register, register.value) for register in device.registers())
+    yield from ((signal, signal.value) for signal in device.signals.values())
+
+
+class Body:
+    """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
+
+    `rows` and `values` go as far as the bytes do. `request_values` are those of the request that the frame answers.
+    `outer` is the message or the record; its sources stand in for fields without their own.
+    """
+
+    def __init__(
+        self,
+        layout: DeviceLayout,
+        record: RecordLayout,
+        outer: Fact,
+        data: bytes,
+        start: int,
+        end: int,
+        spot: Spot,
+        request_values: Mapping[str, Raw],
+    ) -> None:
+        self.layout, self.outer, self.spot, self.asked = layout, outer, spot, request_values
+        self.data, self.start, self.end = data, start, end
+        self.record = record.of_data(data[start:end]) or record
+        self.is_request = isinstance(outer, Message) and record.record is outer.request
+        self.values: dict[str, Raw] = {}
+        inner = self.record.inner_lists
+        self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
+        rows = self._rows() if inner is None else self._rows_around(inner)
+        self.rows = list(self._varying_rows() if self.record.spans else rows)
+
+    def _rows(self) -> Iterator[ExplanationRow]:
+        offset = self.start
+        for number, field in enumerate(self.record.fields):
+            if field.cases:
+                yield self._undecided(field, offset)
+                return
+            count = self._count(field)
+            room = max(0, min(count, (self.end - offset) // field.size)) if field.size else 0
+            yield from self._field(field, offset, room)
+            offset += room * field.size
+            if room < count:
+                yield self._missing(self.record.fields[number:], offset)
+                return
+        if offset < self.end:
+            yield surplus_row(self.spot, offset, self.data[offset : self.end])
+
+    def _rows_around(self, inner: InnerLists) -> Iterator[ExplanationRow]:
+        """The rows of a record with fields behind a list, in the order of the wire."""
+        fields = self.record.sent_fields
+        offset, number_of_list = self.start, 0
+        for number, field in enumerate(fields):
+            if field.count is not None:
+                room = max(0, min(field.count, (self.end - offset) // field.size))
+                yield from self._field(field, offset, room)
+                offset += room * field.size
+                if room < field.count:
+                    yield self._missing(fields[number:], offset)
+                    return
+                continue
+            if number_of_list == len(self.extents):
+                yield self._unknown_list(fields[number:], inner.lists[number_of_list], offset)
+                return
+            extent = self.extents[number_of_list]
+            stop = offset + extent.size
+            number_of_list += 1
+            count = self._items(field)
+            yield from self._field(field, offset, count, extent.elements)
+            offset += sum(extent.elements) if extent.elements else count * field.size
+            if field.field.repeat is not None and count < field.field.repeat.low:
+                yield self._missing((field,), offset, stop)
+            elif offset < stop:
+                yield surplus_row(self.spot, offset, self.data[offset:stop])
+            offset = stop
+
+    def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, offset: int) -> ExplanationRow:
+        """The row from the first list on whose bytes are not known."""
+        assert self.fault is not None
+        if self._has_wrong_count(inner):
+            text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
+            return self._wrong(fields[0], offset, "wrong_measure", text)
+        if inner.tail is not None:
+            place = self.spot.byte_text(self.start + self.fault.at)
+            text = f"the elements of {fields[0].name} do not end with their bytes: see {place}"
+            return self._wrong(fields[0], offset, self.fault.reason, text)
+        if self.end - self.start < self.record.least:
+            return self._missing(fields, offset)
+        text = f"{inner.count} counts more {fields[0].name} than there are"
+        return self._wrong(fields[0], offset, "incomplete", text)
+
+    def _has_wrong_count(self, inner: InnerList) -> bool:
+        """Whether the first list whose bytes are not known has an impossible count."""
+        place = self.record.inner_lists.place_in_data(self.extents, inner.count_at) if self.record.inner_lists else 0
+        return (
+            bool(inner.count)
+            and self.fault is not None
+            and (self.fault.reason, self.fault.at) == ("wrong_measure", place)
+        )
+
+    def _items(self, field: FieldLayout) -> int:
+        """How many elements of a list of a record with fields behind a list there are."""
+        inner, repeat = self.record.inner_lists, field.field.repeat
+        assert inner is not None
+        assert repeat is not None
+        number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
+        extent = self.extents[number]
+        return (
+            len(extent.elements)
+            if inner.lists[number].tail is not None
+            else min(extent.size // field.size, repeat.high)
+        )
+
+    def _varying_rows(self) -> Iterator[ExplanationRow]:
+        """The rows of a record whose values vary in width."""
+        fields = self.record.fields
+        offset = self.start
+        known = extents(self.record.spans, self.data[self.start : self.end])
+        for field, span, extent in zip(fields, self.record.spans, known, strict=False):
+            offset = self.start + extent.start
+            if span.value is None:
+                yield from self._field(field, offset, field.count or 0)
+            else:
+                raw = self.data[offset : self.start + extent.stop]
+                varying = (raw, extent.image)
+                rows, self.values[field.name] = self._value(field, field.name, offset, 0, span.value, True, varying)
+                yield from rows
+            offset = self.start + extent.stop
+        if len(known) < len(fields):
+            reason, text = self._endless(len(known), offset)
+            yield self._wrong(fields[len(known)], offset, reason, text)
+        elif offset < self.end:
+            yield surplus_row(self.spot, offset, self.data[offset : self.end])
+
+    def _endless(self, number: int, offset: int) -> tuple[str, str]:
+        """The reason why the end of a field is not known, as the reason of a codec and in words."""
+        span = self.record.spans[number]
+        if span.count is None or span.value is None:
+            return "incomplete", f"{span.name} has no end"
+        count = self.values[self.record.spans[span.count].name]
+        if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
+            return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - offset} follow"
+        return "wrong_measure", f"{self.record.spans[span.count].name} is no number of bytes of {span.name}"
+
+    def _measured_text(self, field: FieldLayout, read: DecodedValue) -> DecodedValue | None:
+        """The value of a field with the number of bytes of a text, judged by what these may be; None for others."""
+        name = field.field.measures.field if field.field.measures is not None else ""
+        span = next((span for span in self.record.spans if span.name == name and span.count is not None), None)
+        if span is None or span.value is None:
+            return None
+        if isinstance(read.number, int) and 0 <= read.number - span.plus <= span.value.width:
+            return read.judged(True, read.number, "wrong_measure")
+        return read.judged(False, f"{span.plus} to {span.value.width + span.plus}", "wrong_measure")
+
+    def _count(self, field: FieldLayout) -> int:
+        """How many elements the field should have: as many as fit if their number is free."""
+        repeat = field.field.repeat
+        if repeat is None:
+            return field.count or 0
+        room = (self.end - self.start - field.offset) // field.size
+        return min(max(room, repeat.low), repeat.high)
+
+    def _missing(self, fields: tuple[FieldLayout, ...], offset: int, stop: int | None = None) -> ExplanationRow:
+        """The row of the place where the body, or the bytes up to `stop`, are not enough for fields."""
+        missing = self.record.least - (self.end - self.start)
+        later = ", ".join(other.name for other in fields)
+        text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {later}"
+        return self._wrong(fields[0], offset, "incomplete", text, stop)
+
+    def _undecided(self, field: FieldLayout, offset: int) -> ExplanationRow:
+        """The row of a field whose type is open, because the field that decides it has a value without a case."""
+        size, selector = self.end - self.start, self.record.selector
+        assert selector is not None
+        if size < self.record.least:
+            return self._missing(self.record.fields[-1:], offset)
+        long = self.record.most is not None and size > self.record.most
+        number = self.values[selector.name]
+        reason, text = "unknown_value", f"{selector.name} {number!r} does not decide the type of {field.name}"
+        if long:
+            reason, text = "wrong_length", f"{text}, which is {size - (self.record.most or 0)} bytes too long"
+        return self._wrong(field, offset, reason, text)
+
+    def _wrong(self, field: FieldLayout, start: int, reason: str, text: str, stop: int | None = None) -> ExplanationRow:
+        """The row of the rest of the body, or of the bytes up to `stop`, where a field is expected."""
+        path = field.field.place.path
+        data = self.data[start : self.end if stop is None else stop]
+        row = wrong_row(self.spot, start, data, reason, text, field.name, path)
+        return replace(row, errata=errata_at(self.layout.device, path))
+
+    def _field(
+        self, field: FieldLayout, start: int, count: int, sizes: tuple[int, ...] = ()
+    ) -> Iterator[ExplanationRow]:
+        """The rows of the elements of one field. Adds their values to `values`. `sizes` are those that differ."""
+        values: list[Raw] = []
+        for index in range(count):
+            path = f"{field.name}[{index}]" if field.is_list else field.name
+            size = sizes[index] if sizes else field.size
+            place = start + (sum(sizes[:index]) if sizes else index * size)
+            rows, value = self._element(field, path, place, index, size)
+            values.append(value)
+            yield from rows
+        if field.is_list:
+            self.values[field.name] = values
+        elif values:
+            self.values[field.name] = values[0]
+
+    def _element(
+        self, field: FieldLayout, path: str, offset: int, index: int, size: int
+    ) -> tuple[list[ExplanationRow], Raw]:
+        """The rows and the value of one element of a field of the message."""
+        if field.record is not None:
+            return self._inner(field.record, path, offset, size)
+        return self._value(field, path, offset, index, self._by_exponent(field, self.record, self.start), top=True)
+
+    def _inner(self, record: RecordLayout, path: str, offset: int, size: int) -> tuple[list[ExplanationRow], Raw]:
+        """The rows and the values of a record within the body, which has `size` bytes. All of them are there."""
+        rows: list[ExplanationRow] = []
+        values: dict[str, Raw] = {}
+        for field in record.fields:
+            if field.value is not None and field.value.width:
+                place, own_path = offset + field.offset, f"{path}.{field.name}"
+                varying = (raw := self.data[place : offset + size], widened(field.value, raw))
+                inner_rows, values[field.name] = self._value(field, own_path, place, 0, field.value, False, varying)
+                rows += inner_rows
+                continue
+            elements: list[Raw] = []
+            count = (size - field.offset) // field.size if field.count is None else field.count
+            for index in range(count):
+                inner = f"{path}.{field.name}[{index}]" if field.is_list else f"{path}.{field.name}"
+                place = offset + field.offset + index * field.size
+                if field.record is not None:
+                    inner_rows, value = self._inner(field.record, inner, place, field.size)
+                else:
+                    own = self._by_exponent(field, record, offset)
+                    inner_rows, value = self._value(field, inner, place, index, own, top=False)
+                rows += inner_rows
+                elements.append(value)
+            values[field.name] = elements if field.is_list else elements[0]
+        return rows, values
+
+    def _by_exponent(self, field: FieldLayout, record: RecordLayout, start: int) -> Value:
+        """The value of a field of a record, with its scale where another field beside it has the exponent."""
+        assert field.value is not None
+        exponent = record.named(field.value.scale_by) if field.value.scale_by and not record.spans else None
+        if exponent is None or exponent.value is None:
+            return field.value
+        inner, offset = record.inner_lists, exponent.offset
+        if inner is not None:
+            if self.fault is not None and offset >= inner.lists[len(self.extents)].first:
+                return field.value
+            offset = inner.place_in_data(self.extents, offset)
+        exponent_start = start + offset
+        if exponent_start + exponent.size > self.end:
+            return field.value
+        raw = self.data[exponent_start : exponent_start + exponent.size]
+        number = number_of(exponent.value, raw, exponent.order, exponent.swapped)
+        return exponent_applied(field.value, exponent.value, number)
+
+    def _value(
+        self,
+        field: FieldLayout,
+        path: str,
+        offset: int,
+        index: int,
+        value: Value,
+        top: bool,
+        varying: tuple[bytes, bytes | None] | None = None,
+    ) -> tuple[list[ExplanationRow], Raw]:
+        """The row of a field, and its number; `value` is its value with its scale.
+
+        `varying` are the bytes of one that varies in width: as sent, and in the image.
+        """
+        raw, image = varying or (self.data[offset : offset + field.size], self.data[offset : offset + field.size])
+        device = self.layout.device
+        if image is None:
+            read = DecodedValue(raw).judged(False, value_form(value), "unknown_value")
+        else:
+            read = decode_value(device, value, image, field.order, field.swapped, field.field.reserved)
+        number = read.number
+        assert number is not None
+        if top:
+            read = self._measured(field, self._repeated(field, read))
+        row = fact_row(device, "field", path, field.field, self.spot, offset, raw, read, self.outer)
+        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.is_request)
+        return [with_percentages(device, row, field, number)], number
+
+    def _measured(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """The value of a field that measures another one, judged by the size of that field."""
+        if field.bits_of:
+            return self._bit_count(field, read)
+        measure = field.field.measures
+        other = self.record.named(measure.field) if measure else None
+        if measure is None or other is None or other.cases:
+            return read
+        if (text := self._measured_text(field, read)) is not None:
+            return text
+        if self.record.inner_lists is not None and other.count is None:
+            return self._measured_list(self.record.inner_lists, field, other, read)
+        start = self.start + other.offset
+        items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
+        items = (other.count or 0) if self.record.spans else items
+        expected = measure.number(items, other.size)
+        return read.judged(read.number == expected, expected, "wrong_measure")
+
+    def _bit_count(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """The number of bits in a list of bytes, judged by how many there are."""
+        packed = self.record.named(field.bits_of)
+        assert packed is not None
+        size = max(0, min(self._count(packed), self.end - self.start - packed.offset))
+        fits = isinstance(read.number, int) and packed_size(read.number) == size
+        return read.judged(fits, f"{8 * size - 7} to {8 * size}" if size else 0, "wrong_measure")
+
+    def _measured_list(
+        self, inner: InnerLists, field: FieldLayout, other: FieldLayout, read: DecodedValue
+    ) -> DecodedValue:
+        """The value of a field that measures a list of a record with fields behind a list."""
+        measure = field.field.measures
+        assert measure is not None
+        number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)
+        if number < len(self.extents):
+            items = self._items(other)
+            expected = measure.number(items, other.size)
+            return read.judged(read.number == expected, expected, "wrong_measure")
+        own = inner.lists[number]
+        if number != len(self.extents) or own.count != field.name or not self._has_wrong_count(own):
+            return read
+        low, high = (size // own.unit + own.plus for size in (own.least, own.most))
+        return read.judged(False, f"{low} to {high}", "wrong_measure")
+
+    def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """The value of a field that repeats one of the request, judged by the value there."""
+        expected = self.asked.get(field.field.same_as)
+        if read.reason or expected is None:
+            return read
+        return read.judged(read.number == expected, spec_text(expected), "")

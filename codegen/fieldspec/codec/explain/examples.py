@@ -1,0 +1,72 @@
+"""The examples of a device: their explanations, and how the manual prints them."""
+
+from __future__ import annotations
+
+from fieldspec.codec.explain.explanation import Explanation, explained, explained_after
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.texts import Erratum, Example
+
+_EXPLANATIONS: ByIdentity[DeviceLayout, dict[str, Explanation]] = ByIdentity(limit=64)
+"""By layout and example. Several outputs ask for each."""
+
+
+def explained_example(layout: DeviceLayout, example: Example) -> Explanation:
+    """The explanation of an example's frame, computed once for each layout."""
+    explanations = _EXPLANATIONS.get_or_compute(layout, lambda _: {})
+    if example.id not in explanations:
+        explanations[example.id] = _explanation(layout, example)
+    return explanations[example.id]
+
+
+def _explanation(layout: DeviceLayout, example: Example) -> Explanation:
+    frame = example.link, example.direction, example.frame, example.message
+    request = layout.device.examples.get(example.reply_to)
+    if request is None:
+        return explained(layout, *frame)
+    as_request = example.link, "request", example.message, ""
+    if (request.link, request.direction, request.message, request.reply_to) != as_request:
+        return explained(layout, *frame, request.frame)
+    is_response = example.direction == "response"
+    return explained_after(layout, *frame, explained_example(layout, request) if is_response else None)
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """An example as the manual prints it.
+
+    `frame` are its bytes as hexadecimal digits. It is empty if the frame is computed or the manual prints dots for
+    parts of it. If only the row of characters is misprinted, the digits are the bytes of that row. `characters` is the
+    row of characters, empty if the manual has none. `verdict` is `ok`, `misprint`, or `open` if the manual does not
+    decide which bytes are right. `errata` are all errata of the example.
+    """
+
+    frame: str
+    characters: str
+    verdict: str
+    errata: tuple[Erratum, ...]
+
+
+def printed(device: Device, example: Example) -> Printed:
+    """What the manual prints for an example: the misprint of its errata, or else the example itself."""
+    errata = tuple(erratum for erratum in device.errata if erratum.fact == example.place.path)
+    frames = [erratum for erratum in errata if "frame" in erratum.printed]
+    rows = [erratum for erratum in errata if "characters" in erratum.printed]
+    characters = _with_controls(rows[0].printed["characters"]) if rows else example.characters
+    if example.origin == "computed" or example.elided:
+        frame = ""
+    elif frames:
+        frame = "".join(str(frames[0].printed["frame"]).split()).upper()
+    else:
+        frame = (characters.encode("latin-1", "replace") if rows else example.frame).hex().upper()
+    verdict = "misprint" if frames or rows else "ok"
+    if any(erratum.confidence == "open" for erratum in (*frames, *rows)):
+        verdict = "open"
+    return Printed(frame, characters, verdict, errata)
+
+
+def _with_controls(characters: object) -> str:
+    """The characters of an erratum, whose control characters are written as `\\r` and `\\n`."""
+    return str(characters).replace("\\r", "\r").replace("\\n", "\n")

@@ -1,0 +1,396 @@
+"""Chooses what a frame is, its link, direction and message, and says how certain that is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from fieldspec.codec.explain.explanation import Explanation, explained
+from fieldspec.codec.explain.recognition import Reading, closest, lengths, recognised
+from fieldspec.codec.layout.bits import packed_size
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.escape import CAN_HEADER
+from fieldspec.language.model.link import Link
+
+DIRECTIONS = ("request", "response")
+
+
+@dataclass(frozen=True, slots=True)
+class FrameOptions:
+    """The options of the user about frames. `places` are links and directions; an empty option leaves all open."""
+
+    places: tuple[tuple[str, str], ...] = ()
+    message: str = ""
+
+    def allows(self, reading: Reading) -> bool:
+        """Whether a reading agrees with the options."""
+        link, direction, message, _ = reading
+        return self.goes(link, direction) and (not self.message or self.message == message)
+
+    def goes(self, link: str, direction: str) -> bool:
+        """Whether the options allow a direction on a link."""
+        return not self.places or (link, direction) in self.places
+
+    @property
+    def directions(self) -> frozenset[str]:
+        """The directions that the options allow."""
+        return frozenset(direction for _, direction in self.places) if self.places else frozenset(DIRECTIONS)
+
+
+def option_word(name: str) -> str:
+    """A name of the device as the name of an option."""
+    return name.replace("_", "-")
+
+
+@dataclass(frozen=True, slots=True)
+class OpenRequest:
+    """The request that the next response answers. `sure` if the user has named it."""
+
+    request: Explanation
+    sure: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ChosenReading:
+    """The explanation of a frame under the chosen reading.
+
+    `readings` are all readings that fit, none if the frame is wrong under all of them. `chosen` says why this reading
+    is explained: it is the `only` one that fits; the `request` before it or a `mark` in the log decided between
+    several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
+    `mismatches` say where a response does not fit its request.
+    """
+
+    explanation: Explanation
+    readings: tuple[Reading, ...]
+    chosen: str
+    mismatches: tuple[str, ...] = ()
+
+    @property
+    def wrong(self) -> bool:
+        """Whether a codec refuses the frame, or a response does not fit its request."""
+        return bool(self.explanation.reasons or self.mismatches) or not self.readings
+
+    @property
+    def alternatives(self) -> tuple[Reading, ...]:
+        """The other readings that fit."""
+        own = _reading(self.explanation)
+        return tuple(reading for reading in self.readings if reading != own)
+
+
+def read(
+    layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str = "", open_request: OpenRequest | None = None
+) -> ChosenReading:
+    """The explanation of a frame. `mark` is the direction that a log tells, which may be wrong."""
+    answer = (
+        _answer(layout, frame, open_request) if open_request is not None and "response" in options.directions else None
+    )
+    if (
+        open_request is not None
+        and answer is not None
+        and (open_request.sure or (mark != "request" and not answer.wrong))
+    ):
+        return answer
+    examples = _examples(layout, frame)
+    readings = (_named_by_example(reading, examples) for reading in recognised(layout, frame))
+    named_readings = (_named_by_option(layout, frame, reading, options) for reading in readings)
+    fitting = [reading for reading in named_readings if options.allows(reading)]
+    if not fitting:
+        closest_reading = _closest(layout, frame, options, mark)
+        # What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
+        return (
+            answer
+            if answer is not None and mark == "response" != closest_reading.explanation.direction
+            else closest_reading
+        )
+    fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
+    marked = [reading for reading in fitting if reading[1] == mark]
+    chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
+    mismatches = _unrepeated(answer, fitting[0]) if answer is not None and chosen != "likeliest" else ()
+    return ChosenReading(_explained(layout, frame, fitting[0]), tuple(fitting), chosen, mismatches)
+
+
+def _unrepeated(answer: ChosenReading, reading: Reading) -> tuple[str, ...]:
+    """What a response does not repeat of the request before it, where nothing else shows that it answers another."""
+    if answer.explanation.reasons or _reading(answer.explanation) != reading:
+        return ()
+    only = all(_NOT_REPEATED in text for text in answer.mismatches)
+    return answer.mismatches if only else ()
+
+
+def _examples(layout: DeviceLayout, frame: bytes) -> list[Reading]:
+    """The readings of the examples that have exactly these bytes."""
+    return [
+        (example.link, example.direction, example.message, example.exception_response)
+        for example in layout.device.examples.values()
+        if example.frame == frame
+    ]
+
+
+def _named_by_example(reading: Reading, examples: Sequence[Reading]) -> Reading:
+    """A reading, with the message of an example where it is an exception response to one of several messages."""
+    link, direction, message, error = reading
+    if message or not error:
+        return reading
+    return next((other for other in examples if (other[0], other[1], other[3]) == (link, direction, True)), reading)
+
+
+def _named_by_option(layout: DeviceLayout, frame: bytes, reading: Reading, options: FrameOptions) -> Reading:
+    """A reading, with the message of the options if it is an exception response that does not say what it answers."""
+    link, direction, message, error = reading
+    if message or not error or not options.message:
+        return reading
+    option_reading = _reading(explained(layout, link, direction, frame, options.message))
+    return option_reading if option_reading[2] == options.message and option_reading[3] else reading
+
+
+def _reading(explanation: Explanation) -> Reading:
+    return explanation.link, explanation.direction, explanation.message, explanation.error
+
+
+def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanation:
+    link, direction, message, _ = reading
+    return explained(layout, link, direction, frame, message)
+
+
+def _doubts(
+    layout: DeviceLayout, reading: Reading, mark: str, examples: Sequence[Reading]
+) -> tuple[bool, bool, bool, bool]:
+    """The doubts about a reading, the gravest first.
+
+    These are the mark in the log, that no example is such a frame, that the message is a guess, and that its length may
+    be any.
+    """
+    link, direction, message, error = reading
+    guessed = not error and layout.links[link].is_guessed(direction, message)
+    loose = guessed and bool(message) and layout.messages[message].data(direction).size is None
+    return bool(mark) and direction != mark, reading not in examples, guessed, loose
+
+
+def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str) -> ChosenReading:
+    """The reading with the fewest faults."""
+    named_readings = (_named_by_option(layout, frame, reading, options) for reading in closest(layout, frame))
+    candidates = [reading for reading in named_readings if options.allows(reading)]
+    if not candidates:
+        places = [
+            (link, direction) for link in layout.links for direction in DIRECTIONS if options.goes(link, direction)
+        ]
+        carrying = [
+            (link, direction) for link, direction in places if options.message in layout.links[link].carried(direction)
+        ]
+        # Nobody sends a request on a link whose messages come from the device alone.
+        sending = carrying or [(link, direction) for link, direction in places if layout.links[link].carried(direction)]
+        candidates = [(*place, options.message, False) for place in sending or places]
+
+    examples = _examples(layout, frame)
+
+    def faults(reading: Reading) -> tuple[object, ...]:
+        explanation = _explained(layout, frame, reading)
+        marks = sum(reason in ("wrong_mark", "not_hex") for reason in explanation.reasons)
+        return marks, _doubts(layout, reading, mark, examples), len(explanation.reasons)
+
+    return ChosenReading(_explained(layout, frame, min(candidates, key=faults)), (), "closest")
+
+
+def _answer(layout: DeviceLayout, frame: bytes, open_request: OpenRequest) -> ChosenReading:
+    """The explanation of a frame as the response to a request."""
+    request = open_request.request
+    response = explained(layout, request.link, "response", frame, request.message, request.frame)
+    mismatches = tuple(_mismatches(layout, request, response))
+    return ChosenReading(
+        response,
+        () if response.reasons else (_reading(response),),
+        "closest" if response.reasons else "request",
+        mismatches,
+    )
+
+
+_NOT_REPEATED = "does not repeat the request"
+
+
+def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanation) -> Iterator[str]:
+    """The places where a response does not fit its request."""
+    for role in ("unit_address", "code"):
+        ours = layout.links[request.link].request.role(role)
+        theirs = layout.links[request.link].response.role(role)
+        expected = request.values.get(ours.name) if ours else None
+        actual = response.values.get(theirs.name) if theirs else None
+        if role == "code" and _has_code_of_its_own(layout, response):
+            continue  # it marks the exception responses to all requests
+        announced = layout.messages.get(request.message)
+        if role == "code" and announced is not None and announced.message.response_code is not None:
+            expected = announced.message.response_code
+            if theirs and isinstance(actual, int) and actual != expected:
+                texts = theirs.number_text(actual), theirs.number_text(expected)
+                yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"
+            continue
+        if ours and isinstance(expected, int) and isinstance(actual, int) and actual != expected:
+            yield f"{ours.name} is {actual}, but {expected} in the request"
+    for row in response.rows:
+        if row.verdict.startswith("wrong") and not row.reason:
+            yield f"{row.path} {_NOT_REPEATED}: {row.verdict.removeprefix('wrong: ')}"
+    message = layout.messages.get(response.message)
+    accesses = layout.device.register_access(message.message) if message and not response.error else None
+    if accesses is not None and accesses.operation == "read":
+        expected = request.values.get(accesses.count) if accesses.count else 1
+        actual = response.values.get(accesses.values)
+        words = len(actual) if isinstance(actual, list) else None
+        if isinstance(expected, int) and words is not None and words != expected:
+            unit = layout.device.space(accesses.space).unit
+            yield f"the request asks for {expected} {unit}s, but the response has {words}"
+    bits = layout.device.bit_access(message.message) if message and not response.error else None
+    if bits is not None and bits.operation == "read" and bits.count:
+        expected, actual = request.values.get(bits.count), response.values.get(bits.values)
+        if isinstance(expected, int) and isinstance(actual, list) and len(actual) != packed_size(expected):
+            text = f"the request asks for {expected} bits, which take {packed_size(expected)} bytes"
+            yield f"{text}, but the response has {len(actual)}"
+
+
+def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:
+    """Whether a response is an exception response whose code is not that of its request."""
+    refusal = layout.links[response.link].link.exception_response
+    return response.error and refusal is not None and refusal.code is not None
+
+
+_NAMED = 3
+
+
+def remarks(layout: DeviceLayout, chosen: ChosenReading, asked_in: int, options: FrameOptions) -> Iterator[str]:
+    """The remarks on a frame. `asked_in` is the line of the request before it, 0 if there is none."""
+    if chosen.chosen == "closest":
+        yield f"this is not a valid frame of {layout.device.id}; what is explained here comes closest"
+        yield from _of_other_length(layout, chosen, options)
+    elif asked_in and chosen.explanation.direction == "response" and not _is_unrequested(layout, chosen):
+        answers = "this answers" if chosen.chosen == "request" else "this does not answer"
+        yield f"{answers} the request in line {asked_in}"
+    if chosen.chosen == "likeliest":
+        yield _ambiguous(layout, chosen)
+    yield from chosen.mismatches
+
+
+def _is_unrequested(layout: DeviceLayout, chosen: ChosenReading) -> bool:
+    """Whether a frame is one that the device sends of its own accord, so that it answers nothing."""
+    announced = layout.messages.get(chosen.explanation.message)
+    return announced is not None and not announced.message.is_requested
+
+
+def _coded(layout: DeviceLayout, link: str) -> bool:
+    """Whether frames of a link carry the code of their message."""
+    return any(layout.links[link].frame(direction).role("code") is not None for direction in DIRECTIONS)
+
+
+def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
+    """The remark that other readings fit, and which options tell them apart."""
+    own = chosen.explanation
+    readings = [_reading(own), *chosen.alternatives]
+    if all(not _coded(layout, link) for link, _, _, _ in readings):
+        bytes_ = f"{len(own.frame)} bytes"
+        names = _enumeration(
+            [_message_text(layout.device.links[link], direction, name) for link, direction, name, _ in readings], "or"
+        )
+        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, chosen.alternatives)}"
+    names_of: dict[tuple[str, str, bool], list[str]] = {}
+    for link, direction, message, error in chosen.alternatives:
+        names_of.setdefault((link, direction, error), []).append(message or "an unknown message")
+    alternatives_text = " or ".join(_readings_text(layout, own, *key, names) for key, names in names_of.items())
+    explained = _readings_text(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
+    options = _options(layout, own, chosen.alternatives)
+    return f"ambiguous: explained as {explained}, it may also be {alternatives_text}; {options}"
+
+
+def _options(layout: DeviceLayout, own: Explanation, alternatives: Sequence[Reading]) -> str:
+    """The options that tell the readings apart: those that are each enough, else all that help."""
+    words = {layout.device.links[link].message_name for link in (own.link, *(other[0] for other in alternatives))}
+    word = f"--{option_word(words.pop())}" if len(words) == 1 else "--message"
+    telling = {
+        "--link": [link != own.link for link, _, _, _ in alternatives],
+        "--direction": [direction != own.direction for _, direction, _, _ in alternatives],
+        word: [message != own.message for _, _, message, _ in alternatives],
+    }
+    if own.direction == "response" and _asks(layout, own.link) and any(telling[word]):
+        telling = {"--request": telling[word], **telling}
+    enough = [option for option, tells in telling.items() if all(tells)]
+    if enough:
+        return f"{' or '.join(enough)} tells"
+    return f"{' and '.join(option for option, tells in telling.items() if any(tells))} tell"
+
+
+def _asks(layout: DeviceLayout, link: str) -> bool:
+    """Whether the request tells which message a response on a link is."""
+    return layout.links[link].request.role("code") is not None
+
+
+def _readings_text(
+    layout: DeviceLayout, own: Explanation, link: str, direction: str, error: bool, messages: Sequence[str]
+) -> str:
+    """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""
+    place = "" if link == own.link else f" on {link}"
+    names = ", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."])
+    name = layout.device.links[link].direction_name(direction)
+    if name not in DIRECTIONS and not error:
+        return (
+            f"{messages[0]} {name}{place}" if len(messages) == 1 else f"one of {len(messages)} {name}{place} ({names})"
+        )
+    kind = "refusal" if error else direction
+    joint = "of" if kind != "response" else "to"
+    if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
+        kind, joint = "frame", "of"  # it answers nothing
+    if len(messages) == 1:
+        return f"the {kind} {joint} {messages[0]}{place}"
+    return f"a {kind} {joint} one of {len(messages)} messages{place} ({names})"
+
+
+def _message_text(link: Link, direction: str, message: str) -> str:
+    """A message with its direction, as remarks name it: `telegram_3 sent`"""
+    return f"{message} {link.direction_name(direction)}"
+
+
+def _enumeration(names: Iterable[str], last: str) -> str:
+    """`a, b or c`"""
+    *rest, end = names
+    return f"{', '.join(rest)} {last} {end}" if rest else end
+
+
+def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: FrameOptions) -> Iterator[str]:
+    """The lengths of the messages, if only the length could tell which one the frame is, and it tells none."""
+    own = chosen.explanation
+    link = layout.links[own.link]
+    if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
+        return
+    known = {direction: link.carried(direction) for direction in DIRECTIONS}
+    names = dict.fromkeys([*known["request"], *known["response"]])
+    ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
+    escape = link.link.escape if link.link.is_can else None
+    identifier = 0 if escape is None else escape.fields_size
+    sizes = [
+        f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name), identifier)}"
+        for name in ([options.message] if options.message in names else names)
+        for direction in ways
+        if name in known[direction]
+    ]
+    if sizes:
+        yield f"{_own_size(link, own)}; {', '.join(sizes)}"
+
+
+def _own_size(link: LinkLayout, own: Explanation) -> str:
+    """The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`."""
+    if link.link.is_can:
+        return f"the data of the frame have {_byte_count(len(own.frame) - CAN_HEADER)}"
+    rows = [row for row in own.rows if row.kind != "mark"]
+    is_hex = link.link.encoding == "hex_ascii"
+    size = sum(row.length for row in rows) // 2 if is_hex else sum(len(row.raw) for row in rows)
+    without = ["delimiters"] if any(link.link.delimiters(own.direction)) else []
+    without += ["escapes"] if link.frame(own.direction).escape is not None else []
+    opening = f"without its {' and '.join(without)}, the frame has" if without else "the frame has"
+    return f"{opening} {_byte_count(size)}"
+
+
+def _byte_count(count: int) -> str:
+    return "1 byte" if count == 1 else f"{count} bytes"
+
+
+def _bounds(minimum: int, maximum: int | None, identifier: int) -> str:
+    """`8`, `8 or more` or `8 to 12`: sizes without the bytes of the parts of an identifier."""
+    if maximum is None:
+        return f"{minimum - identifier} or more"
+    return str(minimum - identifier) if maximum == minimum else f"{minimum - identifier} to {maximum - identifier}"

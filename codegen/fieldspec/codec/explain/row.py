@@ -1,0 +1,348 @@
+"""The rows of an explanation, the errata that they cite, and a frame without its delimiters and encoding."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from fieldspec.codec.explain.values import DecodedValue, Meaning
+from fieldspec.codec.layout.values import Raw
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.address_space import WORD
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.escape import CAN_EXTENDED, Escape
+from fieldspec.language.model.fact import Citation, Fact
+from fieldspec.language.model.link import Link
+from fieldspec.language.model.record import Message
+from fieldspec.language.model.texts import Erratum
+
+IDENTIFIER = "identifier"
+"""Where the parts of the identifier of a CAN frame are."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExplanationRow:
+    """Some bytes of a frame and their meaning.
+
+    `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
+    `offset` and `length` count bytes of the frame as it is sent, and `raw` are the bytes that they encode. If each byte
+    is sent as two characters, `characters` are these, and `length` counts them.
+    In a CAN frame, `can_place` is `identifier`, or the number of the first byte in the data; otherwise it is empty.
+    `path` is the place in the frame, as in `items[0].size`; `fact` is the path of the fact in the spec.
+    `number` is the raw value, `value` the exact quantity with its unit.
+    `verdict` is empty, `right`, or `wrong: ..`, and `reason` then names the fault as the errors of the codecs do.
+    `source` cites the manual, `errata` are the ids of the errata of the fact.
+    Rows of registers have an `address`, a number of `words`, which are bits where `unit` is `bit`, and `access`,
+    empty if it is not printed.
+    """
+
+    kind: str
+    offset: int
+    length: int
+    raw: bytes
+    characters: str = ""
+    can_place: str = ""
+    path: str = ""
+    fact: str = ""
+    printed_name: str = ""
+    label: str = ""
+    doc: str = ""
+    number: Raw | None = None
+    value: str = ""
+    meanings: tuple[Meaning, ...] = ()
+    verdict: str = ""
+    reason: str = ""
+    source: str = ""
+    notes: tuple[str, ...] = ()
+    errata: tuple[str, ...] = ()
+    address: int | None = None
+    words: int = 0
+    unit: str = WORD
+    access: str = ""
+
+    @property
+    def at(self) -> str:
+        """Where its bytes begin, as people count: in a CAN frame from the first byte of the data."""
+        return self.can_place or str(self.offset)
+
+    @property
+    def sent(self) -> str:
+        """The characters of the bytes, or the identifier of a CAN frame as tools for CAN buses write it: `123`."""
+        if self.can_place != IDENTIFIER or not self.characters:
+            return self.characters
+        number = int(self.characters.replace(" ", "")[:8], 16)
+        return f"{number ^ CAN_EXTENDED:08X}" if number & CAN_EXTENDED else f"{number:03X}"
+
+    @property
+    def byte_text(self) -> str:
+        """`byte 4`; in a CAN frame `byte 2 of the data` or `the identifier`."""
+        if self.can_place == IDENTIFIER:
+            return f"the {IDENTIFIER}"
+        return f"byte {self.can_place} of the data" if self.can_place else f"byte {self.offset}"
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each.
+
+    `escape` is that of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were
+    escaped, and `places` the offsets behind `start` of what is sent for them, and of the end. `gap` is the place of the
+    first byte behind an escape of nothing, which is sent between that byte and the one before; None without one.
+    """
+
+    frame: bytes
+    start: int
+    width: int
+    places: tuple[int, ...] = ()
+    originals: bytes = b""
+    escape: Escape | None = None
+    gap: int | None = None
+
+    def can_place(self, position: int) -> str:
+        """Where the byte at `position` of the parts is in a CAN frame; empty in others, and where it is unreadable."""
+        if self.escape is None or self.escape.method != "can" or not self.places:
+            return ""
+        return IDENTIFIER if position < self.escape.fields_size else str(position - self.escape.fields_size)
+
+    def byte_text(self, position: int) -> str:
+        """`byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""
+        return f"byte {position}" if self.escape is None else self.escape.byte_text(position)
+
+    def place(self, position: int, length: int) -> tuple[int, int, str]:
+        """The offset and the length in the frame of `length` bytes of the parts from `position` on; their characters.
+
+        The characters of bytes that are escaped are the bytes that are sent, as hexadecimal digits.
+        """
+        if self.places:
+            end = len(self.places) - 1
+            first, stop = self.places[min(position, end)], self.places[min(position + length, end)]
+            stop = self.gap if length and position + length == self.gap else stop
+            offset = self.start + first
+            escaped = self.frame[offset : offset + stop - first]
+            return (
+                offset,
+                len(escaped),
+                escaped.hex(" ").upper() if escaped != self.originals[position : position + length] else "",
+            )
+        offset, length = self.start + position * self.width, length * self.width
+        characters = self.frame[offset : offset + length].decode("latin-1") if self.width > 1 else ""
+        return offset, length, characters
+
+
+def citations(sources: Iterable[Citation]) -> str:
+    """`8.2 L1622; 9.1 L5`"""
+    return "; ".join([citation.text() for citation in sources])
+
+
+class _Errata:
+    """The errata of one device, indexed by the paths that they are about, as every row looks them up."""
+
+    def __init__(self, errata: tuple[Erratum, ...]) -> None:
+        self.within: dict[str, list[str]] = {}
+        self.of: dict[str, list[tuple[int, str]]] = {}
+        for number, erratum in enumerate(errata):
+            for path in (erratum.fact, *(erratum.fact[: slash.start()] for slash in re.finditer("/", erratum.fact))):
+                self.within.setdefault(path, []).append(erratum.id)
+            for path in {erratum.fact, erratum.fact.partition("/restated/")[0]}:
+                self.of.setdefault(path, []).append((number, erratum.id))
+
+
+_ERRATA: ByIdentity[tuple[Erratum, ...], _Errata] = ByIdentity(limit=1)
+"""One device is explained at a time."""
+
+
+def _errata(device: Device) -> _Errata:
+    return _ERRATA.get_or_compute(device.errata, _Errata)
+
+
+def errata_at(device: Device, path: str) -> tuple[str, ...]:
+    """The ids of the errata of a fact and of the facts below it."""
+    return tuple(_errata(device).within.get(path, ()))
+
+
+def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
+    """The ids of the errata of a message, without those of its fields."""
+    path = message.place.path
+    errata = errata_at(device, path)
+    if not errata:
+        return ()
+    fields = (f"{path}/request/", f"{path}/response/")
+    of_fields = {erratum.id for erratum in device.errata if erratum.fact.startswith(fields)}
+    return tuple(erratum for erratum in errata if erratum not in of_fields)
+
+
+def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
+    """The ids of the errata of enums, members and flags that gave a value its meaning, not those of other members."""
+    if not facts:
+        return ()
+    errata_by_fact = _errata(device).of
+    return tuple(name for _, name in sorted({erratum for fact in facts for erratum in errata_by_fact.get(fact, ())}))
+
+
+def fact_row(
+    device: Device,
+    kind: str,
+    path: str,
+    fact: Fact,
+    spot: Spot,
+    position: int,
+    raw: bytes,
+    read: DecodedValue,
+    outer: Fact,
+) -> ExplanationRow:
+    """The row of a fact whose bytes are at `position` in the parts. A fact without sources has those of `outer`."""
+    offset, length, characters = spot.place(position, len(raw))
+    errata = (*errata_at(device, fact.place.path), *errata_of_words(device, read.facts))
+    return ExplanationRow(
+        kind=kind,
+        offset=offset,
+        length=length,
+        raw=raw,
+        characters=characters,
+        can_place=spot.can_place(position),
+        path=path,
+        fact=fact.place.path,
+        printed_name=fact.printed_name,
+        label=fact.label,
+        doc=fact.doc,
+        number=read.number,
+        value=read.text,
+        meanings=read.meanings,
+        verdict=read.verdict,
+        reason=read.reason,
+        source=citations(fact.sources or outer.sources),
+        notes=(*fact.notes, *read.notes),
+        errata=tuple(dict.fromkeys(errata)),
+    )
+
+
+def wrong_row(
+    spot: Spot, position: int, raw: bytes, reason: str, detail: str, path: str = "", fact: str = ""
+) -> ExplanationRow:
+    """The row of bytes that no fact describes, or of a place where bytes are missing."""
+    offset, length, characters = spot.place(position, len(raw))
+    return ExplanationRow(
+        kind="unexplained",
+        offset=offset,
+        length=length,
+        raw=raw,
+        characters=characters,
+        can_place=spot.can_place(position),
+        path=path,
+        fact=fact,
+        verdict=f"wrong: {detail}",
+        reason=reason,
+    )
+
+
+def surplus_row(spot: Spot, position: int, raw: bytes) -> ExplanationRow:
+    """The row of bytes behind the end of a frame or of its body."""
+    return wrong_row(
+        spot, position, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
+    )
+
+
+HEX = b"0123456789ABCDEFabcdef"
+
+
+@dataclass(frozen=True, slots=True)
+class Unwrapped:
+    """A frame without delimiters and encoding.
+
+    `marks` are the delimiters, `start` and `end` the bytes in their places. `data` are the bytes of the parts, and
+    `surplus` is what is left between them and the end. Its `reason` is `wrong_length`, or `not_hex`, in which case the
+    rest of the frame cannot be read.
+    """
+
+    link: Link
+    marks: tuple[bytes, bytes]
+    frame: bytes
+    start: bytes
+    data: bytes
+    surplus: bytes
+    reason: str
+    end: bytes
+
+    @property
+    def whole(self) -> bool:
+        """Whether the parts can be read up to the end of the frame."""
+        return self.reason != "not_hex"
+
+
+def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
+    """A frame of a link without its delimiters and its encoding."""
+    marks = link.delimiters(direction)
+    start = _mark(frame, marks[0], link.encoding)
+    end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.encoding)[::-1]
+    inner = frame[len(start) : len(frame) - len(end)]
+    if link.encoding == "binary":
+        return Unwrapped(link, marks, frame, start, inner, b"", "", end)
+    good = next((index for index, char in enumerate(inner) if char not in HEX), len(inner))
+    pairs = good // 2 * 2
+    reason = "not_hex" if good < len(inner) else "wrong_length" if pairs < good else ""
+    data = bytes.fromhex(inner[:pairs].decode("ascii"))
+    return Unwrapped(link, marks, frame, start, data, inner[pairs:], reason, end)
+
+
+def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
+    """The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else."""
+    if frame.startswith(mark) or encoding == "binary":
+        return frame[: len(mark)]
+    return frame[: next((index for index, char in enumerate(frame[: len(mark)]) if char in HEX), len(mark))]
+
+
+def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
+    """The row of the start delimiter, if the link has one."""
+    yield from _mark_row(parts, "start", 0, parts.start, parts.marks[0])
+
+
+def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
+    """The rows of surplus characters, and of the end delimiter, if the link has one."""
+    offset = len(parts.frame) - len(parts.end)
+    if parts.surplus:
+        text = "not pairs of hexadecimal characters" if not parts.whole else "1 character too many"
+        yield ExplanationRow(
+            kind="unexplained",
+            offset=offset - len(parts.surplus),
+            length=len(parts.surplus),
+            raw=parts.surplus,
+            characters=parts.surplus.decode("latin-1"),
+            verdict=f"wrong: {text}",
+            reason=parts.reason,
+        )
+    yield from _mark_row(parts, "end", offset, parts.end, parts.marks[1])
+
+
+def escape_row(spot: Spot, link: Link, position: int, raw: bytes) -> ExplanationRow:
+    """The row of bytes of an escape that stand for no bytes, as the code of COBS before no data.
+
+    They are at `position` in the parts; `raw` are the bytes that are sent.
+    """
+    return ExplanationRow(
+        kind="mark",
+        offset=spot.start + position,
+        length=len(raw),
+        raw=raw,
+        path="escape",
+        fact=link.place.path,
+        verdict="right",
+        source=citations(link.sources),
+    )
+
+
+def _mark_row(parts: Unwrapped, name: str, offset: int, data: bytes, expected: bytes) -> Iterator[ExplanationRow]:
+    if expected:
+        right = data == expected
+        yield ExplanationRow(
+            kind="mark",
+            offset=offset,
+            length=len(data),
+            raw=data,
+            characters=data.decode("latin-1") if parts.link.encoding == "hex_ascii" else "",
+            path=name,
+            fact=parts.link.place.path,
+            verdict="right" if right else f"wrong: should be {expected.hex(' ').upper()}",
+            reason="" if right else "wrong_mark",
+            source=citations(parts.link.sources),
+        )

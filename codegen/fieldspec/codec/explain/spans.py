@@ -1,0 +1,110 @@
+"""The addresses that a frame reads or writes, with the bytes at them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.codec.layout.bits import unpacked_bits
+from fieldspec.codec.layout.values import Raw
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.address_space import BIT, BYTE, WORD
+from fieldspec.language.model.record import RegisterAccess
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Bytes at `at` in the parts of a frame, and the bytes of the value that they carry: for a bit, one with 0 or 1."""
+
+    at: int
+    raw: bytes
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """`words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty.
+
+    In a space of bits, `words` counts these, and `bits` has those that the frame carries, in order. A single one is
+    None if its number means neither 0 nor 1. In other spaces, `bits` is None. In a space of bytes, `words` counts
+    bytes, and an address has a `unit_size` of 1.
+    """
+
+    space: str
+    address: int
+    words: int
+    at: int
+    data: bytes
+    bits: tuple[int | None, ...] | None = None
+    unit_size: int = 2
+
+    @property
+    def end(self) -> int:
+        """The address behind the last word."""
+        return self.address + self.words
+
+    @property
+    def unit(self) -> str:
+        """What one address of the space has: `word`, `byte` or `bit`."""
+        return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
+
+    def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:
+        """The piece of the frame with a value of `size` bytes, `skip` bytes behind an address; None unless the frame
+        has all of it."""
+        if self.bits is not None:
+            return self._bit(address - self.address, self.bits)
+        start = self.unit_size * (address - self.address) + skip
+        if start < 0 or start + size > len(self.data):
+            return None
+        content = self.data[start : start + size]
+        return Piece(self.at + start, content, content)
+
+    def _bit(self, index: int, bits: tuple[int | None, ...]) -> Piece | None:
+        bit = bits[index] if 0 <= index < len(bits) else None
+        if bit is None:
+            return None
+        start, end = (0, len(self.data)) if len(bits) == 1 else (index // 8, index // 8 + 1)
+        return Piece(self.at + start, self.data[start:end], bytes([bit]))
+
+    def unlisted(self, first: int, end: int) -> tuple[int, bytes]:
+        """The offset and the bytes of neighbouring words; none for bits, which share bytes with others."""
+        piece = self.piece(first, self.unit_size * (end - first)) if self.bits is None else None
+        return (piece.at, piece.raw) if piece is not None else (0, b"")
+
+
+def accessed(
+    access: RegisterAccess,
+    values: Mapping[str, Raw],
+    request_values: Mapping[str, Raw],
+    offset: int,
+    data: bytes,
+    unit_size: int = 2,
+) -> Span | None:
+    """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
+
+    `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. In a space of
+    bytes, the `unit_size` is 1.
+    """
+    start = values.get(access.start, request_values.get(access.start))
+    whole = data[: len(data) // unit_size * unit_size]
+    carried = len(whole) // unit_size
+    count = values.get(access.count, request_values.get(access.count)) if access.count else max(carried, 1)
+    if not isinstance(start, int):
+        return None
+    words = count if isinstance(count, int) else carried
+    return Span(access.space, start, words, offset, whole, unit_size=unit_size)
+
+
+def accessed_bits(
+    access: RegisterAccess, values: Mapping[str, Raw], request_values: Mapping[str, Raw], offset: int, data: bytes
+) -> Span | None:
+    """The same as `accessed` for a space of bits."""
+    start = values.get(access.start, request_values.get(access.start))
+    count = values.get(access.count, request_values.get(access.count)) if access.count else 1
+    if not isinstance(start, int):
+        return None
+    if access.set is not None:
+        number = values.get(access.values) if data else None
+        bit = {access.set: 1, access.clear: 0}.get(number) if isinstance(number, int) else None
+        return Span(access.space, start, 1, offset, data, (bit,))
+    words = count if isinstance(count, int) else 8 * len(data)
+    return Span(access.space, start, words, offset, data, tuple(unpacked_bits(data))[:words])

@@ -1,0 +1,283 @@
+"""Decodes a value: its raw value, its quantity, and the names that the spec gives it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Context, Decimal
+
+from fieldspec.codec.layout.values import Raw
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.enums import Bit, Enum, Flags, State
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.raw_numbers import SinglePrecision, number_in
+from fieldspec.language.model.text_form import decoded_text, encoding_title, text_form_title
+from fieldspec.language.model.value import Kind, Value
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+_MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
+"""Numbers with at most so many places, or digits, are written in full; others are rounded to no fewer digits."""
+_EXACT = Context(prec=200)
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """A name of a value, or of some of its bits: `bits` is empty, `3`, or `9..10`.
+
+    `label` is the manual's word, `text` the description in our own words. `kind` is `state` for a state that several
+    bits show together, else empty.
+    """
+
+    name: str
+    label: str
+    text: str
+    bits: str
+    kind: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class DecodedValue:
+    """The meaning of the bytes of a value.
+
+    `number` is the raw value, None if there are too few bytes. `text` is the quantity as `in_unit` writes it.
+    `verdict` is empty, `right`, or `wrong: should be ..`, and `reason` then names the fault as the errors of the codecs
+    do. `facts` are the paths of the enums, members and bits that give the value its meaning.
+    """
+
+    number: Raw | None
+    text: str = ""
+    meanings: tuple[Meaning, ...] = ()
+    verdict: str = ""
+    reason: str = ""
+    notes: tuple[str, ...] = ()
+    facts: tuple[str, ...] = ()
+
+    def judged(self, right: bool, expected: object, reason: str) -> DecodedValue:
+        """The same value with a verdict; of a wrong one, also the reason for which a codec refuses it."""
+        if right:
+            return replace(self, verdict="right", reason="")
+        return replace(self, verdict=f"wrong: should be {expected}", reason=reason)
+
+
+def whole(data: bytes, order: str) -> int:
+    """Bytes as an unsigned number. `order` is `big` or `little`."""
+    return int.from_bytes(data, "big" if order == "big" else "little")
+
+
+def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
+    """The raw value of all bytes of a value; texts, bytes, and bytes that are not the digits of a number, as bytes.
+
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
+    """
+    kind = value.type.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        return data
+    number = number_in(value, data, order, swapped)
+    if isinstance(number, float) and value.type.size == 4:
+        return SinglePrecision(number)
+    return data if number is None else number
+
+
+def decimal_text(number: Decimal, count: Decimal | Fraction) -> str:
+    """A number without an exponent: in full if it is short, else rounded behind the point.
+
+    The last digit is worth less than a `count`, so that no two multiples of it, from any offset, have the same text.
+    If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
+    """
+    short = number.normalize(_EXACT)
+    if -_exponent(number) <= _MOST_PLACES:
+        return format(number, "f")
+    if -_exponent(short) <= _MOST_PLACES or len(short.as_tuple().digits) <= _MOST_DIGITS:
+        return format(short, "f")
+    for places in range(max(_resolving_places(count), _ROUNDED_DIGITS - 1 - short.adjusted()), -_exponent(short)):
+        rounded = short.quantize(Decimal(1).scaleb(-places), context=_EXACT)
+        if rounded.as_tuple().digits[-1]:
+            return format(rounded, "f")
+    return format(short, "f")
+
+
+def _resolving_places(count: Decimal | Fraction) -> int:
+    """The fewest places, at least one, whose last digit is worth less than a count."""
+    above, below = count.as_integer_ratio()
+    places = 1
+    while abs(above) * 10**places <= below:
+        places += 1
+    return places
+
+
+def _exponent(number: Decimal) -> int:
+    exponent = number.as_tuple().exponent
+    return exponent if isinstance(exponent, int) else 0
+
+
+def in_unit(value: Value, number: int) -> str:
+    """The quantity of a raw value with its unit, as in `20.00 mm`, with the digits that `decimal_text` writes.
+
+    Empty for a value without unit and scale, and for a sentinel, which is no quantity.
+    """
+    if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
+        return ""
+    return f"{decimal_text(value.in_unit(number), value.scale)} {value.unit}".strip()
+
+
+def range_in_unit(value: Value, ranges: Ranges) -> str:
+    """Intervals of raw values as quantities with their unit: `0.00..20.00, 30.00 mm`."""
+
+    def bound(count: int) -> str:
+        return decimal_text(value.in_unit(count), value.scale)
+
+    text = ", ".join(bound(low) if low == high else f"{bound(low)}..{bound(high)}" for low, high in ranges.intervals)
+    return f"{text} {value.unit}".strip()
+
+
+def decode_value(
+    device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
+) -> DecodedValue:
+    """The meaning of the bytes of a value. `data` must have exactly the size of the value. Never raises."""
+    number = number_of(value, data, order, swapped)
+    if reserved:
+        return DecodedValue(number)
+    kind = value.type.kind
+    if kind is Kind.BOOLEAN:
+        return _boolean(device, value, number)
+    if kind is Kind.TEXT:
+        characters = decoded_text(value, order, data)
+        if characters is None:
+            return DecodedValue(data).judged(False, text_form_title(value) or encoding_title(value), "unknown_value")
+        return DecodedValue(characters)
+    if isinstance(number, float):
+        return _float(value, number)
+    if value.digits and isinstance(number, bytes):
+        return DecodedValue(number).judged(False, digits_text(value), "unknown_value")
+    if not isinstance(number, int):
+        return DecodedValue(number)
+    return _whole(device, value, number)
+
+
+def decode_answer(
+    device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
+) -> DecodedValue:
+    """The meaning of the bytes of a value that is read: one that is not its constant has a note. Never raises.
+
+    A constant binds only what is written, so that codecs take such an answer.
+    """
+    read = decode_value(device, value, data, order, swapped, reserved)
+    if read.reason != "wrong_const":
+        return read
+    answer = decode_value(device, value.as_answer(False), data, order, swapped, reserved)
+    return replace(answer, notes=(*answer.notes, f"It {read.verdict.removeprefix('wrong: ')}."))
+
+
+def _float(value: Value, number: float) -> DecodedValue:
+    """The meaning of a floating-point number, which is a quantity in the unit of the value."""
+    sentinel = value.sentinel(number)
+    if sentinel is not None:
+        return DecodedValue(number, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
+    decoded = DecodedValue(number, f"{number!r} {value.unit}" if value.unit else "")
+    if value.ranges is None or number in value.ranges:
+        return decoded
+    return decoded.judged(False, f"{value.ranges.text()} {value.unit}".strip(), "out_of_range")
+
+
+def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
+    if number not in (0, 1):
+        return DecodedValue(number).judged(False, "0 or 1", "unknown_value")
+    decoded = _member_meaning(device, value, int(bool(number))) if value.enum else DecodedValue(number)
+    return replace(decoded, number=bool(number))
+
+
+def _whole(device: Device, value: Value, number: int) -> DecodedValue:
+    """The meaning of a whole number that a value has."""
+    if value.const is not None and number != value.const:
+        return DecodedValue(number).judged(False, value.const, "wrong_const")
+    decoded = DecodedValue(number, verdict="" if value.const is None else "right")
+    sentinel = value.sentinel(number)
+    if sentinel is not None:
+        return replace(decoded, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
+    if value.enum:
+        member_value = _member_meaning(device, value, number)
+        decoded = replace(member_value, text=in_unit(value, number), verdict=member_value.verdict or decoded.verdict)
+    elif value.flags:
+        word = device.flags[value.flags]
+        meanings = tuple(_set_bits(device, word, number))
+        notes = (_remark_on_bit_numbers(word),) if word.bit_0 == "most" and any(own.bits for own in meanings) else ()
+        decoded = replace(decoded, meanings=meanings, notes=notes, facts=(word.place.path,))
+    else:
+        decoded = replace(decoded, text=in_unit(value, number))
+    if not decoded.reason and value.ranges is not None and number not in value.ranges:
+        decoded = decoded.judged(False, range_in_unit(value, value.ranges), "out_of_range")
+    bit = device.flags[value.flags].refused_bit(number) if value.flags and not decoded.reason else None
+    if bit is not None and bit.ranges is not None:
+        text = f"{bit.name} {range_in_unit(bit.as_value, bit.ranges)}"
+        decoded = decoded.judged(False, text, "out_of_range")
+    return decoded
+
+
+def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
+    """The meaning of a number that a member of the value's enum names."""
+    enum = device.enums[value.enum]
+    member = enum.member(number)
+    if member is None:
+        if enum.open:
+            return DecodedValue(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
+        return DecodedValue(number).judged(False, _member_list(enum), "unknown_value")
+    meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
+    decoded = DecodedValue(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
+    if member.unavailable and not enum.open:
+        notes = (*member.notes, f"{member.name} is listed as not available.")
+        return replace(decoded, notes=notes).judged(False, _member_list(enum), "unknown_value")
+    return decoded
+
+
+def _member_list(enum: Enum) -> str:
+    """The values of an enum that a codec accepts: `one of 1, 2, 5`."""
+    return f"one of {', '.join(str(member.value) for member in enum.members if not member.unavailable)}"
+
+
+def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
+    """The bits that are 1, fields of several bits with names, bits that the spec does not list, and states."""
+    number &= (1 << 8 * word.type.size) - 1
+    unknown = number
+    for bit in word.bits:
+        number_of_bits = bit.number_in(number)
+        unknown &= ~bit.mask
+        if number_of_bits or ((bit.enum or bit.is_number) and not bit.reserved):
+            yield _bit(device, bit, number_of_bits)
+    for index in range(unknown.bit_length()):
+        if unknown >> index & 1:
+            yield Meaning("", "", "not listed", str(index))
+    yield from (_state(state) for state in word.states if _shows(word, state, number))
+
+
+def _remark_on_bit_numbers(word: Flags) -> str:
+    """How the manual numbers the bits of a word whose bit 0 is the most significant one."""
+    text = "Bit 0 is the least significant one here. The manual counts from the most significant"
+    return f"{text}: bit {8 * word.type.size - 1} is its bit 0."
+
+
+def _shows(word: Flags, state: State, number: int) -> bool:
+    """Whether the bits of a word show a state."""
+    mask, value = word.masked(state)
+    return number & mask == value
+
+
+def _state(state: State) -> Meaning:
+    return Meaning(state.name, state.label, f"state {state.printed_name}".strip(), "", "state")
+
+
+def _bit(device: Device, bit: Bit, number: int) -> Meaning:
+    bits = str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
+    if bit.enum:
+        member = device.enums[bit.enum].member(number)
+        if member is not None:
+            return Meaning(f"{bit.name}={member.name}", member.label or bit.label, member.doc, bits)
+    if bit.width > 1:
+        text = ": ".join(part for part in (in_unit(bit.as_value, number), bit.doc) if part)
+        return Meaning(f"{bit.name}={number}", bit.label, text, bits)
+    text = bit.one or bit.doc
+    if bit.edge:
+        text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)
+    return Meaning(bit.name, bit.label, text, bits)

@@ -1,0 +1,48 @@
+"""What outputs refuse that read lists only where they come last."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.refusal import Refusal
+from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
+
+
+def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
+    """A refusal of each list with fields behind it; `reader` is what does not read it."""
+    lists = {
+        field.field.place.path: (field.field, problem)
+        for message in layout.messages.values()
+        for body in message.bodies
+        if body.inner_lists is not None
+        for field in body.sent_fields
+        if (problem := _problem(body, field))
+    }
+    return [
+        Refusal(
+            field,
+            Diagnostic(
+                "plc_lists_last" if for_controllers else "output_lists_last",
+                f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
+                field.place["repeat"],
+                help=LEAVE_OUT,
+            ),
+        )
+        for field, problem in lists.values()
+    ]
+
+
+def _problem(body: RecordLayout, field: FieldLayout) -> str:
+    """Why such outputs do not read a field; empty where they do."""
+    if field.count is not None:
+        return ""
+    if field is not body.sent_fields[-1]:
+        return "has fields behind it"
+    record = field.record
+    if (
+        record is None
+        or record.size is not None
+        or any(own.value is not None and own.value.width for own in record.fields)
+    ):
+        return ""  # the text that varies in length is refused itself, and with it what has it
+    return "has elements that differ in size"

@@ -1,0 +1,210 @@
+"""Lists with other fields behind them, which other fields count, and lists of records that differ in size: where
+everything is in some data.
+
+Codecs work on the image of such a record: first all other fields, then the lists. Each list but the last one has room
+there for as many elements as it may have, and each element for as many bytes as it may have, so that everything in the
+image has its place. The last list goes on to the end of the image.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+
+if TYPE_CHECKING:
+    from typing import Any, Literal
+
+
+@dataclass(frozen=True, slots=True)
+class InnerList:
+    """The list `name` begins behind `first` bytes of other fields, not counting lists, and at `room` in the image.
+
+    It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
+    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
+    bytes. `count` is empty where the number is not needed, since the data end with the list and the fields behind it.
+    `tail` is the list at the end of each element, whose count is in the element, or the text there as a list of its
+    bytes; None where all have the same size.
+    """
+
+    name: str
+    first: int
+    room: int
+    element: int
+    least: int
+    most: int
+    count: str = ""
+    count_at: int = 0
+    count_size: int = 0
+    count_order: str = "big"
+    unit: int = 1
+    plus: int = 0
+    tail: InnerList | None = None
+
+    def size_of(self, number: int) -> int | None:
+        """The bytes in the image if the count is a number, None if it may not be that number."""
+        size = (number - self.plus) * self.unit
+        return None if size % self.element or not self.least <= size <= self.most else size
+
+    def count_in(self, image: bytes) -> int:
+        """The number of the field that counts the list, in an image that goes that far."""
+        order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
+        return int.from_bytes(image[self.count_at : self.count_at + self.count_size], order)
+
+
+@dataclass(frozen=True, slots=True)
+class ListExtent:
+    """The bytes of a list in some data, and of each of its elements; `elements` is empty where all have the same."""
+
+    size: int
+    elements: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ListFault:
+    """Why some data have no image: the reason, and the byte at which it shows."""
+
+    reason: str
+    at: int
+
+
+@dataclass(frozen=True, slots=True)
+class InnerLists:
+    """The lists of a record in the order of the wire; all other fields have `fixed` bytes."""
+
+    lists: tuple[InnerList, ...]
+    fixed: int
+
+    @property
+    def last(self) -> InnerList:
+        """The list that comes last, whose size the data decide."""
+        return self.lists[-1]
+
+    def extents_in(self, data: bytes) -> tuple[list[ListExtent], ListFault | None]:
+        """The bytes of each list in some data; up to the first one for which they are not known, and why."""
+        extents: list[ListExtent] = []
+        image = b""
+        before = 0
+        for inner in self.lists:
+            start = inner.first + before
+            left = len(data) - start - (self.fixed - inner.first)
+            if left < 0:
+                return extents, ListFault("incomplete", len(data))
+            image += data[len(image) + before : start]
+            extent = self._extent(inner, image, data[start : start + left], extents)
+            if isinstance(extent, ListFault):
+                return extents, extent
+            extents.append(extent)
+            before += extent.size
+        return extents, None
+
+    def _extent(self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
+        """The bytes of a list in data that begin with it, less the fields behind it."""
+        start = inner.first + sum(extent.size for extent in extents)
+        size = None
+        if inner.count:
+            size = inner.size_of(inner.count_in(image))
+            if size is None:
+                return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
+        if inner.tail is not None:
+            return _elements(inner, inner.tail, data, size, start)
+        if size is not None and size > len(data):
+            return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
+        return ListExtent(len(data) if size is None else size)
+
+    def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
+        """The image of data whose lists have some extents; it has zeros for fields behind a list without one."""
+        lists, fields, before = b"", b"", 0
+        for inner, extent in zip(self.lists, extents, strict=False):
+            start = inner.first + before
+            fields += data[len(fields) + before : start]
+            piece = data[start : start + extent.size]
+            if inner.tail is not None:
+                offset, pieces = 0, []
+                for size in extent.elements:
+                    pieces.append(piece[offset : offset + size].ljust(inner.element, b"\0"))
+                    offset += size
+                piece = b"".join(pieces)
+            lists += piece if inner is self.last else piece.ljust(inner.most, b"\0")
+            before += extent.size
+        stop = None if len(extents) == len(self.lists) else self.lists[len(extents)].first + before
+        return (fields + data[len(fields) + before : stop]).ljust(self.fixed, b"\0") + lists
+
+    def data_of(self, image: bytes) -> bytes:
+        """The bytes that are sent for an image."""
+        data, offset = b"", 0
+        for inner in self.lists:
+            data += image[offset : inner.first] + self._sent_bytes(inner, image)
+            offset = inner.first
+        return data + image[offset : self.fixed]
+
+    def _sent_bytes(self, inner: InnerList, image: bytes) -> bytes:
+        """The bytes that are sent for a list in an image."""
+        piece = image[inner.room :]
+        if inner is not self.last:
+            piece = piece[: inner.size_of(inner.count_in(image))]
+        if inner.tail is None:
+            return piece
+        elements = [piece[offset : offset + inner.element] for offset in range(0, len(piece), inner.element)]
+        return b"".join(element[: element_size(inner.tail, element)] for element in elements)
+
+    def place_in_data(self, extents: Sequence[ListExtent], offset: int) -> int:
+        """The byte in data, whose lists have some extents, for a byte of their image."""
+        before = 0
+        unknown = [ListExtent(0)] * (len(self.lists) - len(extents))
+        for inner, extent in zip(self.lists, [*extents, *unknown], strict=True):
+            if offset >= inner.room and (inner is self.last or offset < inner.room + inner.most):
+                return inner.first + before + _place_in_list(inner, extent, offset - inner.room)
+            if offset < inner.first:
+                return offset + before
+            before += extent.size
+        return offset + before
+
+
+def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
+    if inner.tail is None:
+        return offset
+    index, rest = divmod(offset, inner.element)
+    return sum(extent.elements[:index]) + rest
+
+
+def _elements(inner: InnerList, tail: InnerList, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
+    """The elements of a list whose elements differ in size: as many as have `size` bytes in the image, or all."""
+    sizes: list[int] = []
+    offset = 0
+    while offset < len(data) if size is None else len(sizes) * inner.element < size:
+        if len(sizes) * inner.element == inner.most:
+            return ListFault("wrong_length", start + offset)
+        own = element_size(tail, data[offset:])
+        if own is None:
+            return ListFault("wrong_measure", start + offset + tail.count_at)
+        if offset + own > len(data):
+            return ListFault("incomplete", start + len(data))
+        sizes.append(own)
+        offset += own
+    if len(sizes) * inner.element < inner.least:
+        return ListFault("incomplete", start + offset)
+    return ListExtent(offset, tuple(sizes))
+
+
+def element_size(tail: InnerList, data: bytes) -> int | None:
+    """The bytes of an element that data begin with, which may be more than the data have; None for a wrong count."""
+    if len(data) < tail.room:
+        return tail.room
+    size = tail.size_of(tail.count_in(data))
+    return None if size is None else tail.room + size
+
+
+def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
+    """The lists as programs in JavaScript have them."""
+    return {"fixed": inner.fixed, "lists": [_inner_list_row(row) for row in inner.lists]}
+
+
+def _inner_list_row(row: InnerList) -> dict[str, Any]:
+    names = {"name": row.name} | ({"countName": row.count} if row.count else {})
+    bounds = {"element": row.element, "least": row.least, "most": row.most}
+    count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
+    plus = {"plus": row.plus} if row.plus else {}
+    is_little = {"little": True} if row.count_order == "little" else {}
+    tail = {"tail": _inner_list_row(row.tail)} if row.tail is not None else {}
+    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **tail}

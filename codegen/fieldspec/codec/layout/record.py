@@ -1,0 +1,385 @@
+"""The offsets of the fields of a record, and the byte and word order of each value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import takewhile
+
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.widths import Span
+from fieldspec.foundation import classes
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.language.model.enums import Enum
+from fieldspec.language.model.raw_numbers import orders_of
+from fieldspec.language.model.record import Case, Choice, Field, Record, list_count, text_count
+from fieldspec.language.model.registers import Register
+from fieldspec.language.model.value import Kind, Primitive, Value
+
+if TYPE_CHECKING:
+    from typing import Literal
+
+
+@dataclass(frozen=True, slots=True)
+class CaseLayout:
+    """The type of a field if the deciding field has one of `numbers`; `order` and `swapped` as in `FieldLayout`."""
+
+    case: Case
+    name: str
+    numbers: frozenset[int]
+    value: Value
+    order: str
+    swapped: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FieldLayout:
+    """A field at `offset` bytes from the start of its record.
+
+    `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
+    data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case.
+    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. Of a field with
+    the bytes of a parameter's value, `sizes` are the numbers of bytes that are the value, by the number in another
+    field, of equal ones the one to write first; it is empty where all are. Of the number of bits that a request writes,
+    `bits_of` is the list into whose bytes they are packed; other fields have an empty one.
+    """
+
+    field: Field
+    name: str
+    offset: int
+    size: int
+    count: int | None
+    value: Value | None
+    record: RecordLayout | None
+    order: str
+    swapped: bool
+    cases: tuple[CaseLayout, ...] = ()
+    sizes: Mapping[int, int] = classes.field(default_factory=dict)
+    bits_of: str = ""
+
+    @property
+    def carries_bytes(self) -> bool:
+        """Whether it has the bytes of the value of a parameter."""
+        part = self.value.parameter if self.value is not None else None
+        return part is not None and part.part == "value" and self.primitive.kind is Kind.BYTES and not self.is_list
+
+    @property
+    def primitive(self) -> Primitive:
+        """The type of the value of a field that has one."""
+        assert self.value is not None
+        return self.value.type
+
+    @property
+    def is_list(self) -> bool:
+        """Whether the field is a list of elements."""
+        return self.field.count is not None or self.field.repeat is not None
+
+    @property
+    def end(self) -> int | None:
+        """The offset after the field, None if it goes on to the end of the data."""
+        return None if self.count is None else self.offset + self.size * self.count
+
+
+@dataclass(frozen=True, slots=True)
+class RecordLayout:
+    """Fields that follow each other. `size` is in bytes, None if it varies, between `least` and `most`.
+
+    `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
+    type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
+    `spans` are those of all fields where some vary in width; offsets and sizes of fields are then those in the image.
+    `inner_lists` are the lists where one has fields behind it. In `fields` they come last, and offsets are those in the
+    image too. `rooms` are those lists of an image that have another one behind them.
+    """
+
+    record: Record
+    name: str
+    fields: tuple[FieldLayout, ...]
+    size: int | None
+    least: int
+    most: int | None
+    selector: FieldLayout | None = None
+    chosen: Mapping[int, RecordLayout] = classes.field(default_factory=dict)
+    spans: tuple[Span, ...] = ()
+    inner_lists: InnerLists | None = None
+    rooms: tuple[InnerList, ...] = ()
+
+    @property
+    def image(self) -> RecordLayout:
+        """The layout of the image of the record, which codecs read and write.
+
+        Each field that varies in width has all the bytes that it may have. Lists come last, and all but the last one of
+        them have room for all elements.
+        """
+        if self.spans:
+            size = sum(span.size for span in self.spans)
+            return replace(self, spans=(), size=size, least=size, most=size)
+        if self.inner_lists is None:
+            return self
+        *rooms, last = self.inner_lists.lists
+        minimum, maximum = last.room + last.least, last.room + last.most
+        return replace(self, inner_lists=None, rooms=tuple(rooms), least=minimum, most=maximum)
+
+    @property
+    def sent_fields(self) -> tuple[FieldLayout, ...]:
+        """The fields in the order of the wire."""
+        if self.inner_lists is None:
+            return self.fields
+        by_name = {field.name: field for field in self.fields}
+        return tuple(by_name[field.name] for field in self.record.fields)
+
+    @property
+    def first_bytes(self) -> int:
+        """The bytes before the first value that varies in width, or all where none does."""
+        return sum(span.size for span in takewhile(lambda span: span.value is None, self.spans))
+
+    @property
+    def count_of_text(self) -> tuple[FieldLayout, int] | None:
+        """The field with the bytes of the only value that varies in width, and all others; None for other records.
+
+        The others are less by what that field contains in addition.
+        """
+        varying = [span for span in self.spans if span.value is not None]
+        if len(varying) != 1 or varying[0].count is None:
+            return None
+        other_bytes = sum(span.size for span in self.spans if span.value is None)
+        return self.fields[varying[0].count], other_bytes - varying[0].plus
+
+    def has_place(self, field: FieldLayout) -> bool:
+        """Whether the offset of a field is its place in all data: nothing before it varies, nor is it moved."""
+        if self.inner_lists is not None:
+            return field.offset < self.inner_lists.lists[0].first
+        varying_offset = next(
+            (other.offset for other in self.fields if other.value is not None and other.value.width), None
+        )
+        return varying_offset is None or field.offset <= varying_offset
+
+    @property
+    def has_tails(self) -> bool:
+        """Whether it has a list whose elements differ in size, each of which counts the list at its end."""
+        return self.inner_lists is not None and any(inner.tail is not None for inner in self.inner_lists.lists)
+
+    @property
+    def has_single_list(self) -> bool:
+        """Whether the number of elements of its only list decides its size."""
+        return sum(field.count is None for field in self.fields) == 1 and not self.has_tails
+
+    def room_of(self, field: FieldLayout) -> InnerList | None:
+        """The room of a list in an image that has another list behind it, None for other fields."""
+        return next((room for room in self.rooms if room.name == field.name), None)
+
+    def named(self, name: str) -> FieldLayout | None:
+        """The field with a name, None if there is none."""
+        return next((field for field in self.fields if field.name == name), None)
+
+    def of_data(self, data: bytes) -> RecordLayout | None:
+        """The record for some data: this one, or the one that the selector in it decides, None if it decides none."""
+        if self.selector is None:
+            return self
+        offset = self.selector.offset
+        selector_bytes = data[offset : offset + self.selector.size]
+        order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
+        return (
+            self.chosen.get(int.from_bytes(selector_bytes, order))
+            if len(selector_bytes) == self.selector.size
+            else None
+        )
+
+    def of_number(self, number: object) -> RecordLayout | None:
+        """The record for a value of the selector, None if it decides none."""
+        if self.selector is None:
+            return self
+        return self.chosen.get(number) if isinstance(number, int) else None
+
+
+@dataclass(frozen=True, slots=True)
+class Orders:
+    """The byte order and the word order of values without their own; `word` is empty where nothing has words."""
+
+    byte: str
+    word: str
+
+    def of(self, value: Value | None) -> tuple[str, bool]:
+        """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian."""
+        return orders_of(value, self.byte, self.word)
+
+
+def record_layout(
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
+) -> RecordLayout:
+    """The layout of a record. `records` are the layouts of the records in it."""
+    last = record.fields[-1] if record.fields else None
+    if last is None or last.choice is None:
+        return _fixed(record, records, orders, enums)
+    return _choosing(record, last, last.choice, records, orders, enums)
+
+
+def _choosing(
+    record: Record,
+    last: Field,
+    choice: Choice,
+    records: Mapping[str, RecordLayout],
+    orders: Orders,
+    enums: Mapping[str, Enum],
+) -> RecordLayout:
+    """The layout of a record whose last field has cases."""
+    selector = record.named(choice.by)
+    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
+    assert enum is not None
+    cases = []
+    chosen: dict[int, RecordLayout] = {}
+    for case in choice.cases:
+        numbers = frozenset(member.value for name in case.when if (member := enum.named(name)) is not None)
+        cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
+        decided = replace(last, value=case.value, choice=None)
+        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders, enums)
+        chosen |= dict.fromkeys(sorted(numbers), record_layout)
+    shapes = list(chosen.values())
+    first = shapes[0]
+    sizes = {shape.size for shape in shapes}
+    smallest = min((shape.fields[-1] for shape in shapes), key=lambda field: field.size)
+    field = replace(smallest, field=last, value=None, cases=tuple(cases))
+    bounds = [shape.most for shape in shapes]
+    return RecordLayout(
+        record,
+        record.name,
+        (*first.fields[:-1], field),
+        sizes.pop() if len(sizes) == 1 else None,
+        min(shape.least for shape in shapes),
+        None if None in bounds else max(bound for bound in bounds if bound is not None),
+        first.named(choice.by),
+        chosen,
+    )
+
+
+def _fixed(
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
+) -> RecordLayout:
+    """The layout of a record without cases."""
+    offset = 0
+    fields = []
+    lists = [field for field in record.fields if field.repeat is not None]
+    differing = [field for field in lists if field.record and records[field.record].size is None]
+    is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
+    for field in _lists_last(record, lists) if is_inner else record.fields:
+        nested = records[field.record] if field.record else None
+        size = field.value.size if field.value else (nested.most or 0) if nested else 0
+        count = None if field.repeat else field.count or 1
+        order, swapped = orders.of(field.value)
+        sizes = _sizes(record, field, enums)
+        fields.append(
+            FieldLayout(field, field.name, offset, size, count, field.value, nested, order, swapped, sizes=sizes)
+        )
+        offset += size * (field.repeat.high if field.repeat is not None else count or 1)
+    if any(field.value is not None and field.value.width for field in fields):
+        return _varying(record, tuple(fields))
+    fixed = sum(field.size * field.count for field in fields if field.count is not None)
+    repeated = [(field.field.repeat, field.size) for field in fields if field.field.repeat is not None]
+    if not repeated:
+        return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
+    leasts = [field.size if field.record is None else field.record.least for field in fields if field.count is None]
+    minimum = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
+    maximum = fixed + sum(repeat.high * size for repeat, size in repeated)
+    inner_lists = _inner_lists(record, tuple(fields), fixed) if is_inner else None
+    return RecordLayout(record, record.name, tuple(fields), None, minimum, maximum, inner_lists=inner_lists)
+
+
+def _lists_last(record: Record, lists: list[Field]) -> list[Field]:
+    """The fields of a record as its image has them."""
+    return [*(field for field in record.fields if field.repeat is None), *lists]
+
+
+def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) -> InnerLists:
+    """Where the lists of a record begin, and what counts them."""
+    by_name = {field.name: field for field in fields}
+    first = 0
+    lists: list[InnerList] = []
+    last = fields[-1]
+    for own in record.fields:
+        field = by_name[own.name]
+        if own.repeat is None:
+            first += field.size * (field.count or 0)
+            continue
+        minimum, maximum = own.repeat.low * field.size, own.repeat.high * field.size
+        inner = InnerList(field.name, first, field.offset, field.size, minimum, maximum)
+        count = None if field is last else list_count(record, own)
+        inner = inner if count is None else _with_count(inner, by_name[count.name])
+        if field.record is not None and field.record.size is None:
+            inner = replace(inner, tail=tail_of(field.record))
+        lists.append(inner)
+    return InnerLists(tuple(lists), fixed)
+
+
+def tail_of(record: RecordLayout) -> InnerList:
+    """The list at the end of a record that counts it. A text is a list of its bytes."""
+    field = record.fields[-1]
+    repeat, offset, size = field.field.repeat, field.offset, field.size
+    if repeat is None:
+        assert field.value is not None
+        count, tail = (
+            text_count(record.record, field.field),
+            InnerList(field.name, offset, offset, 1, 0, field.value.width),
+        )
+    else:
+        count = list_count(record.record, field.field)
+        tail = InnerList(field.name, offset, offset, size, repeat.low * size, repeat.high * size)
+    assert count is not None
+    return _with_count(tail, {own.name: own for own in record.fields}[count.name])
+
+
+def _with_count(inner: InnerList, count: FieldLayout) -> InnerList:
+    """A list with the field that counts it."""
+    measures = count.field.measures
+    assert measures is not None
+    inner = replace(inner, count=count.name, count_at=count.offset, count_size=count.size, count_order=count.order)
+    return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
+
+
+def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:
+    """The numbers of bytes that are the value of a parameter, by the numbers of the field that says so."""
+    part = field.value.parameter if field.value is not None else None
+    selector = record.named(part.sizes.by) if part is not None and part.sizes is not None else None
+    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
+    if part is None or part.sizes is None or enum is None:
+        return {}
+    members = ((enum.named(name), case.bytes) for case in part.sizes.cases for name in case.when)
+    return {member.value: size for member, size in members if member is not None}
+
+
+def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
+    """The layout of a record of which some fields vary in width."""
+    spans = []
+    for field, following in zip(fields, (*fields[1:], None), strict=True):
+        varies = field.value is not None and field.value.width > 0
+        count = text_count(record, field.field)
+        if count is not None and count.measures is not None:
+            number = record.fields.index(count)
+            order, plus = fields[number].order, count.measures.plus
+            spans.append(Span(field.name, field.size, field.value, None, number, order, plus))
+            continue
+        end = following.value.const if following is not None and following.value is not None else None
+        size = field.size * (field.count or 0)
+        spans.append(Span(field.name, size, field.value if varies else None, end if varies else None))
+    minimum = sum(span.size if span.value is None else span.value.least_width for span in spans)
+    maximum = sum(span.size if span.value is None else span.value.width for span in spans)
+    return RecordLayout(record, record.name, fields, None, minimum, maximum, spans=tuple(spans))
+
+
+@dataclass(frozen=True, slots=True)
+class RegisterLayout:
+    """A register with its addresses, of which one element has `words`: words of 16 bits, or bytes in their spaces.
+
+    `order` and `swapped` are as in `FieldLayout`.
+    """
+
+    register: Register
+    name: str
+    address: int
+    words: int
+    count: int
+    stride: int
+    order: str
+    swapped: bool
+
+    @property
+    def size(self) -> int:
+        """The bytes at the addresses of one element; a value of odd size is filled up to whole words."""
+        return self.register.unit_size * self.words

@@ -1,0 +1,66 @@
+"""Quantities and special values as the reference codec has them: exact fractions, and the names of states."""
+
+from __future__ import annotations
+
+import math
+import struct
+from fractions import Fraction
+
+from fieldspec.language.model.value import Kind, Value
+
+
+class NoQuantityError(ValueError):
+    """A quantity that no count is, or that would be sent as a special value; `state` has the name of that one."""
+
+    def __init__(self, text: str, state: str = "") -> None:
+        super().__init__(text)
+        self.state = state
+
+
+def scale_of(value: Value, power: int | None = None) -> Fraction:
+    """How much a count is, as the spec writes it; `power` is the exponent of a scale that is read from the device."""
+    if power is not None:
+        return Fraction(10) ** power
+    if not value.scale_text:
+        return Fraction(1)
+    above, _, below = value.scale_text.partition("/")
+    base, _, exponent = (below or "1").partition("^")
+    return Fraction(above) / Fraction(base) ** int(exponent or "1")
+
+
+def special_name(value: Value, raw: float) -> str:
+    """The name of the state that a number stands for; empty for a quantity."""
+    for sentinel in value.sentinels:
+        is_state = math.isnan(raw) if sentinel.is_nan else not math.isnan(raw) and Fraction(sentinel.value) == raw
+        if is_state:
+            return sentinel.name
+    return ""
+
+
+def special_number(value: Value, name: str) -> int | float:
+    """The number that is sent for a state."""
+    sentinel = next(sentinel for sentinel in value.sentinels if sentinel.name == name)
+    if value.type.kind is not Kind.FLOAT:
+        return sentinel.value
+    if not sentinel.is_nan:
+        return float(sentinel.value)
+    (number,) = struct.unpack("<f" if value.size == 4 else "<d", sentinel.value.to_bytes(value.size, "little"))
+    return float(number)
+
+
+def quantity(value: Value, raw: float, power: int | None = None) -> Fraction | None:
+    """The number in the unit; None for a special value, and for what is no finite number."""
+    if special_name(value, raw) or not math.isfinite(raw):
+        return None
+    return Fraction(raw) * scale_of(value, power) + Fraction(value.offset)
+
+
+def count_of_quantity(value: Value, number: Fraction, power: int | None = None) -> int:
+    """The count of a quantity. Raises NoQuantityError where it is none, or that of a special value."""
+    count = (number - Fraction(value.offset)) / scale_of(value, power)
+    if count.denominator != 1:
+        raise NoQuantityError(f"{number} is no whole number of counts")
+    state = special_name(value, count.numerator)
+    if state:
+        raise NoQuantityError(f"{number} is the count {count.numerator}, which stands for {state}", state)
+    return count.numerator

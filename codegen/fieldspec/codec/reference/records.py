@@ -1,0 +1,367 @@
+"""Records as construct Structs, and the exception of the reference codec."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping
+from typing import Any
+
+from fieldspec.codec.layout.bits import packed_size
+from fieldspec.codec.layout.inner_lists import InnerLists
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.value_texts import spec_text
+from fieldspec.codec.layout.widths import WidthError, data_of, image_of, narrowed, place_in_data
+from fieldspec.codec.reference.bits import number_of_bits
+from fieldspec.codec.reference.quantities import special_name
+from fieldspec.codec.reference.structs import UNFIT, record_struct, value_construct
+from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes, text_refusal
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.enums import Flags
+from fieldspec.language.model.text_form import encoding_title, text_form_title
+from fieldspec.language.model.value import Kind, Value
+
+
+class CodecError(ValueError):
+    """Bytes or values that a codec refuses.
+
+    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
+    unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, missing_value, unknown_field.
+    `offset` is the byte at which it shows, None for values.
+    """
+
+    def __init__(self, reason: str, detail: str, offset: int | None = None) -> None:
+        place = "" if offset is None else f" at byte {offset}"
+        super().__init__(f"{reason}{place}: {detail}")
+        self.reason, self.detail, self.offset = reason, detail, offset
+
+
+Values = dict[str, Any]
+
+
+def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) -> Values:
+    """The values of a record's bytes, which must be exactly that long.
+
+    Raises CodecError; `offset` is where the data start in the frame.
+    """
+    if record.selector is not None:
+        _check_length(record, len(data), offset)
+        selector = record.selector
+        chosen = record.of_data(data)
+        if chosen is None:
+            raise CodecError(
+                "unknown_value", f"{selector.name} chooses nothing that may follow", offset + selector.offset
+            )
+        record = chosen
+    if record.spans:
+        return _decoded_image(record, data, device, offset)
+    if record.inner_lists is not None:
+        return _decoded_inner_lists(record, record.inner_lists, data, device, offset)
+    _check_length(record, len(data), offset)
+    parsed = record_struct(record).parse(data)
+    values: Values = {}
+    for field in record.fields:
+        values[field.name] = _decoded_field(field, parsed[field.name], device, offset)
+    _check_measures(record, values, offset)
+    return values
+
+
+def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: int) -> Values:
+    """The values of a record whose fields vary in width. Raises CodecError with the place in the data."""
+    try:
+        image, fields = image_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, _width_text(record, error), offset + error.at) from None
+    try:
+        values = decoded(record.image, image, device)
+        for span, extent in zip(record.spans, fields, strict=True):
+            if span.count is not None:
+                values[record.spans[span.count].name] = extent.stop - extent.start + span.plus
+        return values
+    except CodecError as error:
+        place = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
+        raise CodecError(error.reason, error.detail, place) from None
+
+
+def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, device: Device, offset: int) -> Values:
+    """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
+    extents, fault = inner.extents_in(data)
+    if fault is not None:
+        raise CodecError(
+            fault.reason, f"{inner.lists[len(extents)].name} has another number of bytes", offset + fault.at
+        )
+    try:
+        values = decoded(record.image, inner.image_of(data, extents), device)
+        return {field.name: values[field.name] for field in record.sent_fields}
+    except CodecError as error:
+        place = None if error.offset is None else offset + inner.place_in_data(extents, error.offset)
+        raise CodecError(error.reason, error.detail, place) from None
+
+
+def _width_text(record: RecordLayout, error: WidthError) -> str:
+    count = next((span.count for span in record.spans if span.name == error.name), None)
+    if error.reason == "incomplete" and count is not None:
+        return f"{record.spans[count].name} says more bytes of {error.name} than there are"
+    texts = {
+        "incomplete": "has no end",
+        "wrong_length": "is followed by more bytes",
+        "wrong_measure": "is no number of bytes",
+    }
+    return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
+
+
+def _check_length(record: RecordLayout, length: int, offset: int) -> None:
+    if length < record.least:
+        text = f"{record.name} has at least {record.least} bytes, not {length}"
+        raise CodecError("incomplete", text, offset + length)
+    if record.most is not None and length > record.most:
+        raise CodecError(
+            "wrong_length", f"{record.name} has at most {record.most} bytes, not {length}", offset + record.most
+        )
+    last = record.fields[-1] if record.fields else None
+    if last is not None and last.count is None and not last.cases and (length - last.offset) % last.size:
+        raise CodecError(
+            "wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length
+        )
+
+
+def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
+    start = offset + field.offset
+    if field.is_list:
+        return [_decode_element(field, item, device, start + n * field.size) for n, item in enumerate(raw)]
+    return _decode_element(field, raw, device, start)
+
+
+def _decode_element(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
+    if field.record is not None:
+        last = field.record.fields[-1] if field.record.spans else None
+        if last is not None and raw[last.name] is UNFIT:  # the image of a record comes before its fields
+            raise CodecError("unknown_value", f"{last.name} has a zero", offset + last.offset)
+        return {f.name: _decoded_field(f, raw[f.name], device, offset) for f in field.record.fields}
+    if field.field.reserved:
+        return raw
+    return decoded_value(field.name, field.value, raw, device, offset)
+
+
+def decoded_value(name: str, value: Value | None, raw: Any, device: Device, offset: int | None) -> Any:
+    """One raw value: booleans as such, text as a str; closed enums and constants are enforced. Raises CodecError."""
+    assert value is not None
+    kind = value.type.kind
+    if kind is Kind.BOOLEAN:
+        if raw not in (0, 1):
+            raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", offset)
+        return bool(raw)
+    if kind is Kind.TEXT:
+        return _decoded_text(name, value, raw, offset)
+    if kind is Kind.BYTES:
+        return bytes(raw)
+    if raw is None:
+        raise CodecError("unknown_value", f"{name} is not {digits_text(value)}", offset)
+    if value.const is not None and raw != value.const:
+        raise CodecError("wrong_const", f"{name} is {raw}, not {value.const}", offset)
+    if value.enum and not _is_known(device, value, raw):
+        raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", offset)
+    return raw
+
+
+def _decoded_text(name: str, value: Value, raw: str | bytes | None, offset: int | None) -> str:
+    """The characters of a text, which the construct has read where it has a form of its own."""
+    text = text_of_bytes(value, "big", raw) if isinstance(raw, bytes) else raw
+    if text is None:
+        raise CodecError(
+            "unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", offset
+        )
+    return text
+
+
+def _is_known(device: Device, value: Value, raw: int) -> bool:
+    enum = device.enums[value.enum]
+    if enum.open or special_name(value, raw):
+        return True
+    member = enum.member(raw)
+    return member is not None and not member.unavailable
+
+
+def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
+    for field in record.fields:
+        measured = _measured(record, field, values)
+        if measured is not None and values[field.name] != measured:
+            text = f"{field.name} is {values[field.name]}, but there are {measured}"
+            raise CodecError("wrong_measure", text, offset + field.offset)
+        if field.bits_of:
+            _check_bit_count(field, values, offset + field.offset)
+
+
+def _check_bit_count(field: FieldLayout, values: Mapping[str, Any], offset: int | None) -> None:
+    """Refuses a number of bits that takes more or less bytes than there are."""
+    number, size = values[field.name], len(values[field.bits_of])
+    if packed_size(number) != size:
+        text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
+        raise CodecError("wrong_measure", text, offset)
+
+
+def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
+    """The number that a field must have which measures another one."""
+    measure = field.field.measures
+    if measure is None:
+        return None
+    other = record.named(measure.field)
+    assert other is not None
+    value = values[measure.field]
+    items = len(value) if other.is_list else 1
+    return measure.number(items, other.size)
+
+
+def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> bytes:
+    """The bytes of a record. Raises CodecError for values that are missing, unknown or out of range."""
+    unknown = sorted(set(values) - {field.name for field in record.fields})
+    if unknown:
+        raise CodecError("unknown_field", f"{record.name} has no field {unknown[0]}")
+    if record.selector is not None:
+        selector = record.selector
+        chosen = record.of_number(_encoded_field(selector, values, device))
+        if chosen is None:
+            raise CodecError(
+                "unknown_value", f"{selector.name} is {values[selector.name]}, which chooses nothing that may follow"
+            )
+        record = chosen
+    raw = _encoded_fields(record, values, device)
+    data: bytes = record_struct(record.image).build(raw)
+    if record.inner_lists is not None:
+        return record.inner_lists.data_of(data)
+    if not record.spans:
+        return data
+    try:
+        return data_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
+
+
+def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Device) -> Values:
+    """The raw values of all fields of a record, also of those that measure others."""
+    raw: Values = {}
+    for field in record.fields:
+        if field.field.measures is None:
+            raw[field.name] = _encoded_field(field, values, device)
+    for field in record.fields:
+        measured = _measured(record, field, raw)
+        if measured is not None:
+            raw[field.name] = _in_range(field.name, field.value, measured)
+        if field.bits_of:
+            _check_bit_count(field, raw, None)
+    return raw
+
+
+def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:
+    value = values.get(field.name)
+    if value is None:
+        value = _implied(field)
+    if not field.is_list:
+        return _encode_element(field, value, device)
+    if not isinstance(value, list | tuple):
+        raise CodecError("wrong_type", f"{field.name} is a list")
+    repeat = field.field.repeat
+    if repeat is not None and len(value) not in repeat:
+        raise CodecError("wrong_length", f"{field.name} has {repeat.text()} elements, not {len(value)}")
+    if repeat is None and len(value) != field.count:
+        raise CodecError("wrong_length", f"{field.name} has {field.count} elements, not {len(value)}")
+    return [_encode_element(field, item, device) for item in value]
+
+
+def _implied(field: FieldLayout) -> Any:
+    """The value of a field that users do not set: its constant, or of a reserved field its default or zeros."""
+    value = field.value
+    implied: Any = None
+    if value is not None and value.const is not None:
+        implied = value.const
+    elif field.field.reserved and value is not None:
+        zero: Any = bytes(value.size) if value.type.letter == "s" else 0
+        implied = value.default if isinstance(value.default, int) else zero
+    if implied is None:
+        raise CodecError("missing_value", f"{field.name} is not given")
+    return [implied] * (field.count or 0) if field.is_list else implied
+
+
+def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
+    if field.record is not None:
+        unknown = sorted(set(value) - {inner.name for inner in field.record.fields})
+        if unknown:
+            raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
+        return _with_bytes_of_text(field.record, _encoded_fields(field.record, value, device))
+    return encoded_value(field.name, field.value, value, device)
+
+
+def _with_bytes_of_text(record: RecordLayout, raw: Values) -> Values:
+    """The raw values of a record within another one; one that ends with a text counts the bytes that are sent of it."""
+    if not record.spans:
+        return raw
+    span, text = record.spans[-1], record.fields[-1]
+    assert span.value is not None
+    assert span.count is not None
+    image = value_construct(span.value, text.order, text.swapped).build(raw[span.name])
+    return {**raw, record.spans[span.count].name: len(narrowed(span.value, image)) + span.plus}
+
+
+def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:
+    """One value as raw number or bytes, refused where it is out of range. Raises CodecError."""
+    assert value is not None
+    kind = value.type.kind
+    if kind is Kind.TEXT and isinstance(raw_value, str):
+        fault = text_refusal(value, "big", raw_value)
+        if fault is not None:
+            raise CodecError(fault[0], f"{name} {fault[1]}")
+        return raw_value if value.text_form is not None else bytes_of_text(value, "big", raw_value)
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = _bytes(name, raw_value)
+        if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
+            raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
+        return data.ljust(value.size, b"\0")
+    if kind is Kind.FLOAT and isinstance(raw_value, int | float):
+        return _float(name, value, raw_value)
+    if kind is Kind.FLOAT:
+        raise CodecError("wrong_type", f"{name} is a number, not {spec_text(raw_value)}")
+    if not isinstance(raw_value, int):
+        raise CodecError("wrong_type", f"{name} is a whole number, not {spec_text(raw_value)}")
+    if value.const is not None and raw_value != value.const:
+        raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
+    if value.enum and not _is_known(device, value, int(raw_value)):
+        raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
+    number = _in_range(name, value, int(raw_value))
+    if value.flags:
+        _check_bits(name, device.flags[value.flags], value, number)
+    return number
+
+
+def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
+    """Refuses a word with a field of bits that is out of its range, unless the word stands for a state."""
+    for bit in word.bits:
+        own = number_of_bits(word, bit, number)
+        if bit.ranges is not None and own not in bit.ranges and not special_name(value, number):
+            raise CodecError("out_of_range", f"{bit.name} of {name} is {own}, not in {bit.ranges.text()}")
+
+
+def _bytes(name: str, data: Any) -> bytes:
+    if not isinstance(data, bytes | bytearray):
+        raise CodecError("wrong_type", f"{name} is a text or bytes, not {spec_text(data)}")
+    return bytes(data)
+
+
+def _float(name: str, value: Value, number: float) -> float:
+    """A number that its bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
+    try:
+        struct.pack(f">{value.type.letter}", number)
+    except OverflowError:
+        raise CodecError("out_of_range", f"{name} is {number}, which {8 * value.size} bits do not hold") from None
+    if value.ranges is not None and number not in value.ranges and not special_name(value, number):
+        raise CodecError("out_of_range", f"{name} is {number}, not in {value.ranges.text()}")
+    return number
+
+
+def _in_range(name: str, value: Value | None, number: int) -> int:
+    assert value is not None
+    fits = value.low <= number <= value.high
+    ranges = value.writable_ranges
+    if not fits or (ranges is not None and number not in ranges and not special_name(value, number)):
+        allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"
+        raise CodecError("out_of_range", f"{name} is {number}, not in {allowed}")
+    return number

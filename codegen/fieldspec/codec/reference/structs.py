@@ -1,0 +1,144 @@
+"""Records and values as the classes of construct that read and write them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import construct
+
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.widths import narrowed, widened
+from fieldspec.codec.reference.digits import digits_of_number, number_of_digits
+from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes
+from fieldspec.language.model.value import Kind, Value
+
+
+def record_struct(record: RecordLayout) -> construct.Struct:
+    """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
+    return construct.Struct(*(field.name / _construct(record, field) for field in record.sent_fields))
+
+
+def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    """A list with something behind it: as many elements as another field says, in its room in an image."""
+    measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
+    name = next(other.name for other in record.fields if other.field.measures is measure)
+    unit = field.size if measure.of == "bytes" else 1
+    elements = construct.Array(lambda context: (context[name] - measure.plus) // unit, _element(record, field))
+    room = record.room_of(field)
+    return elements if room is None else construct.Padded(room.most, elements)
+
+
+def _text_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    """A text at the end of a record: as many bytes as another field says."""
+    span = record.spans[-1]
+    assert span.count is not None
+    name = record.spans[span.count].name
+    return _VaryingText(construct.Bytes(lambda context: context[name] - span.plus), field)
+
+
+def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    element = _element(record, field)
+    if record.room_of(field) is not None:
+        return _list_of_count(record, field)
+    if field.field.repeat is not None:
+        is_last = field.field is record.record.fields[-1] or record.inner_lists is None
+        return construct.GreedyRange(element) if is_last else _list_of_count(record, field)
+    return element[field.count] if field.is_list else element
+
+
+def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
+    """One element of a field; in an image it has all the bytes that it may have."""
+    if field.record is not None and field.record.size is None:
+        *before, last = field.record.fields
+        fields = [own.name / _construct(field.record, own) for own in before]
+        tail = _text_of_count if field.record.spans else _list_of_count
+        whole = construct.Struct(*fields, last.name / tail(field.record, last))
+        return whole if record.inner_lists is not None else construct.Padded(field.size, whole)
+    if field.record:
+        return record_struct(field.record)
+    if not field.cases:
+        return value_construct(field.value, field.order, field.swapped)
+    selector_name = field.field.choice.by if field.field.choice else ""
+    cases = {
+        number: value_construct(case.value, case.order, case.swapped) for case in field.cases for number in case.numbers
+    }
+    return construct.Switch(construct.this[selector_name], cases, default=construct.Error)
+
+
+def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
+    """The construct that parses and builds one value."""
+    assert value is not None
+    kind, size = value.type.kind, value.size
+    if value.text_form is not None:
+        return _Text(value, order)
+    if kind in (Kind.TEXT, Kind.BYTES):
+        return construct.Bytes(size)
+    if value.digits:
+        return _Digits(value, order, swapped)
+    suffix = "b" if (order == "big") != swapped else "l"
+    if kind is Kind.FLOAT:
+        number = getattr(construct, f"Float{8 * size}{suffix}")
+    elif value.type.is_odd:
+        number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
+    else:
+        number = getattr(construct, f"Int{8 * size}{'s' if value.type.signed else 'u'}{suffix}")
+    if swapped:
+        # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
+        return construct.Transformed(number, _words_turned, size, _words_turned, size)
+    return number
+
+
+class _Digits(construct.Adapter):  # type: ignore[misc]
+    """A number that is sent as digits; bytes that are none are parsed as None."""
+
+    def __init__(self, value: Value, order: str, swapped: bool) -> None:
+        super().__init__(construct.Bytes(value.size))
+        self.value, self.swapped, self.is_reversed = value, swapped, (order == "big") == swapped
+
+    def _decode(self, data: bytes, context: Any, path: str) -> int | None:
+        return number_of_digits(self.value, self._turned(data))
+
+    def _encode(self, number: int, context: Any, path: str) -> bytes:
+        return self._turned(digits_of_number(self.value, number))
+
+    def _turned(self, data: bytes) -> bytes:
+        data = data[::-1] if self.is_reversed else data
+        return _words_turned(data) if self.swapped else data
+
+
+class _Text(construct.Adapter):  # type: ignore[misc]
+    """A text in a form of its own; bytes that are none are parsed as None, and bytes are built as they are."""
+
+    def __init__(self, value: Value, order: str) -> None:
+        super().__init__(construct.Bytes(value.size))
+        self.value, self.order = value, order
+
+    def _decode(self, data: bytes, context: Any, path: str) -> str | None:
+        return text_of_bytes(self.value, self.order, data)
+
+    def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
+        return bytes_of_text(self.value, self.order, text) if isinstance(text, str) else text
+
+
+UNFIT = object()
+"""What is parsed of bytes that are no text which varies in width, whatever its encoding."""
+
+
+class _VaryingText(construct.Adapter):  # type: ignore[misc]
+    """A text of as many bytes as it needs; a zero among them is parsed as `UNFIT`."""
+
+    def __init__(self, pieces: construct.Construct, field: FieldLayout) -> None:
+        super().__init__(pieces)
+        assert field.value is not None
+        self.value, self.whole = field.value, value_construct(field.value, field.order, field.swapped)
+
+    def _decode(self, data: bytes, context: Any, path: str) -> Any:
+        image = widened(self.value, data)
+        return UNFIT if image is None else self.whole.parse(image)
+
+    def _encode(self, raw: str | bytes, context: Any, path: str) -> bytes:
+        return narrowed(self.value, self.whole.build(raw))
+
+
+def _words_turned(data: bytes) -> bytes:
+    return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))

@@ -1,0 +1,1 @@
+"""What `audit` reads beside the spec: manuals, reviews, captures and evidence."""

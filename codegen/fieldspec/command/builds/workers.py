@@ -1,0 +1,231 @@
+"""Checks devices and builds their outputs, on all processors where that pays off.
+
+Processes are forked after the specs are read; they send back findings and hashes, and write files themselves.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from fieldspec.command import pipeline
+from fieldspec.command.builds.freshness import Hashes, digest, file_digest
+from fieldspec.command.console.usage import UsageError
+from fieldspec.command.files.placement import Staging
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field, replace
+from fieldspec.language.diagnostics import Diagnostic, has_errors
+from fieldspec.language.reading.project import DeviceSpec, Project
+from fieldspec.targets import OUTPUTS
+from fieldspec.tools.proofs.running import Outcome, outcome
+
+if TYPE_CHECKING:
+    from fieldspec.tools.audit.manual_lines import ManualIndex
+
+DOCUMENTATION = "docs"
+"""The output that contains audits, where all versions of a device are built."""
+
+WORTH_IT = 200_000
+"""The least bytes of specs for which starting processes pays off."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A device, the versions to build (none: all), whether to check it first, and the outputs to build.
+
+    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. `manual` is
+    the index of its manual, for the audit in its documentation.
+    """
+
+    device: str
+    versions: frozenset[str]
+    check: bool
+    outputs: tuple[str, ...]
+    judged: tuple[str, ...] = ()
+    manual: ManualIndex | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class TaskResult:
+    """The findings of a device, the identities of its versions, and its files; only findings after errors.
+
+    `hashes` has all files by output; `stale` has the paths of those that differ from the files in place. `refusals` has
+    what each output cannot express.
+    """
+
+    device: str
+    findings: list[Diagnostic]
+    identities: Hashes
+    hashes: dict[str, Hashes]
+    stale: list[str]
+    refusals: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What all tasks share: the project, the folder of outputs, and the staging folder, None to write nothing.
+
+    `known` has the outcomes of checks that have run already.
+    """
+
+    project: Project
+    out: Path
+    beside: Staging | None
+    known: Mapping[str, Outcome] = field(default_factory=dict)
+
+
+def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
+    """The results of tasks in any order. `size` is that of the specs, in bytes.
+
+    Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
+    first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
+    """
+    return [
+        replace(done, findings=[*done.findings, *pipeline.merged_refusals(done.device, done.refusals)])
+        for done in _separate_results(work, tasks, size)
+    ]
+
+
+def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
+    """The results of tasks, whose findings lack those of the outputs."""
+    devices = work.project.devices
+    tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
+    processes = _processors()
+    if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
+        return [task_result(work, task) for task in tasks]
+    if len(tasks) >= processes:
+        return _in_processes(work, tasks, processes)
+    known = {task.device: outcome(devices[task.device]) for task in tasks if task.check}
+    checked = [TaskResult(task.device, known[task.device].findings if task.check else [], {}, {}, []) for task in tasks]
+    if any(has_errors(done.findings) for done in checked):
+        return checked
+    single = [
+        replace(task, check=False, outputs=tuple(name for name in names if name in task.outputs), judged=names)
+        for task in tasks
+        for names in _families(task.judged)
+    ]
+    parts = _in_processes(replace(work, known=known), single, processes) if single else []
+    return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
+
+
+def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[TaskResult]:
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
+    from multiprocessing import get_context
+
+    ends = [*os.pipe()]
+    try:
+        number = min(processes, len(tasks))
+        try:
+            pool = ProcessPoolExecutor(number, get_context("fork"), _start, (work, ends[0], ends[1]))
+        except OSError:  # the system has no semaphores
+            return [task_result(work, task) for task in tasks]
+        with pool:
+            try:
+                return list(pool.map(_result_at_hand, tasks))
+            except KeyboardInterrupt:
+                os.close(ends.pop())  # ends the other processes at once
+                raise
+    except BrokenProcessPool:
+        raise UsageError("a process of the build was killed, perhaps for want of memory; nothing was changed") from None
+    finally:
+        for end in ends:
+            os.close(end)
+
+
+def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
+    """The outputs that one process builds, the slowest first."""
+    families: dict[str, list[str]] = {}
+    for name in sorted(names, key=lambda name: name != DOCUMENTATION):
+        families.setdefault(OUTPUTS[name].family or name, []).append(name)
+    return [*map(tuple, families.values())]
+
+
+def _size(spec: DeviceSpec) -> int:
+    """An estimate of the work that a device needs."""
+    return len(spec.files) * len(spec.versions())
+
+
+def _joined(done: TaskResult, parts: list[TaskResult]) -> TaskResult:
+    findings, identities, hashes, stale = [*done.findings], dict(done.identities), dict(done.hashes), [*done.stale]
+    refusals = {name: refused for part in parts for name, refused in part.refusals.items()}
+    for part in parts:
+        findings += part.findings
+        identities |= part.identities
+        hashes |= part.hashes
+        stale += part.stale
+    return TaskResult(done.device, findings, identities, hashes, stale, refusals)
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def task_result(work: Work, task: Task) -> TaskResult:
+    """The result of a task."""
+    spec = work.project.devices[task.device]
+    ran = outcome(spec) if task.check else work.known.get(task.device)
+    findings = [*ran.findings] if ran is not None and task.check else []
+    if has_errors(findings) or not task.judged:
+        return TaskResult(task.device, findings, {}, {}, [])
+    layouts = pipeline.layouts(spec, ran)
+    if task.versions:
+        layouts = [layout for layout in layouts if layout.device.version in task.versions]
+    refusals = {name: OUTPUTS[name].refusals(layouts) for name in task.judged}
+    if any(map(has_errors, refusals.values())) or not task.outputs:
+        return TaskResult(task.device, findings, {}, {}, [], refusals)
+    identities = {
+        f"{spec.id}@{version}": layout.identity
+        for layout in layouts
+        for version in (layout.device.version, *layout.equal_versions)
+    }
+    hashes: dict[str, Hashes] = {}
+    stale: list[str] = []
+    for name in task.outputs:
+        if name == DOCUMENTATION and not task.versions:
+            from fieldspec.command.rendering.audit_pages import LINK, pages
+            from fieldspec.targets.docs.backend import fact_links
+
+            files = pipeline.output(name, layouts, (LINK,))
+            files |= pages(spec, layouts, task.manual, fact_links(layouts[-1], files), ran)
+        else:
+            files = pipeline.output(name, layouts)
+        hashes[name] = stage_changes(work, files, stale)
+    return TaskResult(task.device, findings, identities, hashes, stale, refusals)
+
+
+def stage_changes(work: Work, files: Mapping[str, bytes], stale: list[str]) -> Hashes:
+    """The hashes of some files. Those that differ from the files in place are staged and added to `stale`."""
+    hashes = {path: digest(content) for path, content in files.items()}
+    for path, content in files.items():
+        if file_digest(work.out, path) != hashes[path]:
+            stale.append(path)
+            if work.beside is not None:
+                work.beside.write(path, content)
+    return hashes
+
+
+_work_at_hand: Work
+
+
+def _start(work: Work, reading: int, writing: int) -> None:
+    """Initializes a process that ends with its parent: only the parent has the writing end of the pipe."""
+    import signal
+    from threading import Thread
+
+    global _work_at_hand
+    _work_at_hand = work
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent gets it too
+    os.close(writing)
+    Thread(target=_end_with_parent, args=(reading,), daemon=True).start()
+
+
+def _end_with_parent(reading: int) -> None:
+    """Waits until the writing end of a pipe is closed, then ends the process."""
+    os.read(reading, 1)
+    os._exit(1)
+
+
+def _result_at_hand(task: Task) -> TaskResult:
+    return task_result(_work_at_hand, task)

@@ -1,0 +1,1 @@
+"""What verbs ask and print: options, wrong use, streams and the terminal."""

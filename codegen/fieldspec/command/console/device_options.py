@@ -1,0 +1,121 @@
+"""The arguments of the verbs that serve a device or talk to one."""
+
+from __future__ import annotations
+
+import argparse
+
+from fieldspec.command.console.option_types import natural, positive, seconds, whole
+
+
+def add_simulate(simulate: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `simulate`."""
+    simulate.add_argument("device", metavar="DEVICE[@VERSION]")
+    port_help = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; may be repeated"
+    port_help += " (default: as the link allows)"
+    simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=port_help)
+    browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
+    simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
+    simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
+    simulate.add_argument(
+        "--baud", type=natural, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
+    )
+    simulate.add_argument("--parity", choices=("none", "even", "odd"), help="the parity of a serial port")
+    simulate.add_argument(
+        "--message", metavar="NAME", help="the cyclic message in use, by name or number (default: the first)"
+    )
+    simulate.add_argument("--rate", type=positive, default=1.0, metavar="FACTOR", help="how much faster time passes")
+    simulate.add_argument("--dump", metavar="FILE", help="begin with the values of a dump: CSV, XLSX or JSON")
+    simulate.add_argument("--record", metavar="FILE", help="write the traffic, as lines that `fieldspec decode` reads")
+    chance = "a fault by chance, such as no_answer=0.01; may be repeated"
+    simulate.add_argument("--fault", metavar="KIND=PROBABILITY", action="append", help=chance)
+    simulate.add_argument("--faults", metavar="FILE", help="a script of faults: a JSON object in each line")
+    simulate.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="the seed of what happens by chance")
+    simulate.add_argument(
+        "--control", action="store_true", help="take commands from standard input, a JSON object in each line"
+    )
+    simulate.add_argument("--view", action="store_true", help="show registers, motion and traffic in the terminal")
+    simulate.add_argument(
+        "--assumptions", action="store_true", help="list what the simulator assumes, and serve nothing"
+    )
+
+
+def add_live(live: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `live`."""
+    live.add_argument("device", metavar="DEVICE[@VERSION]")
+    live.add_argument(
+        "verb_of_device",
+        metavar="VERB",
+        choices=("read", "write", "watch", "dump", "scan", "points", "backup", "restore", "compare"),
+        help="one of %(choices)s",
+    )
+    names = (
+        "names or roles to read or watch, NAME=VALUE to write, ranges to scan, "
+        "`download FILE` or `upload FILE` for points, the FILE of the other verbs"
+    )
+    live.add_argument("arguments", nargs="*", default=[], metavar="ARGUMENT", help=names)
+    _add_connection(live)
+    live.add_argument("--every", type=seconds, metavar="SECONDS", help="watch: the time between reads (default: 0.5)")
+    live.add_argument("--count", type=natural, metavar="NUMBER", help="watch: end after so many reads")
+    preview = "write, points upload, restore: show what would be written, and write nothing"
+    live.add_argument("--dry-run", action="store_true", help=preview)
+    live.add_argument("--yes", action="store_true", help="write, points upload, restore: write without a question")
+    choice = "points, compare: the table (default: the only one, or as the file says)"
+    live.add_argument("--table", metavar="NAME", help=choice)
+    live.add_argument(
+        "--any-version",
+        action="store_true",
+        help="write, points upload, restore, compare: take a file that is for another version, and write to another "
+        "firmware",
+    )
+    live.add_argument("--trace", action="store_true", help="print all frames to standard error")
+    forms = "json: what read, watch, scan and compare print"
+    live.add_argument("--format", choices=("text", "json"), default="text", help=forms)
+
+
+def add_scan(scan: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `scan`."""
+    scan.add_argument("device", metavar="DEVICE[@VERSION]")
+    ranges = "addresses such as 0x1000..0x10FF, or SPACE:0..255 (default: the pages of 256 that have registers)"
+    scan.add_argument("arguments", nargs="*", default=[], metavar="RANGE", help=ranges)
+    _add_connection(scan)
+    scan.add_argument("--trace", action="store_true", help="print all frames to standard error")
+    scan.add_argument("--format", choices=("text", "json"), default="text", help="json is evidence for audit")
+
+
+def add_redact(redact: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `redact`."""
+    redact.add_argument("device", metavar="DEVICE[@VERSION]")
+    paths = "captures, logs, dumps and scans; the folder of a unit; or a folder with folders of units"
+    redact.add_argument("paths", nargs="+", metavar="PATH", help=paths)
+    redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for what is written")
+    secret = "a number or a text that must not be in the output, in any encoding; may be repeated"
+    redact.add_argument("--secret", metavar="TEXT", action="append", help=secret)
+    spare = "a text that says nothing of the unit, and is taken over; may be repeated"
+    redact.add_argument("--spare", metavar="NAME", action="append", help=spare)
+
+
+def _add_connection(verb: argparse.ArgumentParser) -> None:
+    """Adds the options that say where a device is, and how it is asked."""
+    port_help = "a serial port, socket://HOST:PORT, tcp://HOST:PORT, udp://HOST:PORT or can://INTERFACE/CHANNEL"
+    verb.add_argument("--port", metavar="WHERE", help=port_help)
+    verb.add_argument("--link", metavar="NAME", help="the link (default: the first)")
+    verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
+    fixed = "what requests need that no spec states, such as axis=0; may be repeated"
+    verb.add_argument("--with", metavar="NAME=VALUE", dest="fixed", action="append", default=[], help=fixed)
+    verb.add_argument("--baud", type=natural, metavar="NUMBER", help="the baud rate (default: as delivered)")
+    verb.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")
+    verb.add_argument(
+        "--timeout", type=positive, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
+    )
+    verb.add_argument(
+        "--retries", type=whole, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
+    )
+    pause = "how long the line is silent before a request (default: as printed for the link)"
+    verb.add_argument("--pause", type=seconds, metavar="SECONDS", help=pause)
+
+
+def add_mcp(mcp: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `mcp`."""
+    port_help = "a device that may be read, and where it is, as for `live --port`; may be repeated"
+    mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=port_help)
+    mcp.add_argument("--allow-writes", action="store_true", help="also offer to write to these devices")

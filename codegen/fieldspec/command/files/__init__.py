@@ -1,0 +1,1 @@
+"""Files as verbs read, write and cache them: whole or not at all."""

@@ -1,0 +1,1 @@
+"""What verbs about frames share: their options, and the values that an encoder computes."""

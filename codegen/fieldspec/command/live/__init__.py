@@ -1,0 +1,1 @@
+"""What `live` does with a real device: connects, prints, writes, and transfers lists of values."""

@@ -1,0 +1,1 @@
+"""Installed packages that bring outputs, checks and protocols."""

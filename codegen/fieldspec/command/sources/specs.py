@@ -1,0 +1,144 @@
+"""Reads specs, and selects devices and versions. It imports the compiler; `spec_files` does not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.command.console.streams import print_line
+from fieldspec.command.console.usage import UsageError, unknown
+from fieldspec.command.files import regular_file, storage
+from fieldspec.command.sources import spec_files
+from fieldspec.command.sources.spec_files import (
+    FOLDER,
+    VARIABLE,
+    files,
+    installed_protocols,
+    of_devices,
+    origins,
+    relative_path,
+    split,
+    with_protocols,
+)
+from fieldspec.language.checks.layout_conditions import has_layout
+from fieldspec.language.diagnostics import Severity, has_errors, in_order
+from fieldspec.language.reading.findings import LARGEST_FILE
+from fieldspec.language.reading.project import JOINT, DeviceSpec, Project, read
+from fieldspec.language.schema import ADDRESS, schema_text
+
+__all__ = [
+    "FOLDER",
+    "VARIABLE",
+    "bring_schema",
+    "editor_line",
+    "files",
+    "folder",
+    "layout_of",
+    "origins",
+    "picked",
+    "project",
+    "relative_path",
+    "sound",
+    "sound_at",
+    "spec_at",
+    "split",
+    "unsound",
+    "with_protocols",
+    "writable_folder",
+]
+
+
+def folder(specs_option: str | None) -> Path:
+    """The folder with the specs. Raises UsageError."""
+    return Path(spec_files.folder(specs_option))
+
+
+def writable_folder(specs_option: str | None) -> Path:
+    """The folder with the specs, for a verb that writes there. Raises UsageError."""
+    return Path(spec_files.writable_folder(specs_option))
+
+
+def editor_line(levels: int = 1) -> str:
+    """The line at the top of a spec file that leads editors to the schema, some levels of folders above the file."""
+    return f"# yaml-language-server: $schema={'../' * levels}{ADDRESS}\n"
+
+
+def bring_schema(folder: Path) -> None:
+    """Writes the schema into a folder of specs, for editors, unless it is there as it is now. Raises UsageError."""
+    path, content = folder / ADDRESS, schema_text().encode("utf-8")
+    try:
+        if regular_file.content(path, LARGEST_FILE) == content:
+            return
+    except FileNotFoundError:
+        pass
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    storage.write(path, content)
+    print_line(relative_path(path))
+
+
+def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
+    """The project in the folder with the specs. Raises UsageError for unknown devices."""
+    path, contents = of_devices(specs_option, devices)
+    return read(contents, devices, relative_path(path), origins(contents), installed_protocols)
+
+
+def picked(spec: DeviceSpec, version: str) -> str:
+    """The requested version, or the newest. Raises UsageError for an unknown one."""
+    known = spec.versions()
+    if not version:
+        return known[-1]
+    for part in version.split(JOINT):
+        if part not in spec.lines.place and version not in known:
+            raise unknown(f"version of {spec.id}", part, spec.lines.place)
+    return version
+
+
+def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
+    """The spec of `DEVICE` or `DEVICE@VERSION`, and the version, for a verb that looks at the spec itself.
+
+    The spec may have errors as long as it can be read. Raises UsageError.
+    """
+    name, version = split(text)
+    read_specs = project(specs_option, frozenset([name]))
+    if name not in read_specs.devices:
+        raise unsound(name)
+    spec = read_specs.devices[name]
+    return spec, picked(spec, version)
+
+
+def sound_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
+    """As `spec_at`, for a verb that reads, makes or answers frames: bytes of a spec with an error may be wrong.
+
+    Raises UsageError, also where `check` has an error for the device at any of its versions.
+    """
+    name, version = split(text)
+    spec = sound(project(specs_option, frozenset([name])), name)
+    return spec, picked(spec, version)
+
+
+def sound(project: Project, name: str) -> DeviceSpec:
+    """The spec of a device for which `check` has no error. Raises UsageError."""
+    from fieldspec.command.packages.plugin_loading import load_checks
+    from fieldspec.tools.proofs.running import proven
+
+    load_checks()
+    findings = [*project.findings, *(finding for spec in project.devices.values() for finding in proven(spec))]
+    errors = sum(finding.severity is Severity.ERROR for finding in in_order(findings))
+    if errors or name not in project.devices:
+        raise unsound(name, errors)
+    return project.devices[name]
+
+
+def unsound(name: str, errors: int = 0) -> UsageError:
+    """The error of a verb that cannot use a spec with errors; `errors` is their number where it is known."""
+    number = f"{errors} errors" if errors > 1 else "1 error" if errors else "errors"
+    return UsageError(f"the spec of {name} has {number}; see them with: fieldspec check {name}")
+
+
+def layout_of(spec: DeviceSpec, version: str) -> DeviceLayout:
+    """The layout of a device at a version. Raises UsageError for a spec with errors."""
+    device, broken = spec.at(version)
+    if has_errors(broken) or not has_layout(device):
+        raise unsound(spec.id)
+    return device_layout(device)

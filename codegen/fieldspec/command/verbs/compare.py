@@ -1,0 +1,39 @@
+"""`fieldspec compare`: a device beside a register list from another source."""
+
+from __future__ import annotations
+
+import argparse
+
+from fieldspec.command.console.streams import print_document, print_json
+from fieldspec.command.console.terminal import print_blocks
+from fieldspec.command.console.usage import UsageError, unknown
+from fieldspec.command.files import list_files
+from fieldspec.command.sources import layout_cache
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints what agrees, differs and is missing. Exit code 1 where there is any difference. Raises UsageError."""
+    from fieldspec.command.rendering import comparison
+    from fieldspec.tools.lists.comparison import ASPECTS, compared
+    from fieldspec.tools.lists.item import items
+    from fieldspec.tools.lists.listing import listing
+    from fieldspec.tools.lists.sheet import ListError
+
+    ignored = frozenset(filter(None, (arguments.ignore or "").split(",")))
+    for aspect in sorted(ignored - {*ASPECTS}):
+        raise unknown("aspect to compare", aspect, ASPECTS)
+    layout = layout_cache.requested_layout(arguments)
+    columns = list_files.column_options(arguments)
+    try:
+        sheet = list_files.sheet(list_files.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
+        register_list = listing(sheet, columns, arguments.base or "")
+    except ListError as error:
+        raise UsageError(f"{arguments.file} {error}") from None
+    result = compared(items(layout), register_list, arguments.offset, ignored)
+    if arguments.format == "json":
+        print_json(comparison.as_data(result, register_list), indent=1)
+    elif arguments.format == "csv":
+        print_document(comparison.as_csv(result))
+    else:
+        print_blocks(comparison.blocks(result, register_list))
+    return 0 if result.same else 1

@@ -1,0 +1,255 @@
+"""`fieldspec decode`: explains a frame, or a log of frames, byte by byte."""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import os
+import sys
+from collections.abc import Iterator, Sequence
+
+from fieldspec.codec.explain.explanation import Explanation
+from fieldspec.codec.explain.log import LogLine, Unreadable, log_line
+from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.repeated_parts import repeated_parts
+from fieldspec.command.console.streams import print_error, print_json, print_line, print_note
+from fieldspec.command.console.terminal import print_blocks
+from fieldspec.command.console.usage import UsageError
+from fieldspec.command.frames.frame_options import frame_options
+from fieldspec.command.rendering import explanation as texts
+from fieldspec.command.rendering.blocks import Block, Line
+from fieldspec.command.rendering.explanation import faults
+from fieldspec.command.sources import layout_cache
+from fieldspec.foundation.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import BinaryIO
+
+
+class FramePrinter:
+    """Prints explanations of frames at once. Notes and errata are printed only the first time."""
+
+    def __init__(self, layout: DeviceLayout, form: str) -> None:
+        self.layout, self.form = layout, form
+        self.said: set[str] = set()
+        self.first = True
+
+    def explain(self, reading: ChosenReading, remarks: Sequence[str], number: int = 0) -> None:
+        """Prints one frame; `number` is that of its line in a log, 0 where there is no log."""
+        if self.form == "json":
+            self._json(reading, remarks, number)
+        else:
+            self._print_text(reading, remarks, number)
+        sys.stdout.flush()
+
+    def _json(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
+
+        from fieldspec.command.rendering.explanation import as_data
+
+        data = as_data(self.layout, reading.explanation, reading.readings, reading.chosen, remarks, reading.wrong)
+        if number:
+            print_json({"line": number, **data})
+        else:
+            print_json(data, indent=1)
+
+    def _print_text(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
+        if not self.first:
+            print_line("")
+        self.first = False
+        print_blocks(self._blocks(reading, remarks, number))
+
+    def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
+        own = reading.explanation
+        line_text = f"line {number}: " if number else ""
+        sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in reading.alternatives)
+        yield Line(line_text + texts.title(self.layout, own, sure), "bold")
+        yield from (Line(remark, "red" if reading.wrong else "yellow") for remark in remarks)
+        yield texts.frame_table(self.layout, own)
+        if own.registers:
+            yield Line(texts.accessed(self.layout, own), "bold")
+            yield texts.register_table(own)
+        yield from (Line(fault, "red") for fault in texts.faults(own))
+        yield from (Line(example, "dim") for example in texts.examples(self.layout, own))
+        for line in texts.footnotes(self.layout, own):
+            if line not in self.said:
+                self.said.add(line)
+                yield Line(line, "dim")
+
+
+LONGEST_LINE = 8192
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong. Raises UsageError."""
+    if arguments.to:
+        from fieldspec.command.bulk import bulk_decoding
+
+        return bulk_decoding.run(arguments)
+    for option in ("out", "port", "units", "part_frames"):
+        if getattr(arguments, option) is not None:
+            raise UsageError(f"--{option.replace('_', '-')} goes with --to, which decodes captures and logs in bulk")
+    layout = layout_cache.requested_layout(arguments)
+    if not layout.links:
+        raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")
+    options = frame_options(layout, arguments)
+    if arguments.request and "response" not in options.directions:
+        raise UsageError(f"--request is for responses, so --direction cannot be {arguments.direction}")
+    open_request = _parse_request(layout, options, arguments.request)
+    printer = FramePrinter(layout, arguments.format)
+    text = " ".join(arguments.frame)
+    if arguments.frame and not text.strip():
+        raise UsageError("this is not a frame: it has no bytes; leave it out to read lines of standard input")
+    if text in ("", "-"):
+        if sys.stdin is None:
+            raise UsageError("there is no standard input to read frames from")
+        if sys.stdin.isatty():
+            print_note("reading frames from the terminal, one on each line")
+        gc.enable()  # a log may be long
+        return Log(layout, options, open_request, printer).explain(sys.stdin.buffer)
+    line = _frame(layout, text)
+    reading = read(layout, line.frame, options, line.direction, open_request)
+    printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options)])
+    return int(reading.wrong)
+
+
+def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None) -> OpenRequest | None:
+    """The request in `--request`. Raises UsageError where it is wrong."""
+    if text is None:
+        return None
+    places = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
+    request = read(layout, _frame(layout, text).frame, FrameOptions(places, options.message))
+    if request.wrong and request.explanation.reasons != ("unknown_code",):
+        faults_text = "; ".join(faults(request.explanation))
+        raise UsageError(f"--request is not a valid request of {layout.device.id}: {faults_text}")
+    return OpenRequest(request.explanation, True)
+
+
+def _frame(layout: DeviceLayout, text: str) -> LogLine:
+    try:
+        line = log_line(text, [link.link for link in layout.links.values()])
+    except Unreadable as error:
+        hint = f"; it is a path: read it with - < {text}, or with --to" if os.path.exists(text) else ""
+        raise UsageError(f"this is not a frame: {error}{hint}") from None
+    if line is None or not line.frame:
+        raise UsageError("this is not a frame: it has no bytes")
+    return line
+
+
+_MOST_OPEN = 64
+"""The requests without an answer that are remembered."""
+
+
+class Log:
+    """Explains the frames of a log, one in each line, in constant memory.
+
+    `asked` is the request that the user names for all responses. `open` are the requests that may still be answered,
+    each with its line, the newest last: one for each of the values that responses repeat. `mark` is the direction that
+    a line without bytes announces for the next one.
+    """
+
+    def __init__(
+        self, layout: DeviceLayout, options: FrameOptions, open_request: OpenRequest | None, printer: FramePrinter
+    ) -> None:
+        self.layout, self.said, self.printer = layout, options, printer
+        self.links = [link.link for link in layout.links.values()]
+        self.asked = open_request
+        self.open: list[tuple[OpenRequest, int]] = []
+        self.repeated = {name: repeated_parts(link) for name, link in layout.links.items()}
+        self.mark = ""
+        self.wrong = False
+
+    def explain(self, stream: BinaryIO) -> int:
+        """Explains every line, and reports those that it cannot read. Returns the exit code."""
+        has_frames = False
+        for number, line in _lines(stream):
+            try:
+                if len(line) >= LONGEST_LINE:
+                    raise Unreadable(f"it has {LONGEST_LINE} characters or more")
+                log_record = log_line(line, self.links)
+            except Unreadable as error:
+                print_error(f"line {number}: {error}")
+                self.wrong = True
+                continue
+            if log_record is not None:
+                has_frames = has_frames or bool(log_record.frame)
+                self._line(number, log_record)
+        if not has_frames and not self.wrong:
+            print_error("standard input has no frames")
+        return int(self.wrong)
+
+    def _line(self, number: int, line: LogLine) -> None:
+        self.mark = line.direction or self.mark
+        if not line.frame:
+            return
+        reading, asked_in = self._read(line.frame)
+        self.printer.explain(reading, [*line.remarks, *remarks(self.layout, reading, asked_in, self.said)], number)
+        self.wrong = self.wrong or reading.wrong
+        self.mark = ""
+        if self.asked is None:
+            self._close(reading.explanation)
+            request = self._request(reading)
+            self.open = [*self.open[1 - _MOST_OPEN :], (request, number)] if request is not None else self.open
+
+    def _read(self, frame: bytes) -> tuple[ChosenReading, int]:
+        """The reading of a frame, and the line of the request before it that counts; 0 where there is none."""
+        if self.asked is not None or not self.open:
+            return read(self.layout, frame, self.said, self.mark, self.asked), 0
+        nearest = None
+        for open_request, line in self.open[::-1]:
+            own = read(self.layout, frame, self.said, self.mark, open_request), line
+            if own[0].chosen == "request":
+                return own
+            if nearest is None or (own[0].mismatches and not nearest[0].mismatches):
+                nearest = own
+        assert nearest is not None
+        return nearest
+
+    def _close(self, frame: Explanation) -> None:
+        """Closes the requests that a frame answers, or leaves without an answer."""
+        message = self.layout.messages.get(frame.message)
+        if message is not None and not message.message.is_requested:
+            return  # the device sends it of its own accord
+        own = self._numbers(frame)
+        self.open = [
+            other
+            for other in self.open
+            if None not in own and other[0].request.link == frame.link and self._numbers(other[0].request) != own
+        ]
+
+    def _numbers(self, frame: Explanation) -> list[object]:
+        """What responses repeat of their requests, in a request or in a response; None where a frame lacks it."""
+        pairs = self.repeated[frame.link]
+        return [
+            frame.values.get((request_part if frame.direction == "request" else answer).name)
+            for request_part, answer in pairs
+        ]
+
+    def _request(self, reading: ChosenReading) -> OpenRequest | None:
+        """The frame as the request that the next response answers; None for what nobody answers."""
+        request = reading.explanation
+        if request.direction != "request" or (reading.wrong and request.reasons != ("unknown_code",)):
+            return None
+        link = self.layout.links[request.link]
+        if request.message in link.messages and request.message not in link.carried("response"):
+            return None
+        if reading.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
+            return None  # nothing shows that it is a request
+        unit_address, addresses = link.request.role("unit_address"), link.link.unit_addresses
+        if unit_address and addresses and request.values.get(unit_address.name) == addresses.broadcast:
+            return None
+        return OpenRequest(request, False)
+
+
+def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:
+    """The lines of a log, numbered from 1. Long lines are cut; UTF-16, which Windows shells write, is accepted."""
+    number = 0
+    while line := stream.readline(LONGEST_LINE):
+        number += 1
+        rest = line
+        while len(rest) == LONGEST_LINE and not rest.endswith(b"\n"):
+            rest = stream.readline(LONGEST_LINE)
+        if number == 1:
+            for mark in (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff"):
+                line = line.removeprefix(mark)
+        yield number, line.replace(b"\0", b"").decode("utf-8", "replace")

@@ -1,0 +1,241 @@
+"""`fieldspec new`: the first file of a device, the file of a version, or the schema for editors."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+from collections.abc import Iterator
+from importlib import resources
+from pathlib import Path
+from string import Template
+
+from fieldspec.command.console.streams import print_line
+from fieldspec.command.console.usage import UsageError, unknown
+from fieldspec.command.files import regular_file
+from fieldspec.command.files.storage import write
+from fieldspec.command.sources import spec_files, specs
+from fieldspec.command.sources.spec_files import INSTALLED
+from fieldspec.foundation.reserved import file_name_fault
+from fieldspec.language.model.address_space import BIT, WORD
+from fieldspec.language.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
+from fieldspec.language.reading.nodes import Mapping, Scalar, identity, mappings
+from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.yaml_reader import decoded, parsed
+from fieldspec.language.schema import schema
+
+SHAPES = ("packet", "telegram")
+"""The skeletons of devices without a protocol."""
+
+_WITHOUT_EFFECT = {
+    "device": ("based_on", "line"),
+    "version": ("protocol",),
+    "schema": ("name", "version", "based_on", "line", "protocol"),
+}
+"""The options of other kinds of files."""
+
+# The sections of a protocol whose entries a device must cite, and the keys that an entry needs there.
+_CITED: dict[str, tuple[str, ...]] = {
+    "links": (),
+    "messages": (),
+    "enums": (),
+    "flags": ("type", "bits"),
+    "records": ("fields",),
+    "parameters": ("rows",),
+}
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Writes the file, and overwrites none but an older schema. Raises UsageError."""
+    other = _WITHOUT_EFFECT[arguments.kind]
+    for name in other:
+        if getattr(arguments, name) is not None:
+            raise UsageError(f"--{name.replace('_', '-')} has no effect on a new {arguments.kind}; leave it out")
+    if arguments.kind == "schema":
+        specs.bring_schema(specs.writable_folder(arguments.specs))
+        return 0
+    if arguments.name is None:
+        raise UsageError(f"name the device; see: fieldspec new {arguments.kind} --help")
+    folder, path, text = _version(arguments) if arguments.kind == "version" else _device(arguments)
+    if path.exists():
+        raise UsageError(f"the file {path} already exists")
+    specs.bring_schema(folder)
+    if arguments.protocol is not None and arguments.protocol not in SHAPES:
+        _bring_protocols(folder, arguments.protocol)
+    write(path, text.encode("utf-8"), new=True)
+    print_line(specs.relative_path(path))
+    return 0
+
+
+def _version(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
+    """The folder with the specs, the path of the file, and its text."""
+    if arguments.version is None:
+        raise UsageError("name the version; use: fieldspec new version DEVICE VERSION --based-on VERSION")
+    spec, newest = specs.spec_at(arguments.specs, arguments.name)
+    base = arguments.based_on or newest
+    if base not in spec.lines.place:
+        raise unknown(f"version of {arguments.name}", base, spec.lines.place)
+    if arguments.version in spec.lines.place:
+        raise UsageError(f"{arguments.name} already has a version {arguments.version}")
+    _fits(arguments.version, "version", "a version")
+    line = arguments.line or _line_of(spec, base)
+    known = [identity(version_line) or "" for version_line in mappings(spec.tree.values.get("versions"))]
+    if line not in known:
+        raise unknown(f"line of versions of {arguments.name}", line, known)
+    after = ""
+    if line != _line_of(spec, base):
+        members = [
+            version.id
+            for version_line in spec.at(newest)[0].lines
+            if version_line.name == line
+            for version in version_line.versions
+        ]
+        after = f'  after: "{members[-1]}"\n'
+    folder = specs.writable_folder(arguments.specs)
+    path = folder / arguments.name / VERSIONS / f"{arguments.version}.yaml"
+    return (
+        folder,
+        path,
+        specs.editor_line(2)
+        + _fill_skeleton(
+            "version",
+            device=arguments.name,
+            version=arguments.version,
+            base=base,
+            line=line,
+            after=after,
+        ),
+    )
+
+
+def _line_of(spec: DeviceSpec, version: str) -> str:
+    """The name of the line on which a version is."""
+    lines = list(mappings(spec.tree.values.get("versions")))
+    return identity(lines[spec.lines.place[version][0]]) or ""
+
+
+def _device(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
+    """The same of a device."""
+    if arguments.version is not None:
+        raise UsageError("a new device has no version yet; use: fieldspec new device NAME --protocol PROTOCOL")
+    name = arguments.name
+    _fits(name, "device_id", "a device")
+    folder = _folder(arguments.specs)
+    places = {name: Path(path) for name, path in spec_files.installed_protocols().items()}
+    places |= {path.stem: path for path in (folder / PROTOCOLS).glob("*.yaml")}
+    protocols = sorted(places)
+    if not arguments.protocol:
+        shapes = " or ".join(SHAPES)
+        raise UsageError(f"name the protocol with --protocol: {', '.join(protocols)}; or {shapes} for none")
+    if arguments.protocol not in (*SHAPES, *protocols):
+        raise unknown("protocol", arguments.protocol, [*protocols, *SHAPES])
+    path = folder / name / MAIN
+    text = specs.editor_line() + _fill_skeleton("device", name=name)
+    if arguments.protocol in SHAPES:
+        return folder, path, text + _fill_skeleton(arguments.protocol)
+    overlays = "\n".join(_overlays(places[arguments.protocol]))
+    return folder, path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
+
+
+def _folder(specs_option: str | None) -> Path:
+    """The folder of the new device: the one that the option names, or `specs` here, also while it is empty or missing.
+
+    Specs of a parent folder are taken where there is no `specs` here.
+    """
+    stated_folder = specs_option or os.environ.get(specs.VARIABLE)
+    if stated_folder and not Path(stated_folder).exists():
+        return Path(stated_folder)
+    if not stated_folder and Path(specs.FOLDER).is_dir():
+        return Path(specs.FOLDER)
+    folder = spec_files.folder_or_none(specs_option)
+    return Path(specs.FOLDER if folder in (None, INSTALLED) else folder)
+
+
+def _bring_protocols(folder: Path, name: str) -> None:
+    """Copies a protocol of fieldspec, and those that it uses, unless they are there already."""
+    own = spec_files.bundled_protocols()
+    waiting = [name]
+    for protocol in waiting:
+        path = f"{PROTOCOLS}/{protocol}.yaml"
+        if (folder / path).exists() or protocol not in own:
+            continue
+        data = regular_file.content(own[protocol], LARGEST_FILE)
+        tree, _ = parsed(decoded(path, data)[0])
+        if isinstance(tree, Mapping):
+            used = (use.values.get("protocol") for use in mappings(tree.values.get("uses")))
+            waiting += [use.text for use in used if isinstance(use, Scalar) and use.text not in waiting]
+        write(folder / path, data, new=True)
+        print_line(specs.relative_path(folder / path))
+
+
+def _overlays(path: Path) -> Iterator[str]:
+    """A line for each entry of a protocol that a device must cite. Raises UsageError."""
+    try:
+        content = regular_file.content(path, LARGEST_FILE)
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    node, _ = parsed(decoded(path.name, content)[0])
+    tree = typed(node)[0] if node is not None else None
+    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
+        raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
+    for section, required_keys in _CITED.items():
+        items = list(mappings(tree.values.get(section)))
+        if items:
+            yield f"{section}:"
+        for item in items:
+            keys_text = "".join(f", {key}: {_needed(item, key)}" for key in required_keys if key in item.values)
+            order = ", word_order: big" if section == "links" else ""
+            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{keys_text}}}"
+    yield from _spaces(list(mappings(tree.values.get("messages"))))
+
+
+def _needed(item: Mapping, key: str) -> str:
+    """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
+    inner = next(mappings(item.values.get(key)), None)
+    if inner is None:
+        return _key_text(item, key)
+    number = f", number: {_key_text(inner, 'number')}" if "number" in inner.values else ""
+    return f"[{{name: {identity(inner)}{number}}}]"
+
+
+def _spaces(messages: list[Mapping]) -> Iterator[str]:
+    """A line for each address space that messages of a protocol access; none where they name none."""
+    units: dict[str, str] = {}
+    for message in messages:
+        access = message.values.get("accesses")
+        if isinstance(access, Mapping):
+            name = _key_text(access, "space")
+            units = {name: _unit(message, access), **units} if not name else {**units, name: _unit(message, access)}
+    if any(units):
+        yield "spaces:"
+        for name, unit in units.items():
+            unit_key = ", unit: bit" if unit == BIT else ""
+            yield f"  - {{name: {name or 'registers'}, first_number: 0{unit_key}, source: 1 L1}}"
+
+
+def _unit(message: Mapping, access: Mapping) -> str:
+    """The unit of what a message carries: bits are packed into bytes, or one of them is a number with a meaning."""
+    fields = message.values.get("response" if _key_text(access, "operation") == "read" else "request")
+    names = (field for field in mappings(fields) if _key_text(field, "name") == _key_text(access, "values"))
+    values = next(names, None)
+    packed = values is not None and "repeat" in values.values and _key_text(values, "type") == "u8"
+    return BIT if packed or "set" in access.values else WORD
+
+
+def _key_text(mapping: Mapping, key: str) -> str:
+    scalar = mapping.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""
+
+
+def _fits(text: str, form: str, subject: str) -> None:
+    part = schema()["$defs"][form]
+    if fault := file_name_fault(text):
+        raise UsageError(f"{text} is not a valid name of {subject}: it {fault}; choose another one")
+    if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
+        raise UsageError(f"{text} is not a valid name of {subject}: {part['description']}")
+
+
+def _fill_skeleton(skeleton: str, **words: str) -> str:
+    text = resources.files("fieldspec.command.skeletons").joinpath(f"{skeleton}.yaml").read_text("utf-8")
+    return Template(text).substitute(words)

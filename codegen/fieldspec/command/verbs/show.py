@@ -1,0 +1,73 @@
+"""`fieldspec show`: a device or one of its items, with its bits drawn."""
+
+from __future__ import annotations
+
+import argparse
+
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.command.console.streams import print_line
+from fieldspec.command.console.terminal import print_blocks
+from fieldspec.command.console.usage import unknown
+from fieldspec.command.frames.frame_options import number_of
+from fieldspec.command.rendering.item import Item, fact_of, handles, items, numbered, unnamed
+from fieldspec.command.rendering.item_blocks import blocks
+from fieldspec.command.rendering.overview import overview
+from fieldspec.command.sources import layout_cache
+from fieldspec.language.model.registers import Register, Table
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints an overview of the device, or every item that a text names. Raises UsageError."""
+    layout = layout_cache.requested_layout(arguments)
+    if arguments.item is None:
+        print_blocks(overview(layout))
+        return 0
+    number = number_of(arguments.item)
+    for index, item in enumerate(_meant(layout, arguments.item, number)):
+        if index:
+            print_line("")
+        print_blocks(blocks(layout, item, _address_in(layout, item, number)))
+    return 0
+
+
+def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
+    """The item at a path, else those with a name, else those with an address or a number.
+
+    Names of the spec come before printed ones.
+    """
+    known = list(items(layout))
+    matches = [item for item in known if fact_of(item).place.path == text]
+    if matches:
+        return matches
+    for exact in (True, False):
+        for place in range(3):
+            matches = [item for item in known if text and _called(item, text, place, exact)]
+            if matches:
+                return matches
+    matches = [item for item in known if number is not None and numbered(item, number)]
+    matches = matches or [item for item in known if _printed_address(layout, item, number) is not None]
+    matches = matches or list(unnamed(layout, text, number))
+    if not matches:
+        names = {handle for item in known for handle in handles(item) if handle}
+        raise unknown(f"item of {layout.device.id}", text, names)
+    return matches
+
+
+def _address_in(layout: DeviceLayout, item: Item, number: int | None) -> int | None:
+    """The address or number within an item that a number means: itself, or the address for which it is printed."""
+    return number if number is None or numbered(item, number) else _printed_address(layout, item, number)
+
+
+def _printed_address(layout: DeviceLayout, item: Item, number: int | None) -> int | None:
+    """The address within an item for which the manual prints a number, such as 40003; None where it prints none."""
+    fact = item.table if isinstance(item, TableLayout) else item
+    if number is None or not isinstance(fact, (Register, Table)):
+        return None
+    address = layout.device.space(fact.space).address_of(number)
+    return address if address is not None and numbered(item, address) else None
+
+
+def _called(item: Item, text: str, place: int, exact: bool) -> bool:
+    """Whether a text is one of the handles of an item; upper and lower case differ only where it is `exact`."""
+    handle = "".join(handles(item)[place : place + 1])
+    return handle == text if exact else handle.lower() == text.lower()

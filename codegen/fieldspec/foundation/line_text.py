@@ -1,0 +1,43 @@
+"""Texts in lines for people: on terminals, in logs and beside workflow commands. Nothing in a text acts on these."""
+
+from __future__ import annotations
+
+import re
+
+from fieldspec.foundation.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+_COMMAND = re.compile(r"^( *)::(?=[A-Za-z].*::)|##(?=\[[A-Za-z-])")
+"""What the runner of GitHub takes for a command: `::error ...::` at the start of a line, `##[error]` anywhere in it."""
+
+
+def visible_text(text: str) -> str:
+    """A text in one line, with escapes for what controls a terminal, a log, or the order in which letters are shown."""
+    if not text.isprintable():
+        text = "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
+    if "::" in text or "##[" in text:
+        text = _COMMAND.sub(lambda match: "#\\x23" if match[1] is None else f"{match[1]}\\x3a:", text)
+    return text
+
+
+def visible_lines(text: str) -> str:
+    """A text of several lines, each as `visible_text` has it."""
+    return "\n".join(map(visible_text, text.split("\n")))
+
+
+_INVISIBLE = re.compile(r"[^\n -~]|(?<=#)#(?=\[)")
+
+
+def visible_json(data: object, indent: int | None = None, default: Callable[[object], object] | None = None) -> str:
+    """Data as JSON, in which invisible characters, and those that start commands, are escaped."""
+    import json
+
+    text = json.dumps(data, ensure_ascii=False, indent=indent, default=default)
+
+    def escape(match: re.Match[str]) -> str:
+        char = match[0]
+        return "\\u0023" if char == "#" else char if char.isprintable() else json.dumps(char)[1:-1]
+
+    return _INVISIBLE.sub(escape, text)

@@ -1,0 +1,63 @@
+"""What messages do with registers and with values in pieces, as texts that changes compare."""
+
+from __future__ import annotations
+
+from fieldspec.language.changes.comparison import Comparison
+from fieldspec.language.model.record import STEP_FIELDS, Message
+
+
+def segments_text(comparison: Comparison | None, message: Message) -> str:
+    """How the value of a message follows in pieces; with the new names of a comparison."""
+    pieces = message.segments
+    if pieces is None:
+        return ""
+    name = comparison.renamed_to("messages", pieces.message) if comparison is not None else pieces.message
+    rows = {
+        "size": _renamed(comparison, message, pieces.size) if comparison is not None else pieces.size,
+        "data": pieces.data,
+        "counter": pieces.counter,
+        "unused": pieces.unused,
+        "last": pieces.last,
+        "when": " and ".join(pieces.when),
+        "unsized": " and ".join(pieces.unsized),
+    }
+    abort = pieces.abort
+    if abort is not None:
+        ended = comparison.renamed_to("messages", abort.message) if comparison is not None else abort.message
+        rows["abort"] = f"{ended} with {abort.reason} {abort.counter} or {abort.size}"
+    return f"in {name} with {', '.join(f'{word} as {key}' for key, word in rows.items() if word)}"
+
+
+def access_text(comparison: Comparison | None, message: Message) -> str:
+    """How a message accesses registers; with the new names of a comparison."""
+    access = message.accesses
+    if access is None:
+        return ""
+    words = [access.start, access.count, access.values]
+    if comparison is not None:
+        words = [_renamed(comparison, message, word) for word in words]
+    text = ", ".join(
+        f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
+    )
+    bits = "" if (access.set, access.clear) == (None, 0) else f", a bit as {access.set} or {access.clear}"
+    return f"{access.operation} with {text}{bits}"
+
+
+def steps_text(comparison: Comparison | None, message: Message) -> str:
+    """The steps in which a message accesses registers; with the new names of a comparison."""
+    texts = []
+    for step in message.access_steps:
+        words = {key: getattr(step, key) for key in STEP_FIELDS if getattr(step, key)}
+        space = step.space
+        if comparison is not None:
+            words = {key: _renamed(comparison, message, word) for key, word in words.items()}
+            space = comparison.renamed_to("spaces", space) if space else ""
+        names = ", ".join(f"{word} as {key}" for key, word in words.items())
+        texts.append(f"{step.operation}{f' {space}' if space else ''} with {names}")
+    return ", then ".join(texts)
+
+
+def _renamed(comparison: Comparison, message: Message, name: str) -> str:
+    """The new name of a field of the request or of the response."""
+    request_name = comparison.renamed_to(f"messages/{message.name}/request", name)
+    return request_name if request_name != name else comparison.renamed_to(f"messages/{message.name}/response", name)

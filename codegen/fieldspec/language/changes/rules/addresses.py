@@ -1,0 +1,167 @@
+"""Rules about addresses of registers and tables, address spaces, and numbers of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison, Pair
+from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.evidence import hexadecimal
+from fieldspec.language.model.address_space import AddressSpace
+from fieldspec.language.model.record import Message
+from fieldspec.language.model.registers import Parameter, ParameterSet, Register, Subindex, Table
+
+
+def register_moved(comparison: Comparison) -> Iterator[Change]:
+    """A register is at another address.
+
+    Why: existing programs read and write the wrong register.
+
+    Example: `at: 0x2011` that becomes `at: 0x2012`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Register):
+        if pair.old.address != pair.new.address:
+            old, new = hexadecimal(pair.old.address), hexadecimal(pair.new.address)
+            text = f"{named(pair.new)} is at {new}, and was at {old}"
+            yield change("register_moved", Effect.WIRE, pair, "at", text, old, new)
+
+
+def table_moved(comparison: Comparison) -> Iterator[Change]:
+    """A table begins at another address, or another register has the address.
+
+    Why: existing programs read and write the wrong records.
+
+    Example: `base: 0x9010` that becomes `base: 0xA010`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Table):
+        if pair.old.base != pair.new.base:
+            old, new = hexadecimal(pair.old.base), hexadecimal(pair.new.base)
+            text = f"{named(pair.new)} begins at {new}, and began at {old}"
+            yield change("table_moved", Effect.WIRE, pair, "base", text, old, new)
+        old = comparison.renamed_to("registers", pair.old.base_by) if pair.old.base_by else ""
+        if old != pair.new.base_by:
+            text = f"{named(pair.new)}: {difference_text('the register of its address', old, pair.new.base_by)}"
+            yield change("table_moved", Effect.WIRE, pair, "base_by", text, old, pair.new.base_by)
+
+
+def stride_changed(comparison: Comparison) -> Iterator[Change]:
+    """The elements of a register or a table are at other distances.
+
+    Why: all elements but the first are at other addresses.
+
+    Example: `stride: 0x10` that becomes `stride: 0x20`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.any_of(Register, Table):
+        old, new = pair.old.stride, pair.new.stride
+        if old != new and min(pair.old.count, pair.new.count) > 1:
+            text = f"{named(pair.new)}: {difference_text('the distance of its elements in words', old, new)}"
+            yield change("stride_changed", Effect.WIRE, pair, "stride", text, old, new)
+
+
+def index_changed(comparison: Comparison) -> Iterator[Change]:
+    """The elements of a register, a table or a parameter have other numbers.
+
+    Why: element 5 is not the element 5 of before, and has another address.
+
+    Example: `index_from: 0` that becomes `index_from: 1`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.any_of(Register, Table):
+        old, new = pair.old.index_from, pair.new.index_from
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('the number of the first element', old, new)}"
+            yield change("index_changed", Effect.WIRE, pair, "index_from", text, old, new)
+    for inner in comparison.of(Subindex):
+        if inner.old.indices != inner.new.indices:
+            text = f"{named(inner.new)}: {difference_text('the sub-index', inner.old.indices, inner.new.indices)}"
+            effect = Effect.DOCS if inner.old.reserved and inner.new.reserved else Effect.WIRE
+            yield change("index_changed", effect, inner, "index", text, inner.old.indices, inner.new.indices)
+
+
+def number_changed(comparison: Comparison) -> Iterator[Change]:
+    """A parameter, or a set of parameters, has other numbers on the wire.
+
+    Why: existing programs read and write the wrong parameter.
+
+    Example: `number: 19` that becomes `number: 20`, or another `base` of a set.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Parameter):
+        old, new = pair.old.number, pair.new.number
+        if old != new:
+            effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
+            text = f"{named(pair.new)}: {difference_text('the number', old, new)}"
+            yield change("number_changed", effect, pair, "number", text, old, new)
+    for set_pair in comparison.of(ParameterSet):
+        space = set_pair.new.name if set_pair.old.space == set_pair.old.name else set_pair.old.space
+        for key, subject, before, after in (
+            ("base", "what is added to its numbers", set_pair.old.base, set_pair.new.base),
+            ("space", "the space of its numbers", space, set_pair.new.space),
+        ):
+            if before != after:
+                text = f"{named(set_pair.new)}: {difference_text(subject, before, after)}"
+                yield change("number_changed", Effect.WIRE, set_pair, key, text, before, after)
+
+
+_OF_SPACE = (
+    ("unit", "the unit of its addresses", Effect.WIRE),
+    ("bounds", "the range of its addresses", Effect.BEHAVIOUR),
+    ("first_number", "the number of its first address", Effect.DOCS),
+)
+
+
+def space_changed(comparison: Comparison) -> Iterator[Change]:
+    """A register, a table or a message belongs to another address space, or an address space changes itself.
+
+    Why: the same address in another space is another register, and needs other messages.
+
+    Example: a group of registers with `space: holding_registers` that becomes `space: input_registers`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.any_of(Register, Table):
+        yield from _moved(comparison, pair, pair.old.space, pair.new.space, "space")
+    for message in comparison.of(Message):
+        if message.old.accesses is not None and message.new.accesses is not None:
+            yield from _moved(comparison, message, message.old.accesses.space, message.new.accesses.space, "accesses")
+    for space in comparison.of(AddressSpace):
+        for key, subject, effect in _OF_SPACE:
+            old, new = _space_value(space.old, key), _space_value(space.new, key)
+            if old != new:
+                text = f"{named(space.new)}: {difference_text(subject, old, new)}"
+                yield change("space_changed", effect, space, key, text, old, new)
+
+
+def _space_value(space: AddressSpace, key: str) -> object:
+    value = getattr(space, key)
+    return value.text() if key == "bounds" else value
+
+
+def _moved(comparison: Comparison, pair: Pair[Any], before: str, after: str, key: str) -> Iterator[Change]:
+    old = comparison.renamed_to("spaces", comparison.old.space_name(before))
+    new = comparison.new.space_name(after)
+    if old != new:
+        text = f"{named(pair.new)}: {difference_text('the address space', old, new)}"
+        yield change("space_changed", Effect.WIRE, pair, key, text, old, new)

@@ -1,0 +1,71 @@
+"""Rules about what carries frames: the settings of serial lines, the ports of networks, the silence between frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison
+from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.model.link import Link, Network, Serial
+
+_NONE = Serial((), None, (), (), (), None, ())
+_SERIAL_KEYS = ("baud", "default_baud", "data_bits", "parity", "stop_bits", "start_bits")
+
+
+def serial_changed(comparison: Comparison) -> Iterator[Change]:
+    """A serial line has other settings, or another default.
+
+    Why: two sides with different settings do not understand each other.
+
+    Example: `default_baud: 9600` that becomes `default_baud: 19200`.
+
+    Cure: Tell users the settings for their side.
+    """
+
+    for pair in comparison.of(Link):
+        before, after = pair.old.serial or _NONE, pair.new.serial or _NONE
+        for key in _SERIAL_KEYS:
+            old, new = getattr(before, key), getattr(after, key)
+            if old != new:
+                text = f"{named(pair.new)}: {difference_text(key.replace('_', ' '), old, new)}"
+                yield change("serial_changed", Effect.BEHAVIOUR, pair, "serial", text, old, new)
+
+
+_NO_NETWORK = Network(None, None, ())
+
+
+def network_changed(comparison: Comparison) -> Iterator[Change]:
+    """The device listens on another port of a network.
+
+    Why: a program that connects to the port of before reaches nobody.
+
+    Example: `network: {tcp: 502}` that becomes `network: {tcp: 10502}`.
+
+    Cure: Tell users the port.
+    """
+    for pair in comparison.of(Link):
+        before, after = pair.old.network or _NO_NETWORK, pair.new.network or _NO_NETWORK
+        for key in ("tcp", "udp"):
+            old, new = getattr(before, key), getattr(after, key)
+            if old != new:
+                text = f"{named(pair.new)}: {difference_text(f'{key.upper()} port', old, new)}"
+                yield change("network_changed", Effect.BEHAVIOUR, pair, "network", text, old, new)
+
+
+def timing_changed(comparison: Comparison) -> Iterator[Change]:
+    """The silence between frames is another one.
+
+    Why: if a program waits too short, the device takes two frames for one.
+
+    Example: `silence: {characters: 3.5}` that becomes `silence: {milliseconds: 50}`.
+
+    Cure: Tell users how long to wait.
+    """
+
+    for pair in comparison.of(Link):
+        for key, unit in (("silence_characters", "characters"), ("silence_milliseconds", "milliseconds")):
+            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            if old != new:
+                text = f"{named(pair.new)}: {difference_text('the silence between frames in ' + unit, old, new)}"
+                yield change("timing_changed", Effect.BEHAVIOUR, pair, "silence", text, old, new)

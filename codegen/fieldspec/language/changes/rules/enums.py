@@ -1,0 +1,164 @@
+"""Rules about enums and their members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.changes.attributes import ALL, PYTHON, C
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
+from fieldspec.language.changes.descriptions import around, change, difference_text, kind, named, path, span
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit, Enum, Member
+
+
+def enum_changed(comparison: Comparison) -> Iterator[Change]:
+    """A value has another enum, has an enum now, or has none any more.
+
+    Why: if the two enums give a number different names, it means something else. If not, the types of generated code
+    change.
+
+    Example: `enum: mode` that becomes `enum: extended_mode`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in comparison.values:
+        yield from _compare_members(comparison, value_pair, value_pair.old.enum, value_pair.new.enum)
+    for pair in comparison.of(Bit):
+        yield from _compare_members(comparison, pair, pair.old.enum, pair.new.enum)
+
+
+def _compare_members(comparison: Comparison, differing: ValuePair | Pair[Bit], old: str, new: str) -> Iterator[Change]:
+    before, after = _names(comparison.old, old), _names(comparison.new, new)
+    old = comparison.renamed_to("enums", old)
+    if old == new:
+        return
+    differ = any(after[value] != name for value, name in before.items() if value in after)
+    lost = bool(after) and any(value not in after for value in before)
+    effect = Effect.WIRE if differ or lost else Effect.SOURCE
+    fact = differing.of.new if isinstance(differing, ValuePair) else differing.new
+    text = f"{named(fact)}: {difference_text('the enum', old, new)}"
+    yield change("enum_changed", effect, differing, "enum", text, old, new, ALL)
+
+
+def _names(device: Device, name: str) -> dict[int, str]:
+    enum = device.enums.get(name)
+    return {member.value: member.name for member in enum.members} if enum else {}
+
+
+def member_added(comparison: Comparison) -> Iterator[Change]:
+    """An enum has a new member.
+
+    Why: programs receive a value that they do not know. Generated code of the old version refuses it, or passes it on
+    as a number if the enum is open.
+
+    Example: an alarm code that the new firmware has.
+
+    Cure: Nothing to do. If the manual announces more, write `open: true`.
+    """
+
+    for unpaired in comparison.added:
+        if isinstance(unpaired.item, Member):
+            old, new = unpaired.containers
+            member = unpaired.item
+            text = f"{named(new)}: {member.name} ({member.value}) is new"
+            yield Change(
+                "member_added",
+                Effect.DOCS if member.unavailable else Effect.BEHAVIOUR,
+                kind(member),
+                path(member, new),
+                text,
+                "",
+                f"{member.value} {member.name}",
+                around(old, "members"),
+                span(member, "name", new),
+            )
+
+
+def member_removed(comparison: Comparison) -> Iterator[Change]:
+    """An enum has lost a member.
+
+    Why: the value has no meaning any more, or another one, and generated code has no name for it.
+
+    Example: a mode that the new firmware does not have.
+
+    Cure: If the device still accepts the value, keep the member with `unavailable: true`. Where the old spec was wrong,
+    accept the change with that reason; else give the new version a number of its own.
+    """
+
+    for unpaired in comparison.removed:
+        if isinstance(unpaired.item, Member):
+            old, new = unpaired.containers
+            member = unpaired.item
+            text = f"{named(new)}: {member.name} ({member.value}) is gone"
+            yield Change(
+                "member_removed",
+                Effect.DOCS if member.unavailable else Effect.WIRE,
+                kind(member),
+                path(member, old),
+                text,
+                f"{member.value} {member.name}",
+                "",
+                span(member, "name", old),
+                around(new, "members"),
+                () if member.unavailable else ALL,
+            )
+
+
+def member_renumbered(comparison: Comparison) -> Iterator[Change]:
+    """A member of an enum has another value.
+
+    Why: existing programs write the wrong member, and misread those that they receive.
+
+    Example: `{value: 5, name: blue}` that becomes `{value: 6, name: blue}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Member):
+        old, new = pair.old.value, pair.new.value
+        if old != new:
+            text = f"{named(pair.containers[1])}: {named(pair.new)} is {new}, and was {old}"
+            yield change("member_renumbered", Effect.WIRE, pair, "value", text, old, new)
+
+
+def aliases_changed(comparison: Comparison) -> Iterator[Change]:
+    """A member of an enum has other aliases.
+
+    Why: programs that use a name that is gone no longer compile. A new alias changes nothing for them.
+
+    Example: `aliases: [red]` that a member loses.
+
+    Cure: Keep the alias, or tell users the name to write.
+    """
+
+    for pair in comparison.of(Member):
+        old, new = ", ".join(pair.old.aliases), ", ".join(pair.new.aliases)
+        if old != new:
+            lost = not set(pair.old.aliases) <= {pair.new.name, *pair.new.aliases}
+            effect = Effect.SOURCE if lost else Effect.DOCS
+            subject = f"{named(pair.containers[1])}: {named(pair.new)}"
+            text = f"{subject}: {difference_text('what else it is called', old or None, new or None)}"
+            yield change("aliases_changed", effect, pair, "aliases", text, old, new, (PYTHON, C) if lost else ())
+
+
+def openness_changed(comparison: Comparison) -> Iterator[Change]:
+    """An enum admits values that it does not list, or no longer admits them.
+
+    Why: an open enum has a type that also admits numbers, which programs must expect. With a closed one, generated code
+    refuses values that it does not list.
+
+    Example: `open: true` at the enum of alarms.
+
+    Cure: Nothing to do if the manual announces more codes.
+    """
+
+    for pair in comparison.of(Enum):
+        old, new = pair.old.open, pair.new.open
+        if old != new:
+            text = f"{named(pair.new)} {'passes on' if new else 'refuses'} values that it does not list"
+            effect, outputs = (Effect.SOURCE, (PYTHON,)) if new else (Effect.BEHAVIOUR, ())
+            yield change("openness_changed", effect, pair, "open", text, old, new, outputs)

@@ -1,0 +1,266 @@
+"""Rules about facts that are added, removed, renamed or described differently."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from fieldspec.language.changes.attributes import ALL, CONSEQUENCES, PYTHON, TEXTS, C
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired
+from fieldspec.language.changes.descriptions import around, change, difference_text, kind, named, path, span, within
+from fieldspec.language.changes.evidence import enumeration, value_text
+from fieldspec.language.model.device import Device, Version
+from fieldspec.language.model.enums import Bit, Member
+from fieldspec.language.model.record import Field
+from fieldspec.language.model.registers import Parameter
+from fieldspec.language.model.texts import Example
+
+
+def device_added(device: Device) -> Change:
+    """The change that a device is new."""
+    text = f"the device {device.id} is new"
+    return Change("fact_added", Effect.BEHAVIOUR, "device", device.id, text, "", device.name, None, device.place["id"])
+
+
+def device_removed(device: Device) -> Change:
+    """The change that a device is gone, with everything that is generated for it."""
+    text = f"the device {device.id} is gone"
+    return Change(
+        "fact_removed", Effect.SOURCE, "device", device.id, text, device.name, "", device.place["id"], None, ALL
+    )
+
+
+def fact_added(comparison: Comparison) -> Iterator[Change]:
+    """The new version has something that the old one does not have.
+
+    Why: programs that do not use it go on working, as long as nothing else moves. A field that makes a record longer,
+    or moves other fields, breaks every program that knows the old length.
+
+    Example: a register at an address that was free.
+
+    Cure: Put new fields in the place of reserved ones. Give the fact a `since`, so that users of the old version know.
+    """
+
+    for unpaired in comparison.added:
+        item, container = unpaired.item, unpaired.containers[1]
+        if isinstance(item, Member):
+            continue
+        text = f"the {kind(item)} {named(item)}{within(container)} is new"
+        before, after = around(unpaired.containers[0], "name"), span(item, "name", container)
+        yield Change(
+            "fact_added", _effect(unpaired), kind(item), path(item, container), text, "", named(item), before, after
+        )
+
+
+def _effect(unpaired: Unpaired) -> Effect:
+    if unpaired.fields is not None and not unpaired.fields.offsets_equal:
+        return Effect.WIRE
+    if getattr(unpaired.item, "reserved", False):
+        return Effect.DOCS
+    if isinstance(unpaired.item, Version):
+        return Effect.BEHAVIOUR if unpaired.containers[1].builds else Effect.DOCS
+    return Effect.BEHAVIOUR if unpaired.fields is not None else CONSEQUENCES[type(unpaired.item)].adding
+
+
+def fact_removed(comparison: Comparison) -> Iterator[Change]:
+    """The old version has something that the new one does not have, and nothing shows that only its name has changed.
+
+    Why: programs that use it read or write nothing, or something else, and generated code has no name for it any more.
+
+    Example: a register that the new manual does not list.
+
+    Cure: Find out whether the new manual omits it by mistake. If not, give it an `until`, and tell users what to use
+    instead.
+    """
+
+    for unpaired in comparison.removed:
+        item, container = unpaired.item, unpaired.containers[0]
+        if isinstance(item, Member):
+            continue
+        effect, outputs = _removal_effect(unpaired)
+        text = f"the {kind(item)} {named(item)}{within(container)} is gone"
+        before, after = span(item, "name", container), around(unpaired.containers[1], "name")
+        yield Change(
+            "fact_removed", effect, kind(item), path(item, container), text, named(item), "", before, after, outputs
+        )
+
+
+def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
+    consequences = CONSEQUENCES[type(unpaired.item)]
+    if isinstance(unpaired.item, Version):
+        return (Effect.SOURCE, (PYTHON, C)) if unpaired.containers[0].builds else (Effect.DOCS, ())
+    if getattr(unpaired.item, "reserved", False) and (unpaired.fields is None or unpaired.fields.offsets_equal):
+        return Effect.DOCS, ()
+    return consequences.removing, consequences.outputs
+
+
+def renamed(comparison: Comparison) -> Iterator[Change]:
+    """Something has another name. The message names the evidence that it is the same: what the two have in common, and
+    nothing else that is new or gone.
+
+    Why: generated names follow the names of the spec, so programs that use the old ones no longer compile or run.
+
+    Example: a register `servo` at 0x2011 that is called `servo_on` now.
+
+    Cure: Keep the old name, unless the new one is worth the work of all users. Labels and printed names can change
+    freely.
+    """
+
+    for renaming in comparison.renamed:
+        old, new = named(renaming.pair.old), named(renaming.pair.new)
+        consequences = CONSEQUENCES[type(renaming.pair.new)]
+        place = within(renaming.pair.containers[1])
+        text = f"the {kind(renaming.pair.new)} {old}{place} is called {new}; it has {renaming.evidence}"
+        yield change("renamed", consequences.renaming, renaming.pair, "name", text, old, new, consequences.outputs)
+
+
+def availability_changed(comparison: Comparison) -> Iterator[Change]:
+    """A member of an enum is not available any more, or is available now.
+
+    Why: generated code has no name for a value that is not available, so programs that use the name no longer compile
+    or run.
+
+    Example: `unavailable: true` at a mode that the old version had.
+
+    Cure: Tell users what to use instead. A member that becomes available affects nobody.
+    """
+
+    for pair in comparison.of(Member):
+        old, new = pair.old.unavailable, pair.new.unavailable
+        if old != new:
+            effect, outputs = (Effect.SOURCE, ALL) if new else (Effect.BEHAVIOUR, ())
+            text = f"{named(pair.new)} ({pair.new.value}) is {'not available any more' if new else 'available now'}"
+            yield change("availability_changed", effect, pair, "unavailable", text, not old, not new, outputs)
+
+
+def applicability_changed(comparison: Comparison) -> Iterator[Change]:
+    """A parameter applies to other kinds of motor, axis or model, or has an effect with other messages.
+
+    Why: a program that sets it may have to find out first what it is connected to.
+
+    Example: `applies_to: [rotary]` that becomes `applies_to: [rotary, linear]`.
+
+    Cure: Nothing to do if the list grows; else tell users which devices no longer have the parameter.
+    """
+
+    for pair in comparison.of(Parameter):
+        for key, subject in (("applies_to", "what it exists for"), ("messages", "what it has an effect with")):
+            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            if key == "messages":
+                old = tuple(comparison.renamed_to(key, name) for name in old)
+            if old != new:
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("applicability_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
+
+
+def documentation_changed(comparison: Comparison) -> Iterator[Change]:
+    """The documentation of a fact has changed: printed names, labels, texts, notes, sources, or what the manual prints
+    twice.
+
+    Why: nobody is affected. The texts are in the documentation and in the comments of generated code.
+
+    Example: a `doc` in other words, or a `source` with another line.
+
+    Cure: None is needed.
+    """
+
+    for model_class, texts in TEXTS.items():
+        for pair in comparison.any_of(model_class):
+            texts_by_key = [
+                (key, *_followed(comparison, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()
+            ]
+            differ = [
+                (key, old, new)
+                for key, old, new in texts_by_key
+                if old != new and not _belongs_to_signal(comparison, pair, key)
+            ]
+            if differ:
+                keys = [key for key, _, _ in differ]
+                text = (
+                    f"{named(pair.new)} has another {enumeration([key.replace('_', ' ') for key in keys], len(keys))}"
+                )
+                old, new = ("; ".join(_key_text(*difference) for difference in side) for side in _old_and_new(differ))
+                yield change("documentation_changed", Effect.DOCS, pair, keys[0], text, old, new)
+
+
+_NAMES = {"same_as": "registers", "copy_of": "registers", "signal": "signals"}
+_PATHS = ("about", "fact")
+_OF_SIGNAL = ("printed_name", "label", "doc", "scale", "sentinels")
+
+
+def _followed(comparison: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
+    """The two texts: the old one with new names, and both without what other rules report."""
+    if key in _NAMES:
+        return comparison.renamed_to(_NAMES[key], old), new
+    if key in _PATHS:
+        return (comparison.renamed_path(old) if isinstance(old, str) else tuple(map(comparison.renamed_path, old))), new
+    if key == "sentinels":
+        shared = old.keys() & new.keys()
+        return {value: old[value] for value in old if value in shared}, {
+            value: new[value] for value in new if value in shared
+        }
+    if key == "scale" and not _same_scale(pair):
+        return "", ""
+    return old, new
+
+
+def _same_scale(pair: Pair[Any]) -> bool:
+    if isinstance(pair.old, Bit):
+        return bool(pair.old.scale == pair.new.scale)
+    old, new = pair.old.value, pair.new.value
+    return old is not None and new is not None and old.scale == new.scale
+
+
+def _belongs_to_signal(comparison: Comparison, pair: Pair[Any], key: str) -> bool:
+    """Whether the difference of a field's text is that of its signal."""
+    if not isinstance(pair.new, Field) or key not in _OF_SIGNAL:
+        return False
+    get = TEXTS[Field][key]
+    old, new = comparison.old.signals.get(pair.old.signal), comparison.new.signals.get(pair.new.signal)
+    return old is not None and new is not None and (get(old), get(new)) == (get(pair.old), get(pair.new))
+
+
+def _old_and_new(differ: list[tuple[str, Any, Any]]) -> tuple[list[tuple[str, Any]], list[tuple[str, Any]]]:
+    """The keys with their old values, and with their new ones."""
+    return [(key, old) for key, old, _ in differ], [(key, new) for key, _, new in differ]
+
+
+def _key_text(key: str, value: Any) -> str:
+    return f"{key}: {value_text(value)}"
+
+
+_KEYS = (
+    "link",
+    "direction",
+    "message",
+    "exception_response",
+    "refused",
+    "reply_to",
+    "frame",
+    "elided",
+    "characters",
+    "values",
+    "origin",
+)
+_EXAMPLE_KEYS = {"link": "links", "message": "messages", "reply_to": "examples"}
+
+
+def example_changed(comparison: Comparison) -> Iterator[Change]:
+    """An example has other bytes or other values, or shows something else.
+
+    Why: an example affects nobody. But if its frame has changed and no fact has, one of the two is wrong.
+
+    Example: a `frame` with another checksum.
+
+    Cure: Find out whether the manual or the transcription has changed.
+    """
+
+    for pair in comparison.of(Example):
+        for key in _KEYS:
+            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            old = comparison.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
+            if old != new:
+                subject = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("example_changed", Effect.DOCS, pair, key, text, old, new)

@@ -1,0 +1,136 @@
+"""Rules about bit fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.changes.attributes import ALL
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison
+from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.evidence import bits
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit, State
+
+
+def bit_moved(comparison: Comparison) -> Iterator[Change]:
+    """A bit, or a field of bits, is elsewhere in its word.
+
+    Why: existing programs test and set the wrong bits.
+
+    Example: `bit: 4` that becomes `bit: 5`, or `bits: 4..5` that becomes `bits: 4..6`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Bit):
+        if (pair.old.first, pair.old.last) != (pair.new.first, pair.new.last):
+            old, new = bits(pair.old), bits(pair.new)
+            key = "bit" if pair.new.width == 1 else "bits"
+            effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
+            yield change("bit_moved", effect, pair, key, f"{named(pair.new)} is {new}, and was {old}", old, new)
+
+
+def flags_changed(comparison: Comparison) -> Iterator[Change]:
+    """A value has another word of flags, has one now, or has none any more.
+
+    Why: if the two words give a bit different names, it means something else. If not, the types of generated code
+    change.
+
+    Example: `flags: status` that becomes `flags: extended_status`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in comparison.values:
+        old, new = comparison.renamed_to("flags", value_pair.old.flags), value_pair.new.flags
+        if old == new:
+            continue
+        before, after = _names(comparison.old, value_pair.old.flags), _names(comparison.new, new)
+        lost = bool(before) and bool(after) and not before <= after
+        effect = Effect.WIRE if lost else Effect.SOURCE
+        text = f"{named(value_pair.of.new)}: {difference_text('the word of flags', old, new)}"
+        yield change("flags_changed", effect, value_pair, "flags", text, old, new, ALL)
+
+
+def _names(device: Device, name: str) -> set[tuple[int, int, str]]:
+    flags = device.flags.get(name)
+    return {(bit.first, bit.last, bit.name) for bit in flags.bits if not bit.reserved} if flags else set()
+
+
+def polarity_changed(comparison: Comparison) -> Iterator[Change]:
+    """A bit means the opposite.
+
+    Why: what was true when the bit was 1 is true when it is 0.
+
+    Example: `active: low` at a bit without it.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Bit):
+        old, new = pair.old.active, pair.new.active
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('the active level', old, new)}"
+            yield change("polarity_changed", Effect.WIRE, pair, "active", text, old, new)
+
+
+def state_changed(comparison: Comparison) -> Iterator[Change]:
+    """Other bits show a state of the device.
+
+    Why: programs mistake one state for another.
+
+    Example: `set: [ready]` of the state `running` that becomes `set: [ready, operating]`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(State):
+        word = pair.old.place.path.partition("/states/")[0]
+        for key, subject in (("set", "what is 1 in it"), ("clear", "what is 0 in it")):
+            old = tuple(comparison.renamed_to(word, name) for name in getattr(pair.old, key))
+            new = getattr(pair.new, key)
+            if sorted(old) != sorted(new):
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("state_changed", Effect.WIRE, pair, key, text, old, new)
+
+
+def edge_changed(comparison: Comparison) -> Iterator[Change]:
+    """A bit acts by its level and no longer by its edge, the other way round, or by another edge.
+
+    Why: a program that leaves the bit unchanged starts nothing, or starts the action again and again.
+
+    Example: `edge: rising` at a bit without it.
+
+    Cure: Tell users how to set and clear the bit.
+    """
+
+    for pair in comparison.of(Bit):
+        old, new = pair.old.edge, pair.new.edge
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('the edge that has the effect', old, new)}"
+            yield change("edge_changed", Effect.BEHAVIOUR, pair, "edge", text, old, new)
+
+
+def reserved_changed(comparison: Comparison) -> Iterator[Change]:
+    """A field, a bit, a parameter or an element of a parameter is reserved now, or is no longer reserved.
+
+    Why: generated code writes what is reserved as zero, and ignores it. What has a meaning now was written as zero
+    before.
+
+    Example: `reserved: true` at a field that the old version used.
+
+    Cure: Nothing to do if something is no longer reserved. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
+    """
+
+    for pair in comparison.reserved_changes:
+        old, new = pair.old.reserved, pair.new.reserved
+        effect, outputs = (Effect.WIRE, ALL) if new else (Effect.BEHAVIOUR, ())
+        name = named(pair.old if new else pair.new)
+        text = f"{name} is reserved now" if new else f"{name} was reserved, and has a meaning now"
+        yield change("reserved_changed", effect, pair, "reserved", text, old, new, outputs)

@@ -1,0 +1,370 @@
+"""Rules about frames, message codes and links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.changes.attributes import PYTHON, C
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison, Pair
+from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.evidence import hexadecimal, value_text
+from fieldspec.language.changes.message_texts import access_text, segments_text, steps_text
+from fieldspec.language.model.device import Detection, Device, Version, VersionLine
+from fieldspec.language.model.link import ExceptionResponse, Link, Part
+from fieldspec.language.model.record import Field, Measure, Message
+from fieldspec.language.model.value import ParameterPart
+
+_KEYS = {
+    "encoding": "the encoding",
+    "start": "the start delimiter",
+    "end": "the end delimiter",
+    "response_start": "the start delimiter of responses",
+    "response_end": "the end delimiter of responses",
+    "escape": "the escape",
+}
+
+
+def framing_changed(comparison: Comparison) -> Iterator[Change]:
+    """Frames have other delimiters, another encoding or another escape, or identifiers have their parts elsewhere.
+
+    Why: neither side recognises the frames of the other.
+
+    Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Link):
+        for key, subject in _KEYS.items():
+            old, new = _framing(pair.old, key), _framing(pair.new, key)
+            common = key.startswith("response_") and pair.old.has_common_delimiters and pair.new.has_common_delimiters
+            if old != new and not common:
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
+    for part in comparison.of(Part):
+        old, new = _bits(part.old), _bits(part.new)
+        if old != new:
+            text = f"{named(part.new)}: {difference_text('its bits', old, new)}"
+            yield change("framing_changed", Effect.WIRE, part, "bits", text, old, new)
+
+
+def _bits(part: Part) -> str:
+    """The bits of an identifier that a part takes, as a spec has them."""
+    return "..".join(map(str, part.bits)) if part.bits is not None else ""
+
+
+def _framing(link: Link, key: str) -> bytes | str:
+    """An attribute of a link that decides how frames look."""
+    if key == "escape":
+        return link.escape.text() if link.escape is not None else ""
+    value: bytes | str = getattr(link, key)
+    return value
+
+
+def check_changed(comparison: Comparison) -> Iterator[Change]:
+    """A checksum has another algorithm, prefix, suffix or digits; a checksum covers, or a length counts, other parts.
+
+    Why: each side refuses the frames of the other.
+
+    Example: `algorithm: sum8` that becomes `algorithm: lrc`, or `counts: {plus: 2}` that becomes `counts: {plus: 3}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Part):
+        if pair.old.algorithm != pair.new.algorithm:
+            for key, old, new in _computations(pair.old, pair.new):
+                text = f"{named(pair.new)}: {difference_text(f'the {key}', old, new)}"
+                yield change("check_changed", Effect.WIRE, pair, key, text, old, new)
+        if pair.old.digits != pair.new.digits:
+            text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
+            yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
+        old, new = _span_text(pair.old), _span_text(pair.new)
+        if old != new:
+            check = "checksum" in (pair.old.role, pair.new.role)
+            subject, key = ("what it covers", "covers") if check else ("what it counts", "counts")
+            yield change(
+                "check_changed",
+                Effect.WIRE,
+                pair,
+                key,
+                f"{named(pair.new)}: {difference_text(subject, old, new)}",
+                old,
+                new,
+            )
+
+
+def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
+    """What differs between two algorithms: the one that is stated, or else the bytes before or behind the covered."""
+    if old.stated_algorithm != new.stated_algorithm:
+        yield "algorithm", old.stated_algorithm, new.stated_algorithm
+        return
+    for key, before, after in (("prefix", old.prefix, new.prefix), ("suffix", old.suffix, new.suffix)):
+        if before != after:
+            yield key, before.hex(" ").upper(), after.hex(" ").upper()
+
+
+def _span_text(part: Part) -> str:
+    """What a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
+    span = part.span
+    words = [f"from {span.first}"] if span.first else []
+    words += [f"to {span.last}"] if span.last else []
+    words += ["before escape"] if span.before_escape else []
+    if part.role == "checksum":
+        return " ".join(words) or "all before it"
+    text = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
+    return f"{text} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else text
+
+
+def code_changed(comparison: Comparison) -> Iterator[Change]:
+    """A message has another code, its response has another code, or it has another number if it carries no code.
+
+    Why: existing programs send the wrong message, and misread those that they receive.
+
+    Example: `code: 0x2F` that becomes `code: 0x30`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Message):
+        if pair.old.code != pair.new.code:
+            old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
+            text = f"{named(pair.new)}: {difference_text('the code', old, new)}"
+            yield change("code_changed", Effect.WIRE, pair, "code", text, old, new)
+        response_codes = pair.old.code_of("response"), pair.new.code_of("response")
+        is_stated = pair.old.response_code is not None or pair.new.response_code is not None
+        if is_stated and response_codes[0] != response_codes[1]:
+            old, new = map(hexadecimal, response_codes)
+            text = f"{named(pair.new)}: {difference_text('the code of the response', old, new)}"
+            yield change("code_changed", Effect.WIRE, pair, "response_code", text, old, new)
+        if pair.old.number != pair.new.number:
+            effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
+            text = f"{named(pair.new)}: {difference_text('the number', pair.old.number, pair.new.number)}"
+            yield change("code_changed", effect, pair, "number", text, pair.old.number, pair.new.number)
+
+
+def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another bit of the code marks an exception response, or it has another record.
+
+    Why: programs mistake an exception response for an answer, or misread its reason.
+
+    Example: `exception_response: {flag: 0x80}` that becomes `exception_response: {flag: 0x40}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Link):
+        old, new = (
+            _error_text(comparison, pair.old.exception_response, True),
+            _error_text(comparison, pair.new.exception_response, False),
+        )
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('the exception response', old, new)}"
+            yield change("error_reply_changed", Effect.WIRE, pair, "exception_response", text, old, new)
+
+
+def _error_text(comparison: Comparison, error: ExceptionResponse | None, before: bool) -> str:
+    if error is None:
+        return ""
+    record = comparison.renamed_to("records", error.record) if before else error.record
+    mark = f"bit {hexadecimal(error.flag)}" if error.flag else error.mark_text
+    return f"{mark} and the record {record or 'without fields'}"
+
+
+def role_changed(comparison: Comparison) -> Iterator[Change]:
+    """A field or a part of the frame has another purpose: it measures, decides, repeats or carries something else.
+
+    Why: the same bytes are read as a length, a code, an address or an ordinary value.
+
+    Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes `measures:
+    {items: values}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for part in comparison.of(Part):
+        if part.old.role != part.new.role:
+            yield _role_text(part, "role", "the role", part.old.role, part.new.role)
+        request_path = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
+        same = comparison.renamed_to(request_path, part.old.same_as) if part.old.same_as else ""
+        if same != part.new.same_as:
+            text = f"{named(part.new)}: {difference_text('the part that it repeats', same, part.new.same_as)}"
+            yield change("role_changed", Effect.BEHAVIOUR, part, "same_as", text, same, part.new.same_as)
+    for field in comparison.of(Field):
+        yield from _of_field(comparison, field)
+    for value_pair in comparison.values:
+        old, new = _parameter(value_pair.old.parameter, comparison), _parameter(value_pair.new.parameter, None)
+        if old != new:
+            text = f"{named(value_pair.of.new)}: {difference_text('the part of a parameter that it is', old, new)}"
+            yield change("role_changed", Effect.WIRE, value_pair, "parameter", text, old, new)
+    for message in comparison.of(Message):
+        before, after = access_text(comparison, message.old), access_text(None, message.new)
+        if before != after:
+            yield _role_text(message, "accesses", "how it accesses registers", before, after)
+        before, after = steps_text(comparison, message.old), steps_text(None, message.new)
+        if before != after:
+            yield _role_text(message, "access_steps", "the sequence of its accesses to registers", before, after)
+        before, after = segments_text(comparison, message.old), segments_text(None, message.new)
+        if before != after:
+            yield _role_text(message, "segments", "how its value follows in pieces", before, after)
+
+
+def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, subject: str, old: str, new: str) -> Change:
+    return change(
+        "role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {difference_text(subject, old, new)}", old, new
+    )
+
+
+def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
+    holder_path = pair.old.place.path.rpartition("/")[0]
+    old, new = _measure(pair.old.measures), _measure(pair.new.measures)
+    if (measure := pair.old.measures) is not None:
+        old = _measure(Measure(measure.of, comparison.renamed_to(holder_path, measure.field), measure.plus))
+    if old != new:
+        yield _role_text(pair, "measures", "what it measures", old, new)
+    selector = comparison.renamed_to(holder_path, pair.old.choice.by) if pair.old.choice else ""
+    if pair.old.choice and pair.new.choice and selector != pair.new.choice.by:
+        yield _role_text(pair, "choice", "what decides its type", selector, pair.new.choice.by)
+    same = (
+        comparison.renamed_to(holder_path.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
+    )
+    if same != pair.new.same_as:
+        text = f"{named(pair.new)}: {difference_text('the field that it repeats', same, pair.new.same_as)}"
+        yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, same, pair.new.same_as)
+
+
+def _measure(measure: Measure | None) -> str:
+    plus = f" plus {measure.plus}" if measure and measure.plus else ""
+    return f"the {measure.of} of {measure.field}{plus}" if measure else ""
+
+
+def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str:
+    if part is None:
+        return ""
+    name = comparison.renamed_to("parameters", part.set) if comparison else part.set
+    sizes = f", {value_text(part.sizes)}" if part.sizes else ""
+    return f"the {part.part} of {name}" + (f" by {part.number}" if part.number else "") + sizes
+
+
+def sending_changed(comparison: Comparison) -> Iterator[Change]:
+    """A message is sent or answered on other links, or is sent together with other messages.
+
+    Why: the device does not understand the message on a link that is gone, and may not accept it with other messages.
+    A program waits for an answer that does not come, or takes it for the answer to something else.
+
+    Example: `links: [rtu, ascii]` that becomes `links: [rtu]`.
+
+    Cure: Nothing to do if links or messages are added. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
+    """
+
+    for pair in comparison.of(Message):
+        links = tuple(comparison.renamed_to("links", name) for name in _links(comparison.old, pair.old))
+        answering_links = tuple(comparison.renamed_to("links", name) for name in _answered_on(comparison.old, pair.old))
+        supplements = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
+        if pair.old.is_requested != pair.new.is_requested:
+            words = "users send it" if pair.new.is_requested else "only the device sends it"
+            text = f"{named(pair.new)}: {words} now"
+            values = pair.old.is_requested, pair.new.is_requested
+            yield change("sending_changed", Effect.WIRE, pair, "requested", text, *values)
+        for key, subject, old, new, fallback in (
+            ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
+            ("answered_on", "where it is answered", answering_links, _answered_on(comparison.new, pair.new), None),
+            ("supplements", "what it is sent with", supplements, pair.new.supplements, pair.new.supplements),
+        ):
+            stated = getattr(pair.old, key) or fallback
+            if key == "answered_on":
+                stated = (pair.old.answered_on, pair.new.answered_on) != (None, None)
+            if stated and sorted(old) != sorted(new):
+                lost = key == "answered_on" or (key == "links" and bool(set(old) - set(new)))
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
+
+
+def _answered_on(device: Device, message: Message) -> tuple[str, ...]:
+    return tuple(name for name in _links(device, message) if message.is_answered_on(name))
+
+
+def _links(device: Device, message: Message) -> tuple[str, ...]:
+    return message.links or tuple(device.links)
+
+
+def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another unit address means all stations, or the spec says something else of whether a request may be broadcast.
+
+    Why: all devices carry out a request that was for one of them, or none does.
+
+    Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for link in comparison.of(Link):
+        old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
+        if old != new:
+            text = f"{named(link.new)}: {difference_text('the address of all stations', old, new)}"
+            yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
+    for message in comparison.of(Message):
+        if message.old.broadcast != message.new.broadcast:
+            text = {True: "can", False: "cannot", None: "may or may not"}[message.new.broadcast]
+            yield change(
+                "broadcast_changed",
+                Effect.BEHAVIOUR,
+                message,
+                "broadcast",
+                f"{named(message.new)} {text} be sent to all stations",
+                message.old.broadcast,
+                message.new.broadcast,
+            )
+
+
+def building_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another line of versions gets outputs of its own.
+
+    Why: generated modules and headers have the names of versions, so programs no longer find those that they use.
+
+    Example: `builds: true` that moves from the line `firmware` to the line `hardware`.
+
+    Cure: Keep the line that has the outputs, or tell users the new names.
+    """
+
+    for pair in comparison.of(VersionLine):
+        old, new = pair.old.builds, pair.new.builds
+        if old != new:
+            text = f"the versions of {named(pair.new)} {'have' if new else 'no longer have'} outputs of their own"
+            yield change("building_changed", Effect.SOURCE, pair, "builds", text, old, new, (PYTHON, C))
+
+
+def detection_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another value tells the version of the device, or tells it in another way.
+
+    Why: a program that reads the version chooses the code of that version by it.
+
+    Example: `places: 2` instead of `places: 1`.
+
+    Cure: Regenerate the code, and compare the value with that of a real device.
+    """
+
+    for pair in comparison.of(VersionLine):
+        old, new = (_detection_text(side.detected_by) for side in (pair.old, pair.new))
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('what tells the version', old or None, new or None)}"
+            yield change("detection_changed", Effect.BEHAVIOUR, pair, "detected_by", text, old, new, (PYTHON,))
+    for version in comparison.of(Version):
+        old, new = (", ".join(map(str, side.detected_as)) for side in (version.old, version.new))
+        if old != new:
+            text = f"{version.new.id}: {difference_text('what tells it', old or None, new or None)}"
+            yield change("detection_changed", Effect.BEHAVIOUR, version, "detected_as", text, old, new, (PYTHON,))
+
+
+def _detection_text(detection: Detection | None) -> str:
+    if detection is None:
+        return ""
+    return " ".join(filter(None, (detection.fact, detection.form, str(detection.places or ""))))

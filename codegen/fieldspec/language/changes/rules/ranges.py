@@ -1,0 +1,192 @@
+"""Rules about permitted values, defaults, access and handling."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.foundation.classes import attributes
+from fieldspec.language.changes.bounds import bounds_pairs, text, without
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison
+from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.record import Field, Message
+from fieldspec.language.model.registers import Parameter, Register, Subindex, Table
+from fieldspec.language.model.texts import Limit
+from fieldspec.language.model.value import Handling
+
+
+def range_narrowed(comparison: Comparison) -> Iterator[Change]:
+    """Fewer values are permitted than before, only a shorter text, or fewer elements.
+
+    Why: the device or the generated code refuses what it accepted.
+
+    Example: `range: 0..100` that becomes `range: 1..100`.
+
+    Cure: Tell users of the lost values.
+    """
+
+    for bounds in bounds_pairs(comparison):
+        lost = without(bounds.old, bounds.new)
+        if lost.intervals:
+            message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(lost)} is not allowed any more"
+            yield change(
+                "range_narrowed", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
+            )
+
+
+def range_widened(comparison: Comparison) -> Iterator[Change]:
+    """More values are permitted than before, a longer text, or more elements.
+
+    Why: an existing program receives values that it does not expect, and generated code of the old version refuses
+    them.
+
+    Example: `range: 0..100` that becomes `range: 0..200`.
+
+    Cure: None is needed.
+    """
+
+    for bounds in bounds_pairs(comparison):
+        gained = without(bounds.new, bounds.old)
+        if gained.intervals:
+            message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(gained)} is allowed now"
+            yield change(
+                "range_widened", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
+            )
+
+
+def default_changed(comparison: Comparison) -> Iterator[Change]:
+    """The default of a value is another one.
+
+    Why: a device that relies on the old default, and a record or a word of bits that is filled only in part, behave in
+    another way. Other bytes are written into reserved fields.
+
+    Example: `default: 100` that becomes `default: 50`.
+
+    Cure: Tell users to set the value where it matters. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
+    """
+
+    for value_pair in comparison.all_values:
+        old, new = value_pair.old.default, value_pair.new.default
+        if old != new:
+            filling = value_pair.reserved and value_pair.new.const is None and (old or 0) != (new or 0)
+            effect = Effect.WIRE if filling else Effect.BEHAVIOUR
+            text = f"{named(value_pair.of.new)}: {difference_text('the default', old, new)}"
+            yield change("default_changed", effect, value_pair, "default", text, old, new)
+    for pair in comparison.of(Bit):
+        if pair.old.default != pair.new.default:
+            old, new = pair.old.default, pair.new.default
+            text = f"{named(pair.new)}: {difference_text('the default', old, new)}"
+            yield change("default_changed", Effect.BEHAVIOUR, pair, "default", text, old, new)
+
+
+_KEYS = {
+    "kind": ("kind", "the kind"),
+    "value": ("value", "the value"),
+    "low": ("min", "the least"),
+    "high": ("max", "the most"),
+    "text": ("text", "the text"),
+    "unit": ("unit", "the unit"),
+}
+
+
+def limit_changed(comparison: Comparison) -> Iterator[Change]:
+    """A limit of the device, such as a time, a maximum or a supply, is another one.
+
+    Why: a machine that was built for the old number may be too fast, too slow or too weak.
+
+    Example: `value: 5` of a reply time in ms that becomes `value: 20`.
+
+    Cure: Tell users of the old number.
+    """
+
+    for pair in comparison.of(Limit):
+        for attribute, (key, subject) in _KEYS.items():
+            old, new = getattr(pair.old, attribute), getattr(pair.new, attribute)
+            if old != new:
+                effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("limit_changed", effect, pair, key, text, old, new)
+
+
+def access_changed(comparison: Comparison) -> Iterator[Change]:
+    """A register, a table, a field, a parameter or an element of one has another access.
+
+    Why: the device, or the generated code, refuses to write what can only be read.
+
+    Example: `access: rw` that becomes `access: ro`.
+
+    Cure: Say in the notes of the version which writes no longer work. Where the old spec was wrong, accept the change
+    with that reason; else give the new version a number of its own.
+    """
+
+    for pair in comparison.any_of(Register, Table, Field, Parameter, Subindex):
+        old, new = pair.old.access, pair.new.access
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('the access', old, new)}"
+            yield change("access_changed", Effect.BEHAVIOUR, pair, "access", text, old, new)
+
+
+_HANDLING_TEXTS = {
+    ("atomic", True): "must be accessed in one request",
+    ("atomic", False): "may be accessed in several requests",
+    ("trigger", True): "starts an action when it is written",
+    ("trigger", False): "no longer starts an action when it is written",
+}
+_ASKED = {
+    "memory": "the memory that keeps it",
+    "saved_by": "what saves it",
+    "endurance": "how often it may be written",
+    "clears_on_read": "whether reading clears it",
+    "opposite_of": "what has the opposite sense",
+}
+_PATHS = ("saved_by", "opposite_of")
+
+
+def handling_changed(comparison: Comparison) -> Iterator[Change]:
+    """The handling of a value is another one: whether it must be accessed in one request, starts an action, or is
+    saved.
+
+    Why: a program that reads a value in two requests gets halves of two values; one that reads back a trigger gets
+    nothing; one that does not save a value loses it with the power; and one that does not know that two facts have
+    opposite senses does the opposite of what it should.
+
+    Example: `atomic: true` at a register without it, or `saved_by: registers/save` at a parameter.
+
+    Cure: Tell users how to access the value.
+    """
+
+    for pair in comparison.any_of(Register, Field, Parameter):
+        for key in ("atomic", "trigger"):
+            old, new = getattr(pair.old, key, False), getattr(pair.new, key, False)
+            if old != new:
+                text = f"{named(pair.new)} {_HANDLING_TEXTS[key, new]}"
+                yield change("handling_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
+    for handled in comparison.any_of(Register, Field, Parameter, Table, Message, Bit):
+        if handled.old.handling == handled.new.handling:
+            continue
+        for key in attributes(Handling):
+            before, after = getattr(handled.old.handling, key), getattr(handled.new.handling, key)
+            if key in _PATHS and before:
+                before = comparison.renamed_path(before)
+            if before != after:
+                text = f"{named(handled.new)}: {difference_text(_ASKED[key], before, after)}"
+                yield change("handling_changed", Effect.BEHAVIOUR, handled, key, text, before, after)
+
+
+def restart_changed(comparison: Comparison) -> Iterator[Change]:
+    """A change of a value takes effect after a restart, or no longer needs one.
+
+    Why: a program that sets the value and goes on works with the old one.
+
+    Example: `restart: true` at a parameter that took effect at once.
+
+    Cure: Tell users when to restart the device.
+    """
+
+    for pair in comparison.any_of(Register, Field, Parameter):
+        old, new = pair.old.restart, pair.new.restart
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('whether a restart is needed', old, new)}"
+            yield change("restart_changed", Effect.BEHAVIOUR, pair, "restart", text, old, new)

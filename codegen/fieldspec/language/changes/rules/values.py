@@ -1,0 +1,297 @@
+"""Rules about how a value is encoded and scaled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.changes.attributes import ALL, PYTHON
+from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
+from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit, Flags
+from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.record import Field
+from fieldspec.language.model.registers import Table
+from fieldspec.language.model.text_form import TextForm, text_form_title
+from fieldspec.language.model.units import DeclaredUnit
+from fieldspec.language.model.value import Conversion, Primitive, Value
+
+
+def type_changed(comparison: Comparison) -> Iterator[Change]:
+    """A value has another type, other digits or another size, or a field or a table has another record.
+
+    Why: the bytes are read as another number, and what follows them in a frame moves.
+
+    Example: `type: i16` that becomes `type: i32`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in comparison.all_values:
+        if value_pair.old.size != value_pair.new.size or (
+            _encoding(value_pair.old) != _encoding(value_pair.new) and not value_pair.reserved
+        ):
+            yield _change(value_pair, "type", _of(value_pair.old), _of(value_pair.new), named(value_pair.of.new))
+    for word in comparison.of(Flags):
+        if word.old.type != word.new.type:
+            yield _change(word, "type", word.old.type.name, word.new.type.name, named(word.new))
+    for bit in comparison.of(Bit):
+        if bit.old.signed != bit.new.signed:
+            kinds = {True: "signed", False: "unsigned"}
+            yield _change(bit, "signed", kinds[bit.old.signed], kinds[bit.new.signed], named(bit.new))
+    for table in comparison.of(Table):
+        record = comparison.renamed_to("records", table.old.record)
+        if record != table.new.record:
+            yield _change(table, "record", record, table.new.record, named(table.new))
+    for field in comparison.of(Field):
+        record = comparison.renamed_to("records", field.old.record)
+        old, new = _content(field.old, record), _content(field.new, field.new.record)
+        if record != field.new.record or old[0] != new[0]:
+            yield _change(field, new[0], old[1], new[1], named(field.new))
+    for part in comparison.of(Part):
+        if (part.old.value is None) != (part.new.value is None):
+            yield _change(part, "type", _of(part.old.value), _of(part.new.value), named(part.new))
+
+
+def _of(value: Value | None) -> str:
+    if value is None:
+        return ""
+    digits = f" as {value.digits} digits" if value.digits else ""
+    places = f" with {value.places} places" if value.places else ""
+    blanks = " with blanks before them" if value.has_blanks else ""
+    size = "" if value.type.size and not digits else f" of {value.size} bytes"
+    size = f" of at most {value.width} bytes" if value.width else size
+    form = f" in {text_form_title(value)}" if value.text_form is not None else ""
+    return f"{value.type.name}{digits}{places}{size}{form}{blanks}"
+
+
+def _encoding(value: Value) -> tuple[Primitive, str, int, bool, TextForm | None, int]:
+    """What the bytes of a value are read as."""
+    return value.type, value.digits, value.places, value.has_blanks, value.text_form, value.width
+
+
+def _content(field: Field, record: str) -> tuple[str, str]:
+    """The key that gives the type of a field, and the type as text."""
+    if field.choice is not None:
+        return "choice", f"a choice by {field.choice.by}"
+    return ("record", record) if record else ("type", _of(field.value))
+
+
+def _change(
+    pair: ValuePair | Pair[Bit] | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part],
+    key: str,
+    old: str,
+    new: str,
+    name: str,
+) -> Change:
+    return change(
+        "type_changed", Effect.WIRE, pair, key, f"{name}: {difference_text('the type', old, new)}", old, new, ALL
+    )
+
+
+def _of_bits(comparison: Comparison) -> Iterator[ValuePair]:
+    """The numbers in fields of bits."""
+    for pair in comparison.of(Bit):
+        yield ValuePair(pair, pair.old.as_value, pair.new.as_value)
+
+
+def scale_changed(comparison: Comparison) -> Iterator[Change]:
+    """The scale or the offset of a value is another one, or the register or field with the exponent of its scale.
+
+    Why: the same number on the wire is another quantity, such as ten times the distance.
+
+    Example: `scale: 0.01` that becomes `scale: 0.001`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in (*comparison.values, *_of_bits(comparison)):
+        for key, old, new in (
+            ("scale", value_pair.old.scale_number, value_pair.new.scale_number),
+            ("offset", value_pair.old.offset, value_pair.new.offset),
+        ):
+            if old != new and (key == "offset" or value_pair.old.scale != value_pair.new.scale):
+                text = f"{named(value_pair.of.new)}: {difference_text('the ' + key, old, new)}"
+                yield change("scale_changed", Effect.WIRE, value_pair, key, text, old, new)
+        exponent = _exponent(comparison, value_pair)
+        if exponent != value_pair.new.scale_by:
+            new = value_pair.new.scale_by
+            subject = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
+            text = f"{named(value_pair.of.new)}: {difference_text(subject, exponent, new)}"
+            yield change("scale_changed", Effect.WIRE, value_pair, "scale_by", text, exponent, new)
+
+
+def _exponent(comparison: Comparison, pair: ValuePair) -> str:
+    """The new name of what has the exponent of an old value: a field beside it, or a register."""
+    name = pair.old.scale_by
+    if not name:
+        return ""
+    field_name = comparison.renamed_to(pair.of.old.place.path.rpartition("/")[0], name)
+    return field_name if field_name != name else comparison.renamed_to("registers", name)
+
+
+def unit_changed(comparison: Comparison) -> Iterator[Change]:
+    """A quantity is in another unit, or a unit that the spec declares is worth something else.
+
+    Why: the same number is in millimetres now, and was in pulses.
+
+    Example: `unit: pulse` that becomes `unit: mm`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in (*comparison.values, *_of_bits(comparison)):
+        old, new = value_pair.old.quantity_unit, value_pair.new.quantity_unit
+        if old != new:
+            text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
+            yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))
+    for unit in comparison.of(DeclaredUnit):
+        for key, subject in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
+            before, after = getattr(unit.old, key) or None, getattr(unit.new, key) or None
+            if before != after:
+                text = f"the unit {named(unit.new)}: {difference_text(subject, before, after)}"
+                yield change("unit_changed", Effect.WIRE, unit, key, text, before, after)
+
+
+def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
+    """A special value is new, is gone, or has another name.
+
+    Why: 0xFFFF meant `ignore` and is a distance now, or was a distance and means `ignore`.
+
+    Example: `sentinels: [{value: 0xFFFF, name: ignored}]` that loses its only entry.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in comparison.values:
+        if value_pair.old.sentinels != value_pair.new.sentinels:
+            yield from _compare_sentinels(value_pair)
+
+
+def _compare_sentinels(value_pair: ValuePair) -> Iterator[Change]:
+    name = named(value_pair.of.new)
+    old, new = (
+        {(sentinel.value, sentinel.text): sentinel.name for sentinel in value.sentinels}
+        for value in (value_pair.old, value_pair.new)
+    )
+    for key in sorted(old.keys() | new.keys()):
+        count, value = key
+        if key not in new:
+            text = f"{name}: {value} no longer stands for {old[key]}"
+            yield _sentinel_change(value_pair, Effect.WIRE, text, f"{value} {old[key]}", "")
+        elif key not in old:
+            effect = Effect.WIRE if _possible(value_pair.old, count) else Effect.BEHAVIOUR
+            yield _sentinel_change(
+                value_pair, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}"
+            )
+        elif old[key] != new[key]:
+            text = f"{name}: {value} is called {new[key]}, and was called {old[key]}"
+            yield _sentinel_change(
+                value_pair, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,)
+            )
+
+
+def _possible(value: Value, count: int) -> bool:
+    """Whether a raw value was permitted as a quantity."""
+    return value.ranges is None or count in value.ranges
+
+
+def _sentinel_change(
+    value_pair: ValuePair, effect: Effect, text: str, old: str, new: str, outputs: tuple[str, ...] = ()
+) -> Change:
+    return change("sentinel_changed", effect, value_pair, "sentinels", text, old, new, outputs)
+
+
+def const_changed(comparison: Comparison) -> Iterator[Change]:
+    """The constant value of a field is another one.
+
+    Why: the new side refuses frames with the old value, and the old side frames with the new one.
+
+    Example: `const: 0x44` that becomes `const: 0x45`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for value_pair in comparison.all_values:
+        old, new = value_pair.old.const, value_pair.new.const
+        if old != new:
+            text = f"{named(value_pair.of.new)}: {difference_text('the constant', old, new)}"
+            yield change("const_changed", Effect.WIRE, value_pair, "const", text, old, new)
+
+
+def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
+    """The bytes of a value, or the words of a value in several registers, are in another order.
+
+    Why: every number of more than one byte is misread.
+
+    Example: `byte_order: big` at a link that becomes `byte_order: little`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for link in comparison.of(Link):
+        for key in ("byte_order", "word_order"):
+            old, new = getattr(link.old, key) or "big", getattr(link.new, key) or "big"
+            if old != new:
+                text = f"{named(link.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
+                yield change("byte_order_changed", Effect.WIRE, link, key, text, old, new)
+    for part in comparison.of(Part):
+        if all(side.algorithm and checksum_named(side.algorithm).has_order for side in (part.old, part.new)):
+            old, new = part.old.byte_order or "little", part.new.byte_order or "little"
+            if old != new:
+                text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
+                yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
+    for value_pair in comparison.values:
+        for key in ("byte_order", "word_order"):
+            if getattr(value_pair.old, key) == getattr(value_pair.new, key):
+                continue
+            if _ordered(value_pair.old, key) and _ordered(value_pair.new, key):
+                old, new = _order(value_pair.old, comparison.old, key), _order(value_pair.new, comparison.new, key)
+                if old != new:
+                    text = f"{named(value_pair.of.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
+                    yield change("byte_order_changed", Effect.WIRE, value_pair, key, text, old, new)
+
+
+def _ordered(value: Value, key: str) -> bool:
+    return value.has_words if key == "word_order" else value.has_order
+
+
+def _order(value: Value, device: Device, key: str) -> str:
+    """The order of a value: its own, or that of its device, whose words have the order of its bytes by default."""
+    own: str = getattr(value, key) or getattr(device, key)
+    return own or _order(value, device, "byte_order")
+
+
+def conversion_changed(comparison: Comparison) -> Iterator[Change]:
+    """A conversion gives a count another percentage of its reference, applies to other signals, or has other
+    references.
+
+    Why: the same count is another speed, torque or distance.
+
+    Example: `full_scale: 0x4000` that becomes `full_scale: 0x40000000`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in comparison.of(Conversion):
+        paths = tuple(map(comparison.renamed_path, pair.old.references))
+        renamed = tuple(comparison.renamed_to("signals", name) for name in pair.old.signals)
+        for key, subject, old, new in (
+            ("full_scale", "the full scale", pair.old.full_scale, pair.new.full_scale),
+            ("complement", "subtraction from the reference", pair.old.complement, pair.new.complement),
+            ("type", "the type of the count", pair.old.type.name, pair.new.type.name),
+            ("signals", "what it applies to", renamed, pair.new.signals),
+            ("references", "the reference", paths, pair.new.references),
+        ):
+            if old != new:
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
+                yield change("conversion_changed", Effect.WIRE, pair, key, text, old, new)

@@ -1,0 +1,110 @@
+"""Each step of a message that accesses registers in several steps reads or writes words or bytes that the message
+carries, or changes the bits of one register by two masks. All of its numbers are integers, and each step has values of
+its own.
+
+Why: a simulated device carries out the steps, and explanations show their registers. A message with one access states
+it under `accesses`, so that clients use it.
+
+Example: a step that writes without `values` and without masks; a step for a space of coils; `access_steps` with a
+single step that reads.
+
+Cure: Correct the keys of the step. State a single access under `accesses`, and leave out steps that access single bits.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.address_space import BIT, AddressSpace
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.record import Field, Message, RegisterAccess
+from fieldspec.language.model.value import Kind
+
+_CODE = "access_steps_fit_space"
+
+
+def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
+    for message in device.messages.values():
+        steps = message.access_steps
+        if not steps:
+            continue
+        if message.accesses is not None:
+            text = f"{message.name} has both `accesses` and `access_steps`"
+            yield finding(_CODE, message.place, "access_steps", text, "remove one of them")
+        if len(steps) == 1 and not steps[0].and_mask:
+            text = f"{message.name} has a single access, which clients look for under `accesses`"
+            yield finding(_CODE, message.place, "access_steps", text, "state it under `accesses`")
+        for (operation, name), times in Counter((step.operation, step.values) for step in steps).items():
+            if name and times > 1:
+                text = f"{name} are the values of {times} steps that {operation} in {message.name}"
+                yield finding(_CODE, message.place, "access_steps", text, "name a field of its own in each step")
+        for step in steps:
+            if step.space in ("", *device.spaces):
+                yield from _step(message, step, device.space(step.space))
+
+
+def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterator[Diagnostic]:
+    does = f"{message.name} {step.operation}s"
+    related_labels = () if not space.name else (label(space.place, "name", "the space"),)
+    if space.unit == BIT:
+        text = f"a step of {does} single bits"
+        help = "leave out `access_steps`, or state messages with `accesses` for the bits"
+        yield finding(_CODE, message.place, "access_steps", text, help, *related_labels)
+        return
+    has_masks = bool(step.and_mask and step.or_mask)
+    wrong = ""
+    if bool(step.and_mask) != bool(step.or_mask):
+        wrong = "with one mask only"
+    elif has_masks and (step.operation == "read" or step.values or step.count):
+        wrong = "by masks, and has `values` or a `count`" if step.operation == "write" else "by masks"
+    elif not has_masks and not step.values:
+        wrong = "no `values`"
+    if wrong:
+        help = "a step has `values`, or writes one register with `and_mask` and `or_mask`"
+        yield finding(_CODE, message.place, "access_steps", f"a step of {does} {wrong}", help)
+    carried = (step.and_mask, step.or_mask, step.values)
+    own = (step.start, step.count, step.and_mask, step.or_mask, step.values if step.operation == "write" else "")
+    shared = next((name for name, times in Counter(filter(None, own)).items() if times > 1), "")
+    if shared:
+        text = f"{shared} is stated for two purposes in a step of {message.name}"
+        yield finding(_CODE, message.place, "access_steps", text, "name a field of its own for each purpose")
+    holder = message.response if step.operation == "read" else message.request
+    for name in filter(None, (step.start, step.count, *carried)):
+        record = holder if name == step.values else message.request
+        field = record.named(name)
+        if field is not None:
+            yield from _number_findings(message, field, space, name in carried, name == step.values)
+    yield from _count(message, step, message.request.named(step.count) if step.count else None)
+
+
+def _number_findings(
+    message: Message, field: Field, space: AddressSpace, is_carried: bool, may_be_list: bool
+) -> Iterator[Diagnostic]:
+    """The finding of a field that is no number, or no register where it `is_carried`."""
+    value = field.value
+    if value is None or value.type.kind is not Kind.INTEGER or value.flags or (field.is_list and not may_be_list):
+        text = f"{field.name} is no single number, but a step of {message.name} needs one"
+        yield finding(_CODE, field.place, "name", text, "state it as an integer without flags")
+    elif is_carried and (value.size != space.unit_size or value.type.signed):
+        text = f"{field.name} is {value.type.name}, but {message.name} accesses {space.unit}s"
+        help = f"use `u{8 * space.unit_size}`, and give the registers their types"
+        yield finding(_CODE, field.place, "type", text, help)
+
+
+def _count(message: Message, step: RegisterAccess, count: Field | None) -> Iterator[Diagnostic]:
+    """The finding of a number of registers that may differ from what a request carries."""
+    holder = message.response if step.operation == "read" else message.request
+    values = holder.named(step.values) if step.values else None
+    if count is None or values is None:
+        return
+    if count.measures is not None and count.measures.plus:
+        text = f"{count.name} is the number of {values.name} plus {count.measures.plus} in {message.name}"
+        help = "remove `plus`: what a request asks for is the number of registers"
+        yield finding(_CODE, count.place, "measures", text, help)
+    elif step.operation == "write" and count.measures is None:
+        text = f"{count.name} may differ from the number of {values.name} in {message.name}"
+        help = f"add `measures: {{items: {values.name}}}`: encoders compute it, and decoders compare it"
+        yield finding(_CODE, count.place, "name", text, help, label(values.place, "name", values.name))

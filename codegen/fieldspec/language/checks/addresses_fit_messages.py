@@ -1,0 +1,65 @@
+"""The field with the first address can contain the address of every register that its message accesses.
+
+Why: outputs put the address of a register into that field. An address beyond its type or its range is refused when a
+program first asks for the register, or has lost its high bits.
+
+Example: a register at 0x1200 in a space whose reading message has `{name: address, type: u8}`.
+
+Cure: Correct the type or the range of the field, the address, or the space of the register.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.addresses import table_words
+from fieldspec.language.checks.finding import finding, hexadecimal, label
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.record import Field, Message
+from fieldspec.language.model.sizes import RecordSizes
+from fieldspec.language.model.value import Kind, Value
+
+_CODE = "addresses_fit_messages"
+_REFUSED = {"read": "wo", "write": "ro"}
+_HELP = "correct the type or the range of the field, or the address"
+
+
+def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
+    for message in device.messages.values():
+        access = message.accesses
+        field = message.request.named(access.start) if access is not None else None
+        if access is None or field is None or field.value is None or field.value.type.kind is not Kind.INTEGER:
+            continue
+        space = device.space_name(access.space)
+        for fact, key, first, last in _addressed(device, space, _REFUSED[access.operation]):
+            if not _contains(field.value, first, last):
+                yield _finding(message, field, fact, key, first if first == last else last)
+                break
+
+
+def _addressed(device: Device, space: str, refused: str) -> Iterator[tuple[Fact, str, int, int]]:
+    """What a message can access of a space: registers with the first addresses of their elements, whole tables."""
+    for register in device.registers():
+        if device.space_name(register.space) == space and register.access != refused:
+            yield register, "at", register.address, register.address + (register.count - 1) * register.stride
+    sizes = RecordSizes(device)
+    for table in device.tables.values():
+        if device.space_name(table.space) == space and table.access != refused and not table.base_by:
+            last = table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
+            yield table, "base", table.base, last
+
+
+def _contains(value: Value, first: int, last: int) -> bool:
+    """Whether all numbers from one to another are values of a field."""
+    if first < value.low or last > value.high:
+        return False
+    ranges = value.writable_ranges
+    return ranges is None or any(low <= first and last <= high for low, high in ranges.intervals)
+
+
+def _finding(message: Message, field: Field, fact: Fact, key: str, address: int) -> Diagnostic:
+    text = f"{fact.name} has the address {hexadecimal(address)}, which {field.name} of {message.name} cannot contain"
+    related_label = label(field.place, "range" if "range" in field.place else "type", "the field with the address")
+    return finding(_CODE, fact.place, key, text, _HELP, related_label)

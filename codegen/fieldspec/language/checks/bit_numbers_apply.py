@@ -1,0 +1,81 @@
+"""Only a field of several bits has a sign, a scale or a unit, and no enum or edge beside them. Only a single bit has an
+active level and texts for 0 and 1. A signed field has fewer bits than its word. A range is that of several bits that
+always have one meaning, in the data of a message.
+
+Why: a single bit is true or false, and members of an enum are no quantities. A word that is one number as a
+whole is a value. Codecs do not know whether a condition holds, and compare nothing with the bits of a part of a frame.
+
+Example: `unit: mm` on `bit: 3`, or `signed: true` on `bits: 0..15` of a `u16`.
+
+Cure: Remove the key, or correct the bits. State a number that fills its word as a value of a signed type, with
+its scale and its unit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit, Flags
+
+_CODE = "bit_numbers_apply"
+_KEYS = ("signed", "scale", "offset", "unit")
+_LEVEL_KEYS = ("zero", "one", "active")
+
+
+def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
+    for word in device.flags.values():
+        for bit in word.bits:
+            yield from _of_number(word, bit)
+            yield from _of_range(bit)
+            for key in _LEVEL_KEYS:
+                if bit.width > 1 and key in bit.place:
+                    text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
+                    yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
+    for fact, value in values(device):
+        bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
+        if bounded and value.sentinels:
+            text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
+            related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
+            help = "remove one of them, or use a word of bits without a range"
+            yield finding(_CODE, fact.place, "sentinels", text, help, related_label)
+    for link in device.links.values():
+        for part in (*link.request, *link.response):
+            bounded = device.flags[part.value.flags].bounded if part.value and part.value.flags in device.flags else ()
+            if bounded:
+                text = f"{part.name} is a part of a frame, to which the range of {bounded[0].name} does not apply"
+                related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
+                yield finding(_CODE, part.place, "flags", text, "use a word of bits without a range", related_label)
+
+
+def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
+    keys = [key for key in _KEYS if key in bit.place] if bit.is_number else []
+    if not keys:
+        return
+    reason = ""
+    if bit.width == 1:
+        reason, help = "is a single bit", "remove it, or correct the bits"
+    elif bit.enum or bit.edge:
+        reason, help = f"has an {'enum' if bit.enum else 'edge'}", "remove one of them"
+    elif bit.signed and bit.width >= 8 * word.type.size:
+        reason, help = f"fills {word.name}", "state the word as a value of a signed type"
+    if reason:
+        text = f"{bit.name} {reason}, to which `{keys[0]}` does not apply"
+        yield finding(_CODE, bit.place, keys[0], text, help)
+
+
+def _of_range(bit: Bit) -> Iterator[Diagnostic]:
+    if bit.ranges is None:
+        return
+    key, reason = range_key(bit.place), ""
+    if bit.width == 1:
+        reason, help = "is a single bit", "remove it, or correct the bits"
+    elif bit.reserved or bit.edge:
+        reason, help = "is reserved" if bit.reserved else "has an edge", "remove one of them"
+    elif bit.when:
+        reason, help = "has its meaning under a condition only", "remove it, and state the range in `doc`"
+    if reason:
+        yield finding(_CODE, bit.place, key, f"{bit.name} {reason}, to which `{key}` does not apply", help)

@@ -1,0 +1,70 @@
+"""Every bit is within its word, the word fits every value that uses it, no value is wider than the word, and one of
+them is as wide.
+
+Why: a bit that the word does not have cannot be read. Either the word is too narrow or the bit number is
+wrong. A word that is wider than all its values has a wrong type, or they have. In a value that is wider than the word,
+nothing says what the other bits are, nor which half has the word.
+
+Example: bit 16 in a word of type `u16`, a bit field with bit 9 that a `u8` uses, one of type `u32` that only a `u16`
+uses, or one of type `u16` that a `u32` uses.
+
+Cure: Correct the type or the bit number, and write an erratum if the manual prints it that way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Kind
+
+
+def bits_within_width(device: Device) -> Iterator[Diagnostic]:
+    for word in device.flags.values():
+        width = 8 * word.type.size
+        for bit in word.bits:
+            if bit.last >= width:
+                yield finding(
+                    "bits_within_width",
+                    bit.place,
+                    "bits" if "bits" in bit.place else "bit",
+                    f"{bit.name} has bit {bit.last}, but {word.name} has the bits 0 to {width - 1}",
+                    "correct the number or the type",
+                    label(word.place, "type", word.type.name),
+                )
+    widest: dict[str, int] = {}
+    for fact, value in values(device):
+        used = device.flags.get(value.flags)
+        if used is None:
+            continue
+        widest[used.name] = max(widest.get(used.name, 0), value.type.size)
+        if value.type.kind is Kind.INTEGER and value.type.size > used.type.size:
+            text = f"{fact.name} is {value.type.name}, wider than {used.name}, which is {used.type.name}"
+            help = (
+                f"correct the type, or state `type: {value.type.name}` for {used.name}: narrower values may use it too"
+            )
+            related_label = label(used.place, "type", f"the type of {used.name}")
+            yield finding("bits_within_width", fact.place, "flags", text, help, related_label)
+        if not used.bits:
+            continue
+        highest = max(used.bits, key=lambda bit: bit.last)
+        if value.type.kind is not Kind.INTEGER or highest.last >= 8 * value.type.size:
+            widest[used.name] = used.type.size  # one of the two is wrong, which one finding says
+            yield finding(
+                "bits_within_width",
+                fact.place,
+                "flags",
+                f"{fact.name} is {value.type.name} and cannot hold bit {highest.last} of {used.name}",
+                "correct the type, or name the right bit field",
+                label(highest.place, "bit", f"{highest.name}"),
+            )
+    for name, size in widest.items():
+        word = device.flags[name]
+        # A word of three bytes has no type of its own.
+        if word.type.size > next(whole for whole in (1, 2, 4, 8, size) if whole >= size):
+            text = f"{name} is {word.type.name}, wider than every value that uses it"
+            help = f"the widest of them has {8 * size} bits; correct its type or that of the word"
+            yield finding("bits_within_width", word.place, "type", text, help)

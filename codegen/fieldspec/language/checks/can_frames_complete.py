@@ -1,0 +1,160 @@
+"""The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
+data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits.
+
+Why: a bit that no part has could be anything, and a frame with more data cannot be sent.
+
+Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
+
+Cure: Give every bit of the identifier to one part, a `const` or a `reserved` one where the manual says so. State longer
+data as several messages. A CAN bus has no delimiters, escapes, serial settings and ports of its own. A length counts,
+and a checksum covers, parts of the data.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding, label, plural
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.escape import CAN_DATA
+from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size
+
+_CODE = "can_frames_complete"
+_FOREIGN = ("start", "end", "delimiters", "encoding", "escape", "serial", "network", "silence")
+_MOST_PARTS = 7
+"""The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
+
+
+def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
+    for link in device.links.values():
+        if not link.is_can:
+            for part in (*link.request, *link.response):
+                if part.bits is not None:
+                    text = f"{part.name} has `bits`, but {link.name} is no CAN bus"
+                    yield finding(_CODE, part.place, "bits", text, "remove `bits`, or add `can` to the link")
+            continue
+        yield from _without_foreign_keys(link)
+        own = [_identifier(link.parts(direction)) for direction in ("request", "response")]
+        if own[0] != own[1]:
+            text = f"requests and responses on {link.name} divide the identifier differently"
+            help = "give the parts before the data the same types and bits in both directions"
+            yield finding(_CODE, link.place, "can", text, help)
+        for direction in ("request", "response"):
+            yield from _of_parts(link, direction)
+        yield from _data(device, link)
+        yield from _numbers(device, link)
+
+
+def _identifier(parts: tuple[Part, ...]) -> list[tuple[object, ...]]:
+    return [
+        (part.bits, part.value.type.name, part.value.byte_order)
+        for part in parts
+        if part.bits is not None and part.value is not None
+    ]
+
+
+def _without_foreign_keys(link: Link) -> Iterator[Diagnostic]:
+    for key in _FOREIGN:
+        if key in link.place:
+            yield finding(_CODE, link.place, key, f"`{key}` has no effect on a CAN bus", f"remove `{key}`")
+
+
+def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
+    assert link.escape is not None
+    parts = link.parts(direction)
+    identifier_end = next((index for index, part in enumerate(parts) if part.bits is None), len(parts))
+    for part in parts[identifier_end:]:
+        if part.bits is not None:
+            text = f"{part.name} is a part of the identifier, but comes after {parts[identifier_end].name}"
+            yield finding(_CODE, part.place, "bits", text, "list the parts of the identifier first")
+        if part.role in ("length", "checksum"):
+            yield from _of_span(link, direction, part, identifier_end)
+    free = set(range(link.escape.bits))
+    for part in parts[:identifier_end]:
+        first, last = part.bits or (0, 0)
+        wrong = [bit for bit in range(first, last + 1) if bit not in free]
+        if wrong:
+            objection = "the identifier does not have" if wrong[0] >= link.escape.bits else "another part has"
+            text = f"{part.name} has bit {wrong[0]}, which {objection}"
+            yield finding(_CODE, part.place, "bits", text, "correct the bits")
+        free -= set(range(first, last + 1))
+        if part.value is not None and last - first >= 8 * part.value.size:
+            text = f"{part.name} has {plural(last - first + 1, 'bit')}, but is {part.value.type.name}"
+            related_label = label(part.place, "type", "its type")
+            yield finding(_CODE, part.place, "bits", text, "use a wider type", related_label)
+        if part.value is not None and part.value.type.signed:
+            text = f"{part.name} is {part.value.type.name}, but the bits of an identifier have no sign"
+            yield finding(_CODE, part.place, "type", text, "use an unsigned type")
+    if free:
+        text = f"no part of a {direction} on {link.name} has bit {max(free)} of the identifier"
+        help = "give every bit to a part; one without a meaning is `reserved`"
+        yield finding(_CODE, link.place, direction, text, help)
+    if sum(map(part_size, parts[:identifier_end])) > _MOST_PARTS:
+        text = f"the parts of the identifier on {link.name} have more than {_MOST_PARTS} bytes"
+        yield finding(_CODE, link.place, direction, text, "use narrower types, or join neighbouring parts")
+
+
+def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Iterator[Diagnostic]:
+    """A length or a checksum in the data says nothing of the identifier; the bus has a length and a checksum of it."""
+    span = link.span(direction, part)
+    if span is None or span[0] >= identifier_end:
+        return
+    verb, key = ("counts", "counts") if part.role == "length" else ("covers", "covers")
+    parts = link.parts(direction)
+    own = [other.name for other in parts[identifier_end:] if other is not part or part.role == "length"]
+    text = f"{part.name} {verb} {parts[span[0]].name}, whose bits are in the identifier"
+    help = f"begin with a part of the data, such as `{key}: {{from: {own[0] if own else part.name}}}`"
+    help += f"; remove {part.name} if it is the {part.role} that the bus itself has"
+    yield finding(_CODE, part.place, key, text, help)
+
+
+def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """The data of every message, and those of an exception response, fit into a frame."""
+    sizes = RecordSizes(device)
+    for direction in ("request", "response"):
+        parts_size = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
+        for message in messages_sent(device, link, direction):
+            record = message.request if direction == "request" else message.response
+            bounds = sizes.bounds(record)
+            if bounds is not None and bounds[1] + parts_size > CAN_DATA:
+                text = (
+                    f"the {direction} of {message.name} has {bounds[1] + parts_size} bytes, and a CAN frame {CAN_DATA}"
+                )
+                yield finding(_CODE, message.place, direction, text, "divide it into several messages")
+    error = link.exception_response
+    record_bounds = sizes.bounds(device.records[error.record]) if error and error.record in device.records else None
+    parts_size = sum(part_size(part) for part in link.response if part.bits is None)
+    if record_bounds is not None and record_bounds[1] + parts_size > CAN_DATA:
+        size = record_bounds[1] + parts_size
+        text = f"an exception response on {link.name} has {size} bytes, and a CAN frame {CAN_DATA}"
+        yield finding(_CODE, link.place, "exception_response", text, "shorten the record")
+
+
+def _numbers(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """Constants, ranges, unit addresses and codes have no more bits than their parts."""
+    for part in (*link.request, *link.response):
+        if part.bits is None or part.value is None:
+            continue
+        highest = (1 << part.bits[1] - part.bits[0] + 1) - 1
+        ranges, addresses = part.value.ranges, link.unit_addresses
+        numbers = [("const", part.value.const), ("range", ranges.high if ranges is not None else None)]
+        for key, number in numbers:
+            if number is not None and number > highest and key in part.place:
+                text = f"{part.name} can be {number}, but its bits hold at most {highest}"
+                yield finding(_CODE, part.place, key, text, "correct the number or the bits")
+        if part.role == "unit_address" and addresses is not None:
+            greatest = max((addresses.ranges.high if addresses.ranges else 0), addresses.broadcast or 0)
+            if greatest > highest:
+                text = f"a unit address can be {greatest}, but the bits of {part.name} hold at most {highest}"
+                yield finding(_CODE, link.place, "unit_addresses", text, "correct the addresses or the bits")
+        for message in messages_on(device, link) if part.role == "code" else ():
+            for key, code in message.codes:
+                if code > highest:
+                    text = f"the code {code:#x} does not fit the bits of {part.name}, which hold at most {highest}"
+                    yield finding(_CODE, message.place, key, text, "correct the code or the bits")
+        error = link.exception_response
+        if part.role == "code" and error is not None and max(error.flag, error.code or 0) > highest:
+            text = f"the bits of {part.name} do not hold the mark of exception responses"
+            yield finding(_CODE, link.place, "exception_response", text, "correct the mark or the bits")

@@ -1,0 +1,53 @@
+"""A register or parameter that can only be written, or be written with one constant alone, is a trigger. So is one with
+the role of an action, such as the start of a move.
+
+Why: what nobody can read holds no setting, and what takes one value has nothing to choose. Writing it starts an
+action, of which outputs warn at triggers alone. Or the access is misprinted.
+
+Example: a register with `access: wo`, one with `access: rw` and `const: 1`, or one with `roles: move_start`, without
+`trigger`.
+
+Cure: Set `trigger: true`, or correct the access. If the device takes a setting that it does not return, or acts as
+long as a value is there, set `allow: {commands_are_triggers: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding
+from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.registers import Parameter, Register
+from fieldspec.language.model.table_records import table_records
+
+_ACTIONS = frozenset(
+    ("alarm_reset", "command", "homing_start", "jog_start", "move_start", "point_start", "restart", "save")
+) | frozenset(("save_points", "stop"))
+"""The roles of what starts an action when it is written."""
+
+
+def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
+    writable: list[Register | Parameter] = [*device.registers()]
+    writable += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
+    for fact in writable:
+        if fact.trigger or fact.reserved:
+            continue
+        if fact.access == "wo":
+            text, key = f"{fact.name} can only be written, and is no trigger", "access"
+        elif fact.access == "rw" and fact.value.const is not None:
+            text, key = f"{fact.name} can only be written with {fact.value.const}, and is no trigger", "const"
+        elif fact.access != "ro" and not fact.value.flags and (roles := _ACTIONS.intersection(fact.roles)):
+            text, key = f"{fact.name} has the role {min(roles)}, and is no trigger", "name"
+        else:
+            continue
+        help = "set `trigger: true`, or correct the access"
+        yield finding("commands_are_triggers", fact.place, key, text, help, severity=Severity.WARNING)
+    uses = table_records(device)
+    for record in device.records.values():
+        is_setting = any(use.access != "wo" for use in uses.get(record.name, ()))
+        for field in record.fields if is_setting else ():
+            if field.access == "wo":
+                text = f"the field {field.name} of a table can only be written"
+                help = "correct the access, or allow it with a reason"
+                yield finding("commands_are_triggers", field.place, "access", text, help, severity=Severity.WARNING)

@@ -1,0 +1,81 @@
+"""A default is a value that the fact can have: a text of a text, and a number within the range, the type and the closed
+enum of any other value. Bytes have none.
+
+Why: a device is not delivered with a setting that it does not accept. If the two disagree, one of them is
+misprinted.
+
+Example: a range of 1..127 with a default of -1.
+
+Cure: Correct the range or the default, and write an erratum. If the default is a special value outside the
+range, list it under `sentinels`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import default_key, finding, label, range_key
+from fieldspec.language.checks.numbers import Legal
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Kind, Value
+
+_CODE = "default_within_range"
+_DECIMAL = re.compile(r"-?\d+\.\d+")
+
+
+def default_within_range(device: Device) -> Iterator[Diagnostic]:
+    legal = Legal(device)
+    for fact, value in values(device):
+        if value.default is None:
+            continue
+        key = default_key(fact.place)
+        wrong = _wrong_form(device, value, value.default)
+        if wrong:
+            text, help = wrong
+            yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
+            continue
+        reason = (
+            _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
+        )
+        if reason:
+            text = f"the default of {fact.name} is {value.default}, which {reason}"
+            help = "correct one of them, or list the value under `sentinels`"
+            labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
+            yield finding(_CODE, fact.place, key, text, help, *labels)
+    for bit in (bit for word in device.flags.values() for bit in word.bits):
+        reason = "" if bit.default is None else legal.objection(bit.as_value, bit.default)
+        if reason:
+            text = f"the default of {bit.name} is {bit.default}, which {reason}"
+            labels = (label(bit.place, range_key(bit.place), "the range"),) if bit.ranges else ()
+            yield finding(_CODE, bit.place, default_key(bit.place), text, "correct one of them", *labels)
+
+
+def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:
+    """What a default is that the type cannot have, and what to do; None where it has the form of the value."""
+    kind = value.type.kind
+    if kind is Kind.BYTES:
+        return "that of bytes, which no output has", "remove it, and say it in `notes`"
+    if kind is Kind.TEXT:
+        return None if isinstance(default, str) else ("a number", f'write the text in quotes: "{default}"')
+    if isinstance(default, str) and kind is not Kind.FLOAT:
+        help = "state the raw value: the value in the unit, less the offset, divided by the scale"
+        if default.isdecimal():
+            help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"
+        enum = device.enums.get(value.enum)
+        member = enum.named(default) if enum is not None else None
+        if member is not None:
+            help = f"write the number of {default}: `{member.value}`"
+        return f"`{default}`, but its raw values are whole numbers", help
+    if isinstance(default, str) and not _DECIMAL.fullmatch(default):
+        return f"`{default}`, but its values are numbers", "state it as a raw value"
+    return None
+
+
+def _outside(value: Value, default: str) -> str:
+    """Why a floating-point value cannot be a number with a fraction, or an empty text."""
+    if value.type.kind is not Kind.FLOAT or value.ranges is None or float(default) in value.ranges:
+        return ""
+    return f"is outside {value.ranges.text()}"

@@ -1,0 +1,167 @@
+"""A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
+hexadecimal number has the digits of its whole type. Digits are those of fields and registers whose raw value is free:
+not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
+of a frame may be any of these; its digits have no sign. `padding: space` is that of decimal digits with room for a
+blank, which do not vary in width. On links with `encoding: hex_ascii`, where every byte is sent
+as two characters anyway, digits are a warning.
+
+Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
+take the characters for one.
+
+Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
+
+Cure: Use the next wider type with a `range`, or correct `length`. State a constant of a text line as the bytes of its
+characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `encoding: hex_ascii`, state the number as
+a binary one: its bytes become the hexadecimal digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain
+
+from fieldspec.language.checks.facts import layers, values
+from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import BCD, digit_bounds, digit_count, digits_text
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.record import Field
+from fieldspec.language.model.sizes import messages_on
+from fieldspec.language.model.value import Kind, Value
+
+_CODE = "digits_fit"
+_MOST_BYTES = 8
+"""The bytes of the greatest number in BCD that outputs take apart."""
+
+
+def digits_fit(device: Device) -> Iterator[Diagnostic]:
+    binary_uses = _binary_fields(device)
+    for link in device.links.values():
+        yield from _sent_twice(device, link)
+    for fact, value in values(device):
+        if not value.digits:
+            if value.places:
+                text = f"{fact.name} is not sent as digits, so that no place follows a point"
+                yield finding(_CODE, fact.place, "places", text, "add `digits: decimal`, or use `scale`")
+            continue
+        yield from _of_form(fact, value)
+        yield from _of_padding(fact, value)
+        if isinstance(fact, Part):
+            yield from _of_part(fact, value)
+            continue
+        use = binary_uses.get(id(fact)) or _use(fact, value)
+        if use:
+            text = f"{fact.name} {use}, and is sent as digits"
+            yield finding(
+                _CODE, fact.place, "digits", text, "state it as a binary number, or as the bytes of its characters"
+            )
+
+
+def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """The first digits on a link that sends every byte as two characters."""
+    if link.encoding != "hex_ascii":
+        return
+    bodies = (body for message in messages_on(device, link) for body in (message.request, message.response))
+    facts: chain[Part | Field] = chain(link.request, link.response, *(body.fields for body in bodies))
+    for fact in facts:
+        digits = fact.digits if isinstance(fact, Part) and fact.value is None else fact.value and fact.value.digits
+        if digits and digits != BCD:
+            text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
+            help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
+            related_label = label(link.place, "encoding", "sends every byte as two characters")
+            yield finding(_CODE, fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
+            return
+
+
+def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """The findings of the form of the digits, the first one of each value."""
+    kind = value.type
+    if isinstance(fact, Part) and (kind.kind is not Kind.INTEGER or kind.signed):
+        return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
+    if kind.kind is not Kind.INTEGER or kind.is_odd:
+        text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"
+        yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
+    elif value.places and value.digits != "decimal":
+        text = f"{fact.name} has {value.places} places, which only decimal digits have"
+        yield finding(_CODE, fact.place, "places", text, "remove it, or use `digits: decimal`")
+    elif value.digits == BCD and (kind.signed or value.size > _MOST_BYTES):
+        text = f"{fact.name} is {kind.name} in {value.size} bytes; BCD is unsigned and has at most {_MOST_BYTES} bytes"
+        yield finding(
+            _CODE, fact.place, "digits", text, "use an unsigned type, or state the parts as values of their own"
+        )
+    elif digit_count(value) <= value.places:
+        text = f"{fact.name} has no room for a digit in {value.size} bytes"
+        yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
+    elif kind.signed and value.digits != "decimal" and digit_count(value) != 2 * kind.size:
+        text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
+        yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
+    elif digit_bounds(value)[1] > kind.high:
+        text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
+        yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
+
+
+def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """The finding of blanks where no leading zeros are, and of zeros, which are there anyway."""
+    if isinstance(fact, Part):
+        return  # it has no such key, which reading says
+    if value.has_blanks and value.places + 1 == digit_count(value):
+        text = f"{fact.name} has room for one digit{' before its point' * bool(value.places)}, and for no blank"
+        help = "remove it, or count the blanks in `length`"
+    elif value.has_blanks or "padding" not in fact.place:
+        return  # defaults of a group are those of the rows that they apply to
+    elif value.width or value.digits != "decimal":
+        form = "varies in width" if value.width else f"is sent as {digits_text(value)}"
+        text = f"{fact.name} {form}, and blanks are those before decimal digits of a fixed length"
+        help = "remove it"
+    else:
+        text = f"{fact.name} is sent as decimal digits, which have leading zeros where `padding` is left out"
+        help = "remove it, or use `padding: space`"
+    yield finding(_CODE, fact.place, "padding", text, help)
+
+
+def _wider(fact: Fact, value: Value) -> str:
+    """The narrowest type that has all numbers of the digits of a value, if it may have that type."""
+    signed = value.type.signed
+    greatest = 32 if isinstance(fact, Part) and fact.role != "plain" else 64
+    wide = (bits for bits in (16, 32, 64) if digit_bounds(value)[1] < 1 << bits - signed)
+    bits = next(wide, 0)
+    if not 0 < bits <= greatest:
+        return "correct `length`: no type has all numbers of so many digits"
+    return f"use `{'i' if signed else 'u'}{bits}`, with a range"
+
+
+def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
+    """The findings of a part of a frame, whose digits have no sign and are bytes of their own."""
+    if part.role == "plain" and value.type.kind is Kind.INTEGER and value.type.signed:
+        text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"
+        yield finding(_CODE, part.place, "type", text, "use an unsigned type")
+    if part.bits is not None:
+        text = f"{part.name} is sent as digits, which the bits of an identifier are not"
+        yield finding(_CODE, part.place, "digits", text, "remove `digits` and `length`")
+
+
+def _use(fact: Fact, value: Value) -> str:
+    """What a value is for that outputs read as a binary number; empty for other values."""
+    if value.const is not None:
+        return "is a constant"
+    if isinstance(fact, Field) and fact.measures is not None:
+        return f"contains the size of {fact.measures.field}"
+    return "is reserved" if getattr(fact, "reserved", False) else ""
+
+
+def _binary_fields(device: Device) -> dict[int, str]:
+    """The fields that outputs read as binary numbers, by their identity, with what they do."""
+    uses: dict[int, str] = {}
+    for layer in layers(device):
+        for field in layer.fields:
+            selector = layer.named(field.choice.by) if field.choice is not None else None
+            if selector is not None:
+                uses[id(selector)] = f"decides the type of {field.name}"
+    for message in device.messages.values():
+        for access in (*((message.accesses,) if message.accesses is not None else ()), *message.access_steps):
+            for field in (*message.request.fields, *message.response.fields):
+                if field.name in access.names:
+                    uses[id(field)] = "is what reads or writes registers"
+    return uses

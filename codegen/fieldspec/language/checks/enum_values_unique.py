@@ -1,0 +1,34 @@
+"""No two members of an enum have the same value.
+
+Why: if a value has two names, nobody can tell which one is meant.
+
+Example: 3 for homing and 3 for preset_position.
+
+Cure: Correct one of the values, and write an erratum if the manual prints it that way. If the value has two names,
+keep the member with the one to write, and list the other one under its `aliases`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Member
+
+
+def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
+    for enum in device.enums.values():
+        first: dict[int, Member] = {}
+        for member in enum.members:
+            other = first.setdefault(member.value, member)
+            if other is not member:
+                yield finding(
+                    "enum_values_unique",
+                    member.place,
+                    "value",
+                    f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",
+                    "correct one of the values, or list the second name under `aliases` of the first member",
+                    label(other.place, "value", f"{other.name}"),
+                )

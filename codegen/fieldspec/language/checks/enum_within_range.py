@@ -1,0 +1,55 @@
+"""Every member of an enum is within the range and the type of every field that uses the enum.
+
+Why: if a list of values goes beyond the printed range, one of the two was not updated.
+
+Example: a range of 0..13 beside a list of modes that goes to 16.
+
+Cure: Correct the range, and write an erratum. Members that the manual calls not available may be outside the
+range.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import enumeration, finding, label, plural, range_key
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Member
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.value import Kind, Value
+
+
+def enum_within_range(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        enum = device.enums.get(value.enum)
+        if enum is not None and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+            excluded = [member for member in enum.members if _excluded(value, member)]
+            if excluded:
+                key = "type" if value.ranges is None else range_key(fact.place)
+                yield _finding(fact, key, fact.name, excluded)
+    for flags in device.flags.values():
+        for bit in flags.bits:
+            enum = device.enums.get(bit.enum)
+            members = enum.members if enum is not None else ()
+            if wide := [member for member in members if not 0 <= member.value < 1 << min(bit.width, 64)]:
+                yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", wide)
+            elif bit.ranges is not None:
+                excluded = [member for member in members if not member.unavailable and member.value not in bit.ranges]
+                if excluded:
+                    yield _finding(bit, range_key(bit.place), bit.name, excluded)
+
+
+def _excluded(value: Value, member: Member) -> bool:
+    if not value.low <= member.value <= value.high:
+        return True
+    if value.ranges is None or member.unavailable or member.value in value.ranges:
+        return False
+    return all(sentinel.value != member.value for sentinel in value.sentinels)
+
+
+def _finding(fact: Fact, key: str, subject: str, members: list[Member]) -> Diagnostic:
+    text = f"{subject} cannot hold {enumeration([f'{member.name} ({member.value})' for member in members])}"
+    related_label = label(members[0].place, "value", "listed here")
+    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", related_label)

@@ -1,0 +1,99 @@
+"""All facts, fields, values and lists of a device, for checks that look at each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.language.model.attributes import descendants
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.record import Case, Field, Record
+from fieldspec.language.model.registers import Register
+from fieldspec.language.model.value import Signal, Value
+
+_FACTS: ByIdentity[Device, tuple[Fact, ...]] = ByIdentity(limit=1)
+_VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(limit=1)
+"""Those of the last device: many checks in a row look at all of them."""
+
+
+def facts(device: Device) -> tuple[Fact, ...]:
+    """All facts in the order of the spec's sections, each before those that it contains."""
+    return _FACTS.get_or_compute(device, _facts)
+
+
+def _facts(device: Device) -> tuple[Fact, ...]:
+    return tuple(item for item in descendants(device) if isinstance(item, Fact))
+
+
+def values(device: Device) -> tuple[tuple[Fact, Value], ...]:
+    """Every fact that states a value, with the value.
+
+    What a field takes as a whole from its signal, and a register from the one of which it is a copy, is stated there.
+    """
+    return _VALUES.get_or_compute(device, lambda device: tuple(_values(device)))
+
+
+def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
+    registers = {register.name: register for register in device.registers()}
+    for fact in facts(device):
+        value = getattr(fact, "value", None)
+        if isinstance(value, Value):
+            original: Signal | Register | None = None
+            if isinstance(fact, Field):
+                original = device.signals.get(fact.signal)
+            elif isinstance(fact, Register):
+                original = registers.get(fact.copy_of)
+            if original is None or original.value != value:
+                yield fact, value
+
+
+def layers(device: Device) -> Iterator[Record]:
+    """Everything that is made of fields: the records, and the data of requests and responses."""
+    yield from device.records.values()
+    for message in device.messages.values():
+        yield message.request
+        yield message.response
+
+
+def fields(device: Device) -> Iterator[Field]:
+    """The fields of all records and messages."""
+    for layer in layers(device):
+        yield from layer.fields
+
+
+def nested_fields(device: Device, outer: Sequence[Field]) -> Iterator[Field]:
+    """Some fields, each before those of the records in it, to any depth.
+
+    The fields of a record come once, so this ends where a record contains itself, and where many hold the same one.
+    """
+    visited: set[str] = set()
+    waiting = [*reversed(outer)]
+    while waiting:
+        field = waiting.pop()
+        yield field
+        record = device.records.get(field.record)
+        if record is not None and record.name not in visited:
+            visited.add(record.name)
+            waiting += reversed(record.fields)
+
+
+def cases(field: Field) -> tuple[Case, ...]:
+    """The types that a field can have by another field; nothing where it has a type of its own."""
+    return field.choice.cases if field.choice is not None else ()
+
+
+def lists(device: Device) -> Iterator[Sequence[Fact]]:
+    """The rows of every list that is transcribed in the order of the print; enums may be in another order."""
+    for group in device.groups:
+        yield group.registers
+    for layer in layers(device):
+        yield layer.fields
+    for flags in device.flags.values():
+        yield flags.bits if flags.bit_0 == "least" else flags.bits[::-1]
+        yield flags.states
+    for parameter_set in device.parameters.values():
+        yield parameter_set.parameters
+        for parameter in parameter_set.parameters:
+            yield parameter.subindices
+    yield tuple(device.signals.values())

@@ -1,0 +1,32 @@
+"""Every fact has been compared with the manual. A fact with `unverified` is a warning and does not fail the
+check.
+
+Why: a list from another source may contain wrong numbers, and nothing in the list shows it.
+
+Example: a register written by `fieldspec import`, with `unverified: true`.
+
+Cure: Compare the fact with the manual, state the section and the line of the manual as its source, and remove
+the key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import facts
+from fieldspec.language.checks.finding import enumeration, finding
+from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+
+
+def facts_verified(device: Device) -> Iterator[Diagnostic]:
+    sections: dict[str, list[Fact]] = {}
+    for fact in facts(device):
+        if fact.unverified:
+            sections.setdefault(fact.place.path.partition("/")[0], []).append(fact)
+    for section, unverified in sections.items():
+        names = enumeration([fact.name for fact in unverified])
+        text = f"nobody has compared {names} of `{section}` with the manual"
+        help = "compare them, cite the manual, and remove `unverified`"
+        yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

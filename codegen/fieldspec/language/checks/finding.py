@@ -1,0 +1,149 @@
+"""How checks report a finding, and which findings a fact allows."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Collection, Iterator, Sequence
+from typing import TypeAlias
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.source import Span
+from fieldspec.language.checks.facts import facts
+from fieldspec.language.diagnostics import Diagnostic, Label, Severity
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact, Place
+from fieldspec.language.model.ranges import Ranges, merged, uncovered
+
+Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
+
+_MOST_WORDS = 6
+_SEARCHED = 2000
+
+
+def finding(
+    code: str, place: Place, key: str, message: str, help: str, *labels: Label, severity: Severity = Severity.ERROR
+) -> Diagnostic:
+    """A finding of the rule `code` at the value of a fact's key."""
+    return Diagnostic(code, message, place[key], labels, help, severity)
+
+
+def label(place: Place, key: str, text: str) -> Label:
+    """The value of another fact's key, and what it has to do with the finding."""
+    return Label(place[key], text)
+
+
+def is_imported(place: Place, device: Device) -> bool:
+    """Whether only the file of a protocol states a fact. What it lacks is a matter of the device that uses it."""
+    path = device.place.whole.file.path
+    return not place.whole.file.path.startswith(path[: path.rfind("/") + 1])
+
+
+def hexadecimal(address: int) -> str:
+    """`0x2011`"""
+    return f"0x{address:04X}" if address >= 0 else str(address)
+
+
+def addresses(first: int, last: int) -> str:
+    """`0x2011`, or `0x2011..0x2014`"""
+    return hexadecimal(first) if first == last else f"{hexadecimal(first)}..{hexadecimal(last)}"
+
+
+def interval(first: object, last: object) -> str:
+    """`5`, or `5..8`"""
+    return str(first) if first == last else f"{first}..{last}"
+
+
+def plural(number: int, noun: str) -> str:
+    """`1 word`, `2 words`"""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def enumeration(words: Collection[object]) -> str:
+    """`a, b and c`, or `a, b, c, d, e and 12 more`"""
+    texts = [str(word) for word in words]
+    if len(texts) > _MOST_WORDS:
+        texts = [*texts[: _MOST_WORDS - 1], f"{len(texts) - _MOST_WORDS + 1} more"]
+    return texts[0] if len(texts) == 1 else ", ".join(texts[:-1]) + " and " + texts[-1]
+
+
+def range_key(place: Place) -> str:
+    """The key that holds a fact's range: in counts or in the unit."""
+    return "unit_range" if "unit_range" in place else "range"
+
+
+def default_key(place: Place) -> str:
+    """The key that holds a fact's default: in counts or in the unit."""
+    return "unit_default" if "unit_default" in place else "default"
+
+
+def outside(ranges: Ranges | None, low: int, high: int) -> bool:
+    """Whether any of the intervals leaves `low` to `high`."""
+    return ranges is not None and any(a < low or b > high for a, b in ranges.intervals)
+
+
+def missing(ranges: Ranges, numbers: Collection[int]) -> list[tuple[int, int]]:
+    """The parts of the intervals that none of the values lies in, in order."""
+    known = merged((value, value) for value in numbers)
+    return [hole for low, high in sorted(ranges.intervals) for hole in uncovered(low, high, known)]
+
+
+def near(word: str, known: Collection[str]) -> str:
+    """The help for a word that is not among the known ones."""
+    if len(known) > _SEARCHED:
+        return "define it, or correct the name"
+    from difflib import get_close_matches
+
+    names = sorted(known)
+    close = get_close_matches(word, names, 1)
+    if close:
+        return f"did you mean `{close[0]}`?"
+    return f"there are {enumeration([f'`{name}`' for name in names])}" if names else "define it first"
+
+
+def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
+    """The indices that are left when as few numbers as possible are taken out so that the rest never falls."""
+    tails: list[int] = []
+    ends: list[int] = []
+    before: list[int] = []
+    for index, number in enumerate(numbers):
+        length = bisect_left(tails, number + 1)
+        before.append(ends[length - 1] if length else -1)
+        tails[length : length + 1] = [number]
+        ends[length : length + 1] = [index]
+    ascent = set()
+    index = ends[-1] if ends else -1
+    while index >= 0:
+        ascent.add(index)
+        index = before[index]
+    return frozenset(ascent)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Allowance:
+    """Permission for a check to fail at a fact and at everything below it."""
+
+    fact: Fact
+    check: str
+
+    def spans(self) -> list[Span]:
+        """The span of the fact and those of its values, some of which may come from elsewhere."""
+        return [self.fact.place.whole, *self.fact.place.spans.values()]
+
+
+def covered(finding: Diagnostic, allowed: list[Span]) -> bool:
+    """Whether a finding has its place, or a label, within one of some spans."""
+    spans = [finding.span, *(label.span for label in finding.labels)]
+    return any(_within(span, outer) for span in spans for outer in allowed)
+
+
+def allowances(device: Device, check: str = "") -> Iterator[Allowance]:
+    """All allowances of a device, or those for one check."""
+    for fact in facts(device):
+        if fact.allowed:
+            for allowed in fact.allowed:
+                if not check or allowed == check:
+                    yield Allowance(fact, allowed)
+
+
+def _within(span: Span, outer: Span) -> bool:
+    return span.file is outer.file and outer.start <= span.start and span.end <= outer.end

@@ -1,0 +1,52 @@
+"""No field in the body of a frame has the name of a part before the body.
+
+Why: the values of a frame are stated by name, in examples, on the command line and in generated code. One name for
+both would set the part and leave the field without a value.
+
+Example: a link whose frames begin with the part `mode`, and a message with a field `mode`.
+
+Cure: Rename one of them: `{name: link_mode, printed_name: mode, ..}` keeps the word of the manual for people.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.foundation.names import Name
+from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.record import Record
+from fieldspec.language.model.sizes import messages_on
+
+
+def header_names_distinct(device: Device) -> Iterator[Diagnostic]:
+    reported: set[int] = set()
+    for link in device.links.values():
+        for direction in ("request", "response"):
+            header = {Name.of(part.name).snake(): part for part in _header(link.parts(direction))}
+            for body in _bodies(device, link, direction):
+                for field in body.fields:
+                    part = header.get(Name.of(field.name).snake())
+                    if part is not None and id(field) not in reported:
+                        reported.add(id(field))
+                        text = f"{field.name} has the name of a part before the body in the {direction}s of {link.name}"
+                        related_label = label(part.place, "name", "the part")
+                        help = "rename one of them; its `printed_name` keeps the word of the manual"
+                        yield finding("header_names_distinct", field.place, "name", text, help, related_label)
+
+
+def _header(parts: Sequence[Part]) -> Sequence[Part]:
+    """The parts before the body."""
+    body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
+    return parts[:body]
+
+
+def _bodies(device: Device, link: Link, direction: str) -> Iterator[Record]:
+    """The data of the messages on a link, and the record of its exception responses."""
+    for message in messages_on(device, link):
+        yield message.request if direction == "request" else message.response
+    error = link.exception_response
+    if error is not None and direction == "response" and error.record in device.records:
+        yield device.records[error.record]

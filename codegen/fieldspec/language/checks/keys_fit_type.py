@@ -1,0 +1,121 @@
+"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers, and a truth value
+has neither constant nor unit. Numbers with names have no scale, and a word of bits has neither an enum, a scale, a
+unit nor a sign: its bits have them. A floating-point number has no scale. Texts and bytes have no range or scale, bytes
+have no byte order, and `big` is that of UTF-16 alone.
+Only a number of several bytes has a byte order, only one of several words a word order, and only a text, bytes and
+digits have a `length`.
+
+Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
+name that no codec knows.
+
+Example: `enum: mode` on an `f32`, or `byte_order: little` on `bytes` or on a `u8`.
+
+Cure: Remove the key, or correct the type.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, plural, range_key
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact, Place
+from fieldspec.language.model.value import Kind, Value
+
+_NAMED = ("enum", "flags", "const")
+_SCALED = ("scale", "offset")
+_UNFIT = {
+    Kind.FLOAT: (*_NAMED, *_SCALED),
+    Kind.BOOLEAN: ("flags", "const", *_SCALED, "sentinels", "unit"),
+    Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
+    Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
+}
+_OF_BITS = ("const", "byte_order", "range", "unit")
+_HELP = {
+    Kind.FLOAT: "remove it, or use an integer type",
+    Kind.BOOLEAN: "remove it, or use an integer type",
+    Kind.TEXT: "remove it; a text has no range or scale, and its bytes come in order but for `byte_order: little`",
+    Kind.BYTES: "remove it; text and bytes have no byte order, range or scale",
+}
+
+
+def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        kind = value.type.kind
+        bit_keys = _OF_BITS if value.type.name == BIT else ()
+        for key in dict.fromkeys((*_UNFIT.get(kind, ()), *bit_keys)):
+            if _has(value, key) and not (key == "byte_order" and value.has_order):
+                text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
+                yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
+        if kind is Kind.INTEGER:
+            yield from _of_names(fact, value)
+        if value.type.is_number and not value.digits and "length" in fact.place:
+            text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
+            yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
+        if value.has_characters and value.byte_order:
+            text = f"{fact.name} is sent as characters, the most significant digit first, and has no byte order"
+            yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
+        elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:
+            text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
+            yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
+        if value.type.is_number and value.word_order and not value.has_words:
+            text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
+            yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")
+        if kind is Kind.INTEGER and value.absent_nan:
+            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32 or f64"
+            yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
+    yield from _ordered_checksums(device)
+
+
+def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """What a number with an enum or a word of bits cannot have beside it."""
+    keys = ("enum", *_SCALED, "unit") if value.flags else _SCALED if value.enum else ()
+    names = "is a word of bits" if value.flags else f"has the names of {value.enum}"
+    cure = (
+        "state it at the bits that it concerns"
+        if value.flags
+        else "remove it; a number that is no quantity can be a special value, under `sentinels`"
+    )
+    for key in keys:
+        if _has(value, key):
+            text = f"{fact.name} {names}, to which `{key}` does not apply"
+            yield finding("keys_fit_type", fact.place, key, text, cure)
+    if value.flags and value.type.signed:
+        text = f"{fact.name} is {value.type.name}, and a word of bits has no sign"
+        help = f"use u{value.type.name[1:]}; several adjacent bits can be `signed`"
+        yield finding("keys_fit_type", fact.place, "type", text, help)
+
+
+def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
+    """The checksums of one byte with a byte order, which do not combine wider numbers."""
+    for part in (part for link in device.links.values() for part in (*link.request, *link.response)):
+        if part.role != "checksum" or "byte_order" not in part.place or part.digits:
+            continue
+        kind = checksum_named(part.algorithm)
+        if not kind.has_order:
+            text = f"{part.name} is a checksum of {plural(kind.width, 'bit')}, which has no byte order"
+            yield finding("keys_fit_type", part.place, "byte_order", text, "remove it, or correct the checksum")
+
+
+def _key(place: Place, key: str) -> str:
+    return range_key(place) if key == "range" else key
+
+
+def _has(value: Value, key: str) -> bool:
+    values = {
+        "enum": value.enum,
+        "flags": value.flags,
+        "const": value.const is not None,
+        "scale": value.scale != 1,
+        "offset": value.offset,
+        "byte_order": value.byte_order,
+        "word_order": value.word_order,
+        "range": value.ranges is not None,
+        "sentinels": value.sentinels,
+        "unit": value.quantity_unit,
+    }
+    return bool(values[key])

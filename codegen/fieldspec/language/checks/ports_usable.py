@@ -1,0 +1,44 @@
+"""Something tells where frames on a TCP port end, and each port belongs to one link.
+
+Why: a TCP connection is a stream of bytes. Without a length, a code, a delimiter or a checksum nobody knows where a
+frame ends in it. And what comes to a port that two links state has the frames of either.
+
+Example: `network: {tcp: 4001}` at a link whose frames contain only data.
+
+Cure: State `udp` in place of `tcp` where each datagram is a frame. State a port at the one link whose frames it
+carries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.link import Link
+
+_CODE = "ports_usable"
+_ENDING = ("length", "code", "checksum")
+"""The roles of parts that tell where a frame ends."""
+
+
+def ports_usable(device: Device) -> Iterator[Diagnostic]:
+    owners: dict[tuple[str, int], str] = {}
+    for link in device.links.values():
+        if link.is_can:
+            continue
+        for protocol, port in link.ports:
+            if protocol == "tcp" and any(not _is_ended(link, direction) for direction in ("request", "response")):
+                text = f"nothing tells where a frame of {link.name} ends in a TCP connection"
+                help = "state `udp` in place of `tcp` if each datagram is a frame"
+                yield finding(_CODE, link.place, "network", text, help)
+            owner = owners.setdefault((protocol, port), link.name)
+            if owner != link.name:
+                text = f"{link.name} and {owner} have the same {protocol.upper()} port {port}"
+                help = "state the port at the link whose frames it carries"
+                yield finding(_CODE, link.place, "network", text, help)
+
+
+def _is_ended(link: Link, direction: str) -> bool:
+    return any(link.delimiters(direction)) or any(part.role in _ENDING for part in link.parts(direction))

@@ -1,0 +1,28 @@
+"""No record contains itself, and records are nested at most 64 deep.
+
+Why: a record that contains itself has no end and no layout.
+
+Example: a record point with a field `record: zone`, and a record zone with a field `record: point`.
+
+Cure: Remove the field from one of them, or name the intended record.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.sizes import MOST_LEVELS, RecordSizes
+
+
+def records_finite(device: Device) -> Iterator[Diagnostic]:
+    endless = RecordSizes(device).endless
+    for name in endless:
+        record = device.records[name]
+        for field in record.fields:
+            if field.record in endless:
+                text = f"{name} contains itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
+                help = "remove the field, or name the intended record"
+                yield finding("records_finite", field.place, "record", text, help)

@@ -1,0 +1,35 @@
+"""A value in a register of words has a whole number of words: a byte alone is half a word, and a text has two bytes in
+each word that the manual counts.
+
+Why: a manual that counts words prints no bytes. The device sends a whole word, whose first byte is such a value.
+
+Example: a register of type `u8` at 0x2001, or a text with `length: 31` and `words: 16`.
+
+Cure: State the word as `u16` or `i16`, with a `range` if it is known. State the length of all words of the text, and
+its `characters`. If the device has its value in the byte that comes first, set
+`allow: {registers_fill_words: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding
+from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.model.address_space import WORD
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Kind
+
+
+def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
+    for register in device.registers():
+        if register.value.type.name in ("u8", "i8") and device.space(register.space).unit == WORD:
+            text = f"the register {register.name} is {register.value.type.name}, half of its word"
+            help = "state the whole word as u16 or i16, with a range if it is known"
+            yield finding("registers_fill_words", register.place, "type", text, help, severity=Severity.WARNING)
+        elif (
+            register.value.type.kind in (Kind.TEXT, Kind.BYTES) and 2 * (register.words or 0) == register.value.size + 1
+        ):
+            text = f"{register.name} has {register.value.size} bytes, which do not fill its {register.words} words"
+            help = "correct the length or the words"
+            yield finding("registers_fill_words", register.place, "length", text, help, severity=Severity.WARNING)

@@ -1,0 +1,43 @@
+"""The sentinels of a value have names and values of their own, and none is a member of its enum with another name.
+
+Why: a value with two names stands for either of two states, and nobody can tell which one; a name for two values does
+not say which one to write. A value that can only be one number has no other states.
+
+Example: `sentinels: [{value: 0xFFFF, name: not_measured}, {value: 0xFFFF, name: overflow}]`.
+
+Cure: Correct one of them, and write an erratum if the manual prints it that way; or remove the sentinel, and describe
+the member of the enum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+
+_CODE = "sentinels_distinct"
+
+
+def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        names: dict[str, str] = {}
+        texts: dict[str, str] = {}
+        enum = device.enums.get(value.enum)
+        for sentinel in value.sentinels:
+            text = ""
+            member = enum.member(sentinel.value) if enum is not None else None
+            if sentinel.text in names:
+                text = f"{sentinel.text} of {fact.name} is {names[sentinel.text]} and {sentinel.name}"
+            elif sentinel.name in texts:
+                text = f"{sentinel.name} of {fact.name} is {texts[sentinel.name]} and {sentinel.text}"
+            elif member is not None and enum is not None and member.name != sentinel.name:
+                text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {member.name} of {enum.name}"
+            elif value.const is not None:
+                text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
+            if text:
+                yield finding(_CODE, fact.place, "sentinels", text, "correct one of them, or remove the sentinel")
+            names.setdefault(sentinel.text, sentinel.name)
+            texts.setdefault(sentinel.name, sentinel.text)

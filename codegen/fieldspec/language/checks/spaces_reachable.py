@@ -1,0 +1,83 @@
+"""An address space with tables consists of words. If a space contains values that can be read, a message reads it,
+and if it contains values that can be written, a message writes it. If a message of the device itself writes a space,
+some value there can be written.
+
+Why: a register that no message reaches has no request in any output, and a message for another space would
+read another register. Where nothing can be written, the message accesses the wrong space, or the access of the
+registers is wrong, and no output writes them.
+
+Example: a group of input registers in a device whose only reading message accesses holding registers.
+
+Cure: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to
+the space that the message accesses. Correct the access of the registers; if the device writes what the manual does not
+list, set `allow: {spaces_reachable: <reason>}` on the message.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import finding, is_imported, label
+from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.model.address_space import WORD
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.registers import Table
+from fieldspec.language.model.table_records import table_records
+
+_CODE = "spaces_reachable"
+
+
+def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
+    yield from _read_only(device)
+    if not device.spaces:
+        return
+    reached = {
+        (device.space_name(message.accesses.space), message.accesses.operation)
+        for message in device.messages.values()
+        if message.accesses is not None
+    }
+    for fact, name, accesses in _holders(device):
+        space = device.space(name)
+        if space.unit != WORD and isinstance(fact, Table):
+            text = f"{fact.name} has records of words, but an address of {space.name} is a {space.unit}"
+            help = "list the fields of its records as registers, or move the table to a space of words"
+            yield finding(_CODE, fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
+            continue
+        for operation, needs in (("read", {"ro", "rw"}), ("write", {"rw", "wo"})):
+            if accesses & needs and (space.name, operation) not in reached:
+                text = f"no message {operation}s {space.name}, which contains {fact.name}"
+                help = f"name the space under `accesses` of the message that {operation}s it"
+                yield finding(_CODE, fact.place, "space", text, help, label(space.place, "name", "the space"))
+
+
+def _read_only(device: Device) -> Iterator[Diagnostic]:
+    """Warnings of the messages that write spaces in which everything is read only."""
+    present: dict[str, set[str]] = {}
+    for _, name, accesses in _holders(device):
+        present.setdefault(device.space(name).name, set()).update(accesses)
+    for message in device.messages.values():
+        access = message.accesses
+        if access is None or access.operation != "write" or is_imported(message.place, device):
+            continue
+        space = device.space(access.space)
+        if present.get(space.name) == {"ro"}:
+            text = f"{message.name} writes {space.name or 'registers'}, and all that is there is read only"
+            help = "correct the space, or the `access` of what can be written there"
+            yield finding(_CODE, message.place, "accesses", text, help, severity=Severity.WARNING)
+
+
+def _holders(device: Device) -> Iterator[tuple[Fact, str, set[str]]]:
+    """The groups and tables, their spaces, and how what is in them can be accessed."""
+    uses = table_records(device)
+    for group in device.groups:
+        yield group, group.space, {register.access for register in group.registers}
+    for table in device.tables.values():
+        own = (use for name in uses for use in uses[name] if use.table is table)
+        accesses = {
+            field.access or use.access
+            for use in own
+            for field in (device.records[use.record].fields if use.record in device.records else ())
+            if not field.record
+        }
+        yield table, table.space, accesses

@@ -1,0 +1,188 @@
+"""All checks by name, and how they are run.
+
+A check yields findings and knows nothing of allowances: they are applied here, once for all checks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator
+from importlib import import_module
+
+from fieldspec.foundation.source import Span
+from fieldspec.language.checks.allowances_used import allowances_used
+from fieldspec.language.checks.finding import Allowance, Check, allowances, covered
+from fieldspec.language.diagnostics import Diagnostic, in_order
+from fieldspec.language.model.device import Device
+
+_NAMES = (
+    "access_steps_fit_space",
+    "accesses_agree",
+    "accesses_complete",
+    "accesses_fit_space",
+    "addresses_ascending",
+    "addresses_disjoint",
+    "addresses_fit_messages",
+    "addresses_within_space",
+    "aliases_agree",
+    "bases_apply",
+    "bit_numbers_apply",
+    "bits_match_range",
+    "bits_unique",
+    "bits_within_width",
+    "bounds_ordered",
+    "broadcast_apart",
+    "can_frames_complete",
+    "choices_complete",
+    "codes_fit_link",
+    "commands_are_triggers",
+    "conversions_match_signals",
+    "copies_agree",
+    "counts_apply",
+    "counts_match_repeats",
+    "data_words_match",
+    "decimal_equals_hex",
+    "default_within_range",
+    "defaults_writable",
+    "descriptions_differ",
+    "detections_apply",
+    "digits_fit",
+    "directions_agree",
+    "elements_match_table",
+    "enum_contiguous",
+    "enum_names_unique",
+    "enum_values_unique",
+    "enum_within_range",
+    "examples_fit_registers",
+    "exception_marks_distinct",
+    "exponents_apply",
+    "facts_verified",
+    "flags_forms_agree",
+    "frame_length_matches",
+    "gaps_declared",
+    "header_names_distinct",
+    "identifiers_consistent",
+    "illegible_inferred",
+    "inferred_keys_present",
+    "keys_fit_type",
+    "keys_have_effect",
+    "labels_consistent",
+    "labels_unique",
+    "lengths_hold",
+    "limits_ordered",
+    "limits_within",
+    "links_complete",
+    "lookups_agree",
+    "lookups_regular",
+    "measures_match_repeats",
+    "member_numbers_ascending",
+    "messages_complete",
+    "names_unique",
+    "numbers_regular",
+    "offsets_match_layout",
+    "orders_agree",
+    "parameter_bytes_complete",
+    "parameter_messages_complete",
+    "parameter_numbers_ascending",
+    "parameter_numbers_within_range",
+    "parameters_fit_messages",
+    "ports_usable",
+    "printed_names_match",
+    "printed_names_whole",
+    "priorities_decide",
+    "provenance_stated",
+    "range_ends_match",
+    "range_within_enum",
+    "range_within_type",
+    "record_size_matches",
+    "records_filled",
+    "records_finite",
+    "references_resolve",
+    "registers_fill_words",
+    "repeat_last",
+    "replies_agree",
+    "restatements_agree",
+    "roles_unique",
+    "segments_complete",
+    "senses_differ",
+    "sentinels_distinct",
+    "series_regular",
+    "siblings_agree",
+    "signals_placed",
+    "sources_ascending",
+    "sources_present",
+    "spaces_reachable",
+    "spans_match_layout",
+    "statements_agree",
+    "states_disjoint",
+    "steps_possible",
+    "subindices_match_elements",
+    "table_fields_readable",
+    "tasks_complete",
+    "text_fits_words",
+    "texts_fit",
+    "triggers_writable",
+    "types_fit_space",
+    "unit_addresses_match",
+    "units_known",
+    "value_within_range",
+    "varying_widths_end",
+    "widths_fit_place",
+    "wire_numbers_match",
+    "words_match_type",
+    "write_range_applies",
+    "write_range_within_range",
+)
+"""The modules that are checks, each with a function of its own name; the other modules are what checks share."""
+
+CHECKS: tuple[tuple[str, Check], ...] = tuple(
+    (name, getattr(import_module(f"fieldspec.language.checks.{name}"), name)) for name in _NAMES
+)
+
+MOST_FINDINGS = 200
+"""How many findings one check may have; more of them help nobody."""
+
+_BY_NAME = dict(CHECKS)
+
+INSTALLED: dict[str, Check] = {}
+"""The checks of installed packages, by their codes; `command` adds them."""
+
+
+def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
+    """The findings of all checks, `without` those of some, in order."""
+    all_allowances = list(allowances(device))
+    by_check: dict[str, list[Allowance]] = {}
+    for allowance in all_allowances:
+        by_check.setdefault(allowance.check, []).append(allowance)
+    used: set[Allowance] = set()
+    names = [name for name in (*_BY_NAME, *INSTALLED) if name not in without]
+    findings = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
+    checks = {**_BY_NAME, **INSTALLED}
+    unused = () if "allowances_used" in without else allowances_used(all_allowances, used, checks)
+    return in_order([*findings, *unused])
+
+
+def run_named(device: Device, name: str) -> list[Diagnostic]:
+    """The findings of one check, in order."""
+    if name == "allowances_used":
+        return [finding for finding in run(device) if finding.code == name]
+    return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
+
+
+def _unallowed(
+    device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
+) -> Iterator[Diagnostic]:
+    """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
+    own: list[tuple[Allowance, list[Span]]] = []
+    count = 0
+    for finding in (_BY_NAME.get(name) or INSTALLED[name])(device):
+        own = own or [(allowance, allowance.spans()) for allowance in own_allowances]
+        covering = [allowance for allowance, spans in own if covered(finding, spans)]
+        used.update(covering)
+        if covering:
+            continue
+        if count == MOST_FINDINGS:
+            text = f"`{name}` has more than {MOST_FINDINGS} findings; the rest is not listed"
+            yield Diagnostic("too_many_findings", text, finding.span, help="correct the first findings")
+            return
+        count += 1
+        yield finding

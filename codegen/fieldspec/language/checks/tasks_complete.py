@@ -1,0 +1,30 @@
+"""A device with tasks has an entry for every task of the schema: its steps, the reason why it does not apply,
+or the question that the manual leaves open.
+
+Why: a missing task looks as if the device could not do it. "How do I run a stored point?" needs an answer,
+and if the manual has none, the spec says so.
+
+Example: a section `tasks` without an entry for `save`.
+
+Cure: Add a task with `steps`, `not_applicable` or `open`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import enumeration, finding
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.schema import schema
+
+
+def tasks_complete(device: Device) -> Iterator[Diagnostic]:
+    if not device.tasks:
+        return
+    present_kinds = {task.kind for task in device.tasks}
+    missing = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in present_kinds]
+    if missing:
+        text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
+        help = "add a task with `steps`, `not_applicable` or `open` for each"
+        yield finding("tasks_complete", device.tasks[0].place, "task", text, help)

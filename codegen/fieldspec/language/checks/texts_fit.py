@@ -1,0 +1,71 @@
+"""A text has room for its characters and its terminator, and keys of texts are those of texts. A terminator ends a text
+on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, and a default is a text that can
+be sent. Texts in a form of their own are those of fields and registers that are not reserved.
+
+Why: a text that nobody can write as it is read loses characters, or gets others, without a message.
+
+Example: `{name: title, type: text, length: 7, encoding: utf_16}`, as the last character has one byte.
+
+Cure: Correct the length, or remove the key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, plural
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.registers import Parameter, Subindex
+from fieldspec.language.model.text_form import text_fault
+from fieldspec.language.model.value import Kind, Value
+
+_CODE = "texts_fit"
+_KEYS = ("encoding", "padding", "align", "terminator")
+
+
+def texts_fit(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        keys = [key for key in _KEYS if key in fact.place and not (key == "padding" and value.digits)]
+        if value.type.kind is not Kind.TEXT:
+            for key in keys:
+                text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"
+                yield finding(_CODE, fact.place, key, text, "remove it, or use the type `text`")
+        elif value.text_form is not None:
+            yield from _of_form(fact, value, next(iter(keys), "byte_order"))
+
+
+def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
+    """The findings of the form of a text, the first one of each value."""
+    form = value.text_form
+    assert form is not None
+    use = _use(fact)
+    if use:
+        text = f"{fact.name} {use}, and has a form of its own"
+        yield finding(_CODE, fact.place, key, text, "state it as `bytes`, or as ASCII filled up with zeros")
+    elif value.size % form.unit:
+        text = f"{fact.name} has {plural(value.size, 'byte')}, and UTF-16 an even number of them"
+        yield finding(_CODE, fact.place, "encoding", text, "correct the length")
+    elif form.is_turned and value.size % 2:
+        text = f"{fact.name} has {plural(value.size, 'byte')}, and `byte_order: little` exchanges those of whole words"
+        yield finding(_CODE, fact.place, "byte_order", text, "correct the length, or remove `byte_order`")
+    elif form.is_right and form.terminator is not None:
+        text = f"{fact.name} ends before what fills it up, and cannot be on the right"
+        yield finding(_CODE, fact.place, "align", text, "remove `align`, or remove `terminator`")
+    elif form.room(value.size) < form.unit:
+        text = f"{fact.name} has no room for a character in {plural(value.size, 'byte')}"
+        yield finding(_CODE, fact.place, "terminator", text, "count the terminator and all characters")
+    elif isinstance(value.default, str):
+        fault = text_fault(value, "big", value.default)
+        if fault is not None:
+            text = f"the default of {fact.name} {fault[1]}"
+            yield finding(_CODE, fact.place, "default", text, "correct the default, or how the text is sent")
+
+
+def _use(fact: Fact) -> str:
+    """What a text is for that outputs do not read in a form of its own; empty for other texts."""
+    if isinstance(fact, (Parameter, Subindex)):
+        return "is a parameter"
+    return "is reserved" if getattr(fact, "reserved", False) else ""

@@ -1,0 +1,191 @@
+"""A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
+ends with the message or before a constant of one byte that it cannot have. The number of bytes of a text may be in one
+field before it, a whole number of one or two bytes without a sign, which may be any number of bytes of the text. A
+message with a value that varies in width has no list of free length, no field of several types and no other field that
+measures that value; what comes behind it has no printed place. A text that is counted so may also be the last field of
+a record, which messages list with `repeat`; it is the only value of it that varies in width.
+
+Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be
+read as a part of it.
+
+Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
+
+Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or `{name: end, type: u8, const: 0}`
+for a zero behind a text; or its number of bytes before it, `{name: length, type: u8, measures: {bytes: label}}`.
+Remove `varies` where the manual prints a fixed number of characters.
+"""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import BCD, digits_letters, has_sign
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.ranges import merged
+from fieldspec.language.model.record import Field, Message, Record, text_count
+from fieldspec.language.model.sizes import RecordSizes
+from fieldspec.language.model.text_form import UTF_16
+from fieldspec.language.model.value import Kind, Value
+
+_CODE = "varying_widths_end"
+
+
+def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
+    messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
+    sizes = RecordSizes(device)
+    refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
+    ending = [own for name, own in device.records.items() if sizes.has_tail(name) and name not in refusing]
+    tails = {id(record.fields[-1]) for record in ending}
+    for fact, value in values(device):
+        if not value.width:
+            continue
+        unused = [key for key in ("padding", "align") if key in fact.place and value.type.kind is Kind.TEXT]
+        for key in unused:
+            yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
+        if unused:
+            continue
+        is_in_place = id(fact) in messages or id(fact) in tails
+        problem = _form(value) or _place(fact, is_in_place)
+        if problem:
+            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(value, is_in_place))
+    for message in device.messages.values():
+        for body in _bodies(message):
+            yield from _of_message(message, body)
+    for record in ending:
+        yield from _of_record(record)
+
+
+def _bodies(message: Message) -> tuple[Record, Record]:
+    return message.request, message.response
+
+
+def _form(value: Value) -> str:
+    """The reason why a value cannot vary in width; empty where it can."""
+    if value.type.kind is Kind.TEXT:
+        form = value.text_form
+        if form is not None and (
+            form.encoding == UTF_16 or form.is_right or form.padding or form.terminator is not None or form.is_turned
+        ):
+            return "varies in width, and has no UTF-16, no byte order, no padding and no terminator of its own"
+        return ""
+    if not value.digits or value.digits == BCD:
+        return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"
+    if value.type.signed and not has_sign(value):
+        return "is a signed hexadecimal number, whose sign is in its first digit"
+    return ""
+
+
+def _cure(value: Value, is_in_place: bool) -> str:
+    """What to write for a value of one width; `is_in_place` says that it could vary where it stands."""
+    form = value.text_form
+    if not is_in_place and value.type.kind is Kind.TEXT:
+        return "remove it; or let the text end a record of a list, behind a `u8` or `u16` that `measures` its bytes"
+    if form is None or form.terminator is None or form.encoding == UTF_16 or form.is_right or form.padding:
+        return "remove it, and state the usual length"
+    end = f"{{name: end, type: u8, const: 0x{form.terminator:02X}}}"
+    return f"remove `terminator`, and state it as the next field: `{end}`; or remove `varies`"
+
+
+def _place(fact: Fact, is_in_message: bool) -> str:
+    """Why a fact has one width because of where it stands; empty for a field of a message."""
+    if not isinstance(fact, Field) or not is_in_message:
+        return "is neither a field of a message nor a counted text at the end of a record of a list"
+    if fact.count is not None or fact.repeat is not None:
+        return "is a list, whose elements have the same width"
+    return "is reserved, and has the same width everywhere" if fact.reserved else ""
+
+
+def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
+    """The findings of the fields around those that vary in width."""
+    varying = [field for field in body.fields if field.value is not None and field.value.width]
+    if not varying:
+        return
+    for field in body.fields:
+        other = body.named(field.measures.field) if field.measures is not None else None
+        if field.repeat is not None or field.choice is not None:
+            key, objection = (
+                ("repeat", "a list of free length") if field.repeat is not None else ("choice", "several types")
+            )
+            text = f"{field.name} has {objection}, and {varying[0].name} varies in width"
+            yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
+        elif other in varying and other is not None:
+            yield from _of_count(body, field, other)
+    if message.accesses is not None or message.access_steps:
+        text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
+        yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
+    index = body.fields.index(varying[0])
+    for field in body.fields[index:]:
+        for key in ("span", "word_span"):
+            if key in field.place:
+                text = f"{field.name} has no place of its own, as {varying[0].name} varies in width"
+                yield finding(_CODE, field.place, key, text, "remove it")
+    for field in varying:
+        yield from _end(body, field)
+
+
+def _of_record(record: Record) -> Iterator[Diagnostic]:
+    """The findings of a record that ends with a text whose bytes are counted; none for others."""
+    text = record.fields[-1]
+    if text.value is None or not text.value.width:
+        return
+    for field in record.fields:
+        if field.measures is not None and field.measures.field == text.name:
+            yield from _of_count(record, field, text)
+    for key in ("span", "word_span"):
+        if key in text.place:
+            message = f"{text.name} varies in width, and has no last byte"
+            yield finding(_CODE, text.place, key, message, "remove it")
+
+
+def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
+    """The finding of a field that measures a value that varies in width, unless it may count the bytes of that text."""
+    count, value, measure = text_count(body, text), field.value, field.measures
+    assert measure is not None
+    if text.value is None or text.value.type.kind is not Kind.TEXT:
+        message = f"{field.name} measures {text.name}, which varies in width and is no text"
+        yield finding(_CODE, field.place, "measures", message, "let a `length` in the frame count the message")
+        return
+    if count is not field or value is None:
+        message = f"{field.name} cannot count the bytes of {text.name}, which varies in width"
+        form = f"{{name: {field.name}, type: u8, measures: {{bytes: {text.name}}}}}"
+        help = f"state one field before the text, a whole number without a meaning of its own: `{form}`"
+        yield finding(_CODE, field.place, "measures", message, help)
+        return
+    low, high = measure.plus, text.value.width + measure.plus
+    related_label = label(text.place, "length", "the most bytes of the text")
+    if value.ranges is not None and merged(value.ranges.intervals) != [(low, high)]:
+        message = f"{field.name} has the range {value.ranges.text()}, but {text.name} makes it {low}..{high}"
+        help = "remove the range, or correct the `length` of the text"
+        yield finding(_CODE, field.place, range_key(field.place), message, help, related_label)
+
+
+def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
+    """The finding of a value whose end nobody sees."""
+    index = body.fields.index(field)
+    if index + 1 == len(body.fields) or text_count(body, field) is not None:
+        return
+    following, value = body.fields[index + 1], field.value
+    end = following.value
+    assert value is not None
+    if end is None or end.const is None or end.type.name != "u8" or end.digits or following.count is not None:
+        text = f"{field.name} varies in width, and {following.name} is no constant of one byte"
+        help = "state what separates them: `{name: comma, type: u8, const: 0x2C}`"
+        yield finding(_CODE, field.place, "varies", text, help)
+    elif end.const in _own_bytes(value):
+        text = f"{field.name} may have the byte 0x{end.const:02X}, which would end it"
+        yield finding(_CODE, following.place, "const", text, "correct the separator")
+
+
+def _own_bytes(value: Value) -> bytes:
+    """The bytes that a value may have, and that cannot end it: for a text letters, digits and what is not ASCII.
+
+    No text has a zero in it, so that one may end it.
+    """
+    if not value.digits:
+        return bytes(range(0x80, 0x100)) + (string.ascii_letters + string.digits).encode()
+    return digits_letters(value) + (b"+-" if has_sign(value) else b"") + (b"." if value.places else b"")

@@ -1,0 +1,34 @@
+"""A number in a register of words has a whole number of them.
+
+Why: an output would have to invent bytes that the manual does not print.
+
+Example: a register of words of type `u24`, or five digits in a register of words.
+
+Cure: State the whole words as `u32` or `u48`, or `i32` or `i48` with a sign, with a `range` if it is known; of
+digits, two in each word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, plural
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.registers import Register
+
+_CODE = "widths_fit_place"
+
+
+def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        type_name = value.type.name
+        if isinstance(fact, Register) and value.digits and value.size % 2:
+            text = f"the register {fact.name} has {plural(value.size, 'byte')} of digits, which are no whole words"
+            yield finding(_CODE, fact.place, "length", text, "state the digits of whole words of two bytes")
+        elif isinstance(fact, Register) and value.type.is_odd and value.size % device.space(fact.space).unit_size:
+            text = f"the register {fact.name} is {type_name}, which has no whole number of words"
+            sign = "i" if value.type.signed else "u"
+            help = f"state the words as {sign}32 or {sign}48, with a range if it is known"
+            yield finding(_CODE, fact.place, "type", text, help)

@@ -1,0 +1,45 @@
+"""The printed number of words of a register or field is the width of its type.
+
+Why: the type determines how many words are read. If the manual prints another number, a request reads too few
+words, or words of the next register.
+
+Example: a type `u32` with `words: 1`.
+
+Cure: Correct the type, the length or the words, and write an erratum if the manual prints the words that way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import layers
+from fieldspec.language.checks.finding import finding, label, plural
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.sizes import RecordSizes
+
+
+def words_match_type(device: Device) -> Iterator[Diagnostic]:
+    for register in device.registers():
+        if register.unit_size == 2:
+            yield from _compare_words(register, register.words, 2 * register.width, register.value.type.name)
+    sizes = RecordSizes(device)
+    for layer in layers(device):
+        for field in layer.fields:
+            bounds = sizes.field(field)
+            if bounds is not None and bounds[0] == bounds[1]:
+                type_name = field.value.type.name if field.value is not None else field.record
+                yield from _compare_words(field, field.words, bounds[0], type_name)
+
+
+def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
+    if words is not None and 2 * words != size:
+        yield finding(
+            "words_match_type",
+            fact.place,
+            "words",
+            f"{fact.name} is printed with {plural(words, 'word')}; as {type_name} it has {plural(size, 'byte')}",
+            "correct the type, the length or the words",
+            label(fact.place, "length" if "length" in fact.place else "type", "its type"),
+        )

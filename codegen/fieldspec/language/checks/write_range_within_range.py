@@ -1,0 +1,54 @@
+"""The `write_range` of a value is part of its `range` and contains its special values.
+
+Why: a device returns what was written to it. A value that can be written and never read is a misprint. A
+special value that cannot be written contradicts the `write_range`: a value that is only read is a member of
+an enum.
+
+Example: a parameter with `range: 0..2, 4` and `write_range: 0..3`.
+
+Cure: Correct one of the ranges, or make the value a member of an enum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.ranges import Ranges, merged, uncovered
+from fieldspec.language.model.value import Kind, Value
+
+_CODE = "write_range_within_range"
+_HELP = "correct one of them"
+
+
+def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        if value.write_ranges is not None and value.type.kind is Kind.INTEGER:
+            yield from _compare_ranges(fact, value, value.write_ranges)
+
+
+def _compare_ranges(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic]:
+    read = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
+    sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
+    excess = _beyond(writable, [*read, *sentinels])
+    if excess is not None:
+        text = f"{excess} can be written to {fact.name}, but is not in its range"
+        key = "type" if value.ranges is None else range_key(fact.place)
+        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
+    for sentinel in value.sentinels:
+        if sentinel.value not in writable:
+            text = f"the special value {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
+            help = "add it to `write_range`, or make it a member of an enum if it is only read"
+            yield finding(
+                _CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the special value")
+            )
+
+
+def _beyond(writable: Ranges, read: list[tuple[int, int]]) -> int | None:
+    """The first number that lies in none of some intervals; None where there is none."""
+    known = merged(read)
+    return next((holes[0][0] for low, high in writable.intervals if (holes := uncovered(low, high, known))), None)

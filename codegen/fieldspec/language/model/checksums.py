@@ -1,0 +1,196 @@
+"""Checksum algorithms as data. A name says everything about an algorithm, so it is enough to compare names."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+from fieldspec.foundation.classes import dataclass, replace
+
+
+@dataclass(frozen=True, slots=True)
+class Checksum:
+    """An algorithm. Its `method` is `crc`, `sum`, `xor` or `fletcher`; `width` is the number of bits of its result.
+
+    The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
+    `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
+    last number that is not complete is filled up with zeros behind its bytes. `complement` is `ones`, `twos` or empty.
+    A Fletcher checksum has two sums modulo `modulus`: the lower half of its bits is the sum of the numbers, the upper
+    half the sum of all values that the lower one takes. The bytes of `suffix` come behind those that it covers.
+    """
+
+    method: str
+    width: int
+    polynomial: int = 0
+    initial: int = 0
+    reflect_in: bool = False
+    reflect_out: bool = False
+    final_xor: int = 0
+    complement: str = ""
+    unit_size: int = 1
+    modulus: int = 0
+    suffix: bytes = b""
+
+    @property
+    def size(self) -> int:
+        """The number of bytes of the result."""
+        return (self.width + 7) // 8
+
+    @property
+    def has_order(self) -> bool:
+        """Whether the order of its bytes, or that of the numbers that it takes, matters."""
+        return self.size > 1 or self.unit_size > 1
+
+    @property
+    def mask(self) -> int:
+        """The greatest result."""
+        return (1 << self.width) - 1
+
+
+SIMPLE = {
+    "crc16_modbus": Checksum("crc", 16, 0x8005, 0xFFFF, True, True),
+    "lrc": Checksum("sum", 8, complement="twos"),
+    "sum8": Checksum("sum", 8),
+}
+"""The algorithms for which the codecs have shorter code."""
+
+FLETCHER = {
+    "adler32": Checksum("fletcher", 32, initial=1, modulus=65521),
+    "fletcher16": Checksum("fletcher", 16, modulus=0xFF),
+    "fletcher32": Checksum("fletcher", 32, unit_size=2, modulus=0xFFFF),
+}
+"""The Fletcher checksums that have public names: those of Fletcher's article, and the one of RFC 1950."""
+
+_DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)")
+_DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
+_SUFFIX = re.compile(r"(\w+)_then_((?:[0-9a-f]{2})+)")
+_DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)_modulo_([0-9a-f]+)_from_([0-9a-f]+)")
+
+
+@cache
+def public_crcs() -> dict[str, Checksum]:
+    """The CRCs of the public catalogue by name."""
+    from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+
+    algorithms = {}
+    for line in CRC_CATALOGUE.splitlines():
+        name, width, polynomial, initial, reflect_in, reflect_out, final_xor, _ = line.split()
+        algorithms[name] = Checksum(
+            "crc",
+            int(width),
+            int(polynomial, 16),
+            int(initial, 16),
+            reflect_in == "reflected",
+            reflect_out == "reflected",
+            int(final_xor, 16),
+        )
+    return algorithms
+
+
+@cache
+def checksum_named(name: str) -> Checksum:
+    """The algorithm with a name: a word of the schema, or what `algorithm_name` returns. Raises KeyError."""
+    followed = _SUFFIX.fullmatch(name)
+    if followed is not None:
+        return replace(checksum_named(followed[1]), suffix=bytes.fromhex(followed[2]))
+    for algorithms in (SIMPLE, FLETCHER):
+        if name in algorithms:
+            return algorithms[name]
+    derived = _DERIVED_CRC.fullmatch(name)
+    if derived is not None:
+        width, polynomial, initial, reflect_in, reflect_out, final_xor = derived.groups()
+        numbers = int(width), int(polynomial, 16), int(initial, 16)
+        return Checksum("crc", *numbers, reflect_in == "r", reflect_out == "r", int(final_xor, 16))
+    derived = _DERIVED_SUM.fullmatch(name)
+    if derived is not None:
+        method, width, unit_size, initial, complement = derived.groups()
+        unit = int(unit_size) if unit_size else 1 if method == "sum" else int(width) // 8
+        start = int(initial, 16) if initial else 0
+        return Checksum(method, int(width), initial=start, complement=complement or "", unit_size=unit)
+    derived = _DERIVED_FLETCHER.fullmatch(name)
+    if derived is not None:
+        width, unit_size, modulus, initial = derived.groups()
+        start = int(initial, 16)
+        return Checksum("fletcher", int(width), initial=start, unit_size=int(unit_size), modulus=int(modulus, 16))
+    return public_crcs()[name]
+
+
+@cache
+def catalogue_name(name: str) -> str:
+    """The first name of an algorithm that has several."""
+    if name in SIMPLE:
+        return name
+    from fieldspec.language.model.crc_catalogue import OTHER_NAMES
+
+    return dict(line.split() for line in OTHER_NAMES.splitlines()).get(name, name)
+
+
+def algorithm_name(checksum: Checksum) -> str:
+    """The name of an algorithm: the public one where it has one, else one that states its parameters."""
+    if checksum.suffix:
+        return f"{algorithm_name(replace(checksum, suffix=b''))}_then_{checksum.suffix.hex()}"
+    for algorithms in (SIMPLE, FLETCHER, public_crcs()):
+        for name, algorithm in algorithms.items():
+            if algorithm == checksum:
+                return name
+    if checksum.method == "crc":
+        reflected = ("r" if checksum.reflect_in else "f") + ("r" if checksum.reflect_out else "f")
+        numbers = f"{checksum.polynomial:x}_{checksum.initial:x}_{reflected}_{checksum.final_xor:x}"
+        return f"crc{checksum.width}_{numbers}"
+    if checksum.method == "fletcher":
+        parameters = f"of{checksum.unit_size}_modulo_{checksum.modulus:x}_from_{checksum.initial:x}"
+        return f"fletcher{checksum.width}_{parameters}"
+    usual = 1 if checksum.method == "sum" else checksum.width // 8
+    unit = f"_of{checksum.unit_size}" if checksum.unit_size != usual else ""
+    start = f"_from_{checksum.initial:x}" if checksum.initial else ""
+    complement = f"_{checksum.complement}" if checksum.complement else ""
+    return f"{checksum.method}{checksum.width}{unit}{start}{complement}"
+
+
+def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
+    """The algorithm whose result is that of some bytes behind a prefix: its computation begins where the prefix ends.
+
+    `order` is that of the bytes which a sum, an xor or a Fletcher checksum takes as one number; the prefix has whole
+    numbers.
+    """
+    number = checksum.initial
+    if checksum.method == "crc":
+        highest = checksum.width - 1
+        for byte in prefix:
+            for bit in range(8) if checksum.reflect_in else reversed(range(8)):
+                feedback = number >> highest & 1 ^ byte >> bit & 1
+                number = (number << 1 & checksum.mask) ^ (checksum.polynomial if feedback else 0)
+        return replace(checksum, initial=number)
+    return replace(checksum, initial=combined(checksum, prefix, order))
+
+
+def combined(checksum: Checksum, data: bytes, order: str) -> int:
+    """The numbers of some data as a sum, an xor or a Fletcher checksum combines them, before any complement."""
+    size, number = checksum.unit_size, checksum.initial
+    filled = data + bytes(-len(data) % size)
+    units = [
+        int.from_bytes(filled[offset : offset + size], "little" if order == "little" else "big")
+        for offset in range(0, len(filled), size)
+    ]
+    if checksum.method == "fletcher":
+        half, modulus = checksum.width // 2, checksum.modulus
+        upper, lower = divmod(number, 1 << half)
+        for unit in units:
+            lower = (lower + unit) % modulus
+            upper = (upper + lower) % modulus
+        return upper << half | lower
+    for unit in units:
+        number = number + unit if checksum.method == "sum" else number ^ unit
+    return number & checksum.mask
+
+
+DIGITS = {"decimal": 10, "upper_hex": 16, "lower_hex": 16}
+"""The bases of the characters in which a checksum may be sent."""
+
+
+def checksum_size(name: str, digits: str) -> int:
+    """The bytes of a checksum in a frame: those of its number, or its characters."""
+    checksum = checksum_named(name)
+    if digits == "decimal":
+        return len(str(checksum.mask))
+    return (checksum.width + 3) // 4 if digits else checksum.size

@@ -1,0 +1,178 @@
+"""Numbers that are sent as digits: characters, or two decimal digits in each byte."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Protocol
+
+    class Number(Protocol):
+        """The type of the number that the digits are those of."""
+
+        @property
+        def signed(self) -> bool: ...
+        @property
+        def high(self) -> int: ...
+
+    class Digits(Protocol):
+        """What matters of a `Value` that is sent as digits. The model of values is made of this module."""
+
+        @property
+        def type(self) -> Number: ...
+        @property
+        def size(self) -> int: ...
+        @property
+        def width(self) -> int: ...
+        @property
+        def digits(self) -> str: ...
+        @property
+        def places(self) -> int: ...
+        @property
+        def has_blanks(self) -> bool: ...
+
+
+BCD = "bcd"
+"""Two decimal digits in each byte; all other forms are characters."""
+
+_SIGNS = {0x2B: 1, 0x2D: -1}
+_CHARACTERS = {
+    "decimal": b"0123456789",
+    "upper_hex": b"0123456789ABCDEF",
+    "lower_hex": b"0123456789abcdef",
+    BCD: b"0123456789",
+}
+
+
+def has_sign(value: Digits) -> bool:
+    """Whether a sign has a place of its own before the digits.
+
+    A hexadecimal number has none, as it is in two's complement. Where blanks are in place of leading zeros, `-` comes
+    behind them, and takes the place of a digit.
+    """
+    return value.digits == "decimal" and value.type.signed and not value.has_blanks
+
+
+def is_complement(value: Digits) -> bool:
+    """Whether the digits are those of a number in two's complement."""
+    return value.type.signed and value.digits in ("upper_hex", "lower_hex")
+
+
+def digit_count(value: Digits) -> int:
+    """How many digits a number has, without its sign and its decimal point; 0 or less where there is no room.
+
+    Where blanks are in place of leading zeros, it is how many it has at most, when no sign takes the place of one.
+    """
+    if value.digits == BCD:
+        return 2 * value.size
+    return value.size - has_sign(value) - (value.places > 0)
+
+
+def digits_letters(value: Digits) -> bytes:
+    """The characters that may be digits of a value."""
+    return _CHARACTERS[value.digits]
+
+
+def widest_digits(value: Digits) -> int:
+    """How many digits a number that varies in width has at most, without those behind the point."""
+    return value.width - (value.places + 1 if value.places else 0)
+
+
+def digit_bounds(value: Digits) -> tuple[int, int]:
+    """The least and the greatest number that the digits of a value can express."""
+    count = max(digit_count(value), 0)
+    if value.digits in ("upper_hex", "lower_hex"):
+        high = 16**count - 1
+        return (-(high + 1) // 2, high // 2) if value.type.signed else (0, high)
+    high = 10**count - 1
+    if value.width:
+        # The sign is sent below zero only, and takes the place of a digit; one stands before a point.
+        return (_least_below_zero(value, count) if has_sign(value) else 0), high
+    if value.has_blanks:
+        return (_least_below_zero(value, count) if value.type.signed else 0), high
+    return (-high if has_sign(value) else 0), high
+
+
+def _least_below_zero(value: Digits, count: int) -> int:
+    """The least number of `count` characters, of which one is `-` and one digit comes before the point."""
+    return 1 - 10 ** (count - 1) if count - 1 > value.places else 0
+
+
+def digits_number(value: Digits, data: bytes) -> int | None:
+    """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
+    if value.digits == BCD:
+        return int(data.hex()) if data.hex().isdecimal() else None
+    if value.has_blanks:
+        return _number_behind_blanks(value, data)
+    text = data
+    sign = 1
+    if has_sign(value):
+        if text[0] not in _SIGNS:
+            return None
+        sign, text = _SIGNS[text[0]], text[1:]
+    if value.places:
+        point = len(text) - value.places - 1
+        if text[point : point + 1] != b".":
+            return None
+        text = text[:point] + text[point + 1 :]
+    known = _CHARACTERS[value.digits]
+    if any(character not in known for character in text):
+        return None
+    if value.digits == "decimal":
+        return sign * int(text)
+    number = int(text, 16)
+    return number - 16 ** len(text) if value.type.signed and number > value.type.high else number
+
+
+def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
+    """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
+    text = data.lstrip(b" ")
+    is_negative = value.type.signed and text.startswith(b"-")
+    fraction_width = value.places + 1 if value.places else 0
+    whole = text[is_negative : max(len(text) - fraction_width, 0)]
+    fraction = text[is_negative + len(whole) :]
+    if not whole or (whole.startswith(b"0") and len(whole) > 1) or (value.places and not fraction.startswith(b".")):
+        return None
+    digits = whole + fraction[1:]
+    if any(character not in _CHARACTERS["decimal"] for character in digits):
+        return None
+    return -int(digits) if is_negative else int(digits)
+
+
+def digits_bytes(value: Digits, number: int) -> bytes:
+    """The digits of a number within the bounds of a value, the most significant digit first."""
+    count = digit_count(value)
+    if value.digits == BCD:
+        return bytes.fromhex(f"{number:0{count}d}")
+    if value.digits != "decimal":
+        text = f"{number % 16**count:0{count}{'X' if value.digits == 'upper_hex' else 'x'}}"
+        return text.encode("ascii")
+    text = f"{abs(number):0{value.places + 1 if value.has_blanks else count}d}"
+    if value.places:
+        text = f"{text[: -value.places]}.{text[-value.places :]}"
+    if value.has_blanks:
+        return f"{'-' * (number < 0)}{text}".rjust(value.size).encode("ascii")
+    return ((("-" if number < 0 else "+") if has_sign(value) else "") + text).encode("ascii")
+
+
+def digits_text(value: Digits) -> str:
+    """How people call the digits: `5 decimal digits, 2 of them after a point, with a sign`."""
+    name = {"decimal": "decimal", BCD: "BCD"}.get(value.digits, "hexadecimal")
+    if value.width:
+        return _varying_text(value, name)
+    count = digit_count(value)
+    places = f", {value.places} of them after a point" if value.places else ""
+    case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
+    sign = ", with a sign" if has_sign(value) else ""
+    if value.has_blanks:
+        sign = f", blanks in place of leading zeros{', a sign below zero' if value.type.signed else ''}"
+    return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{sign}"
+
+
+def _varying_text(value: Digits, name: str) -> str:
+    """`1 to 8 characters: decimal digits, 2 places after a point, a sign below zero`"""
+    case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
+    places = f", {value.places} place{'s' * (value.places != 1)} after a point" if value.places else ""
+    sign = ", a sign below zero" if has_sign(value) else ""
+    minimum = 1 + (value.places + 1 if value.places else 0)
+    return f"{minimum} to {value.width} characters: {name} digits{case}{places}{sign}"

@@ -1,0 +1,122 @@
+"""How bytes within a frame are changed, so that they are not taken for its delimiters."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import dataclass
+
+CAN_BITS = (11, 29)
+"""The bits that identifiers of CAN frames have."""
+
+CAN_EXTENDED = 1 << 31
+"""The flag of an identifier of 29 bits."""
+
+SLIP = ((0xC0, 0xDB, 0xDC), (0xDB, 0xDB, 0xDD))
+"""The pairs of SLIP: the byte that ends frames, and the one that begins an escape."""
+
+CAN_HEADER, CAN_DATA = 8, 8
+"""The bytes before the data of a CAN frame, and the most bytes of its data."""
+
+
+@dataclass(frozen=True, slots=True)
+class Escape:
+    """The method is `replace`, `insert`, `add`, `cobs` or `can`; it applies to the parts from `first` to `last`.
+
+    `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
+    byte order, the first bit and the number of bits of each of these parts. What is sent is a frame as SocketCAN has it
+    in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data; three
+    zeros; the data.
+
+    `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
+    each occurrence of `pattern`; the search begins anew behind it. `add` sends each byte plus `inserted`, without the
+    carry. Lengths and checksums among these parts are those of the original bytes, all others those of the bytes that
+    are sent. Empty names are the first and the last part.
+    """
+
+    method: str
+    pairs: tuple[tuple[int, int, int], ...]
+    pattern: bytes
+    inserted: int
+    first: str
+    last: str
+    fields: tuple[tuple[int, str, int, int], ...] = ()
+    bits: int = 0
+
+    @property
+    def fields_size(self) -> int:
+        """The bytes of the parts that are packed into the identifier."""
+        return sum(size for size, _, _, _ in self.fields)
+
+    @property
+    def flags(self) -> int:
+        """The bits of the four bytes of the identifier that are not its own."""
+        return CAN_EXTENDED if self.bits > CAN_BITS[0] else 0
+
+    def packed(self, data: bytes) -> int | None:
+        """The four bytes of the identifier for the bytes of its parts; None for a number that has too many bits."""
+        identifier, offset = self.flags, 0
+        for size, order, first, width in self.fields:
+            number = int.from_bytes(data[offset : offset + size], "little" if order == "little" else "big")
+            if number >> width:
+                return None
+            identifier |= number << first
+            offset += size
+        return identifier
+
+    def unpacked(self, identifier: int) -> bytes:
+        """The bytes of the parts of an identifier."""
+        numbers = (
+            (identifier >> first & (1 << width) - 1).to_bytes(size, "little" if order == "little" else "big")
+            for size, order, first, width in self.fields
+        )
+        return b"".join(numbers)
+
+    def wrong_header(self, data: bytes) -> int | None:
+        """The offset at which bytes are no CAN frame with such an identifier; None where they are."""
+        if len(data) < CAN_HEADER or int.from_bytes(data[:4], "big") & ~((1 << self.bits) - 1) != self.flags:
+            return 0
+        if data[4] != len(data) - CAN_HEADER or data[4] > CAN_DATA:
+            return 4
+        return 5 if any(data[5:CAN_HEADER]) else None
+
+    def header_fault(self, data: bytes, offset: int) -> str:
+        """What is wrong with a CAN frame at an offset that `wrong_header` returns."""
+        if offset == 4 and data[4] != len(data) - CAN_HEADER:
+            return f"byte 4 says {data[4]} bytes of data, but there are {len(data) - CAN_HEADER}"
+        if offset == 4:
+            return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
+        if offset == 5:
+            return "the three bytes behind the number of the data are not zero"
+        return f"it is no CAN frame with an identifier of {self.bits} bits"
+
+    def byte_text(self, position: int) -> str:
+        """`byte 4`, or `byte 2 of the data` of a CAN frame, for a position among the bytes of all parts."""
+        return f"byte {position - self.fields_size} of the data" if self.method == "can" else f"byte {position}"
+
+    def most(self, size: int) -> int:
+        """The most bytes that are sent for `size` bytes."""
+        if self.method == "can":
+            return size - self.fields_size + CAN_HEADER
+        if self.method == "add":
+            return size
+        if self.method == "replace":
+            return 2 * size
+        return size + size // 254 + 1 if self.method == "cobs" else size + size // len(self.pattern)
+
+    def text(self) -> str:
+        """`C0 is sent as DB DC, DB is sent as DB DD`: what is sent, and for which parts where it is not for all."""
+        if self.method == "can":
+            ends = ((first, first + width - 1) for _, _, first, width in self.fields)
+            places = ", ".join(f"{first}..{last}" if first < last else str(first) for first, last in ends)
+            return f"the first parts are the bits {places} of an identifier with {self.bits} bits"
+        first, last = self.first and f"from {self.first}", self.last and f"to {self.last}"
+        part_range = " ".join(["", *(word for word in (first, last) if word)])
+        if self.method == "cobs":
+            return f"COBS{part_range}: no zero is sent, and each block begins with the distance to the next one"
+        if self.method == "add":
+            return f"{self.inserted:02X} is added to each byte{part_range}"
+        if self.method == "insert":
+            return f"{self.inserted:02X} is sent after each {self.pattern.hex(' ').upper()}{part_range}"
+        return (
+            ", ".join(f"{byte:02X} is sent as {before:02X} {after:02X}" for byte, before, after in self.pairs)
+            + part_range
+        )

@@ -1,0 +1,62 @@
+"""The numbers in the bytes of values: in which order they are, and what they are."""
+
+from __future__ import annotations
+
+import struct
+from decimal import ROUND_HALF_UP, Context, Decimal
+from math import isfinite
+
+from fieldspec.language.model.digits import digits_number
+from fieldspec.language.model.value import Kind, Value
+
+_SINGLE_DIGITS = 10
+"""Nine digits tell all numbers of four bytes apart."""
+_INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
+"""The least number that four bytes have as infinity."""
+
+
+class SinglePrecision(float):
+    """A number of four bytes in floating point, printed with the fewest digits that read back as the same bytes.
+
+    Its text is `50.02`; that of the same number as a double is `50.02000045776367`.
+    """
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        if isfinite(self):
+            exact, four_bytes = Decimal(self), struct.pack("f", self)
+            for digits in range(1, _SINGLE_DIGITS):
+                rounded = float(Context(prec=digits, rounding=ROUND_HALF_UP).plus(exact))
+                if abs(rounded) < _INFINITE_SINGLE and struct.pack("f", rounded) == four_bytes:
+                    return repr(rounded)
+        return float.__repr__(self)
+
+
+def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
+    """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian.
+
+    `byte` and `word` are the orders of values without their own; `word` is empty where nothing has words.
+    """
+    if value is not None and value.has_characters:
+        return "big", False
+    own_byte = value.byte_order if value and value.byte_order else byte
+    own_word = value.word_order if value and value.word_order else word
+    return own_byte, bool(value and value.has_words and own_word and own_word != own_byte)
+
+
+def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | float | None:
+    """The number in all bytes of a value that is no text and no bytes; None where they are not its digits.
+
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
+    """
+    in_order = data
+    if swapped:
+        in_order = b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
+    big = (order == "big") != swapped
+    if value.type.kind is Kind.FLOAT:
+        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
+        return number
+    if value.digits:
+        return digits_number(value, in_order if big else in_order[::-1])
+    return int.from_bytes(in_order, "big" if big else "little", signed=value.type.signed)

@@ -1,0 +1,249 @@
+"""Records with their fields, and messages."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.value import Handling, Kind, Value
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A field contains the size of another one, its `bytes` or its number of `items`, and a constant number more."""
+
+    of: str
+    field: str
+    plus: int = 0
+
+    def number(self, items: int, size: int) -> int:
+        """What the field contains for a number of elements of `size` bytes."""
+        return (items * size if self.of == "bytes" else items) + self.plus
+
+    def unit(self, size: int) -> int:
+        """The bytes for each unit of the number, where an element has `size` bytes."""
+        return 1 if self.of == "bytes" else size
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case(Fact):
+    """The content of a field for some members of the enum of another field."""
+
+    when: tuple[str, ...]
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """The type of a field depends on the value of an earlier field of its record, which has an enum."""
+
+    by: str
+    cases: tuple[Case, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Field(Fact):
+    """A value or a record at one place, once, `count` times, or repeated to the end of the data.
+
+    Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
+    places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints.
+    """
+
+    value: Value | None
+    record: str
+    choice: Choice | None
+    signal: str
+    count: int | None
+    repeat: Ranges | None
+    measures: Measure | None
+    reserved: bool
+    at: int | None
+    words: int | None
+    span: tuple[int, int] | None
+    word_span: tuple[int, int] | None
+    access: str
+    restart: bool | None
+    atomic: bool
+    handling: Handling
+    same_as: str
+
+    @property
+    def is_list(self) -> bool:
+        """Whether it is a list of elements."""
+        return self.count is not None or self.repeat is not None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Record(Fact):
+    """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints.
+
+    `same_as` names the record with the same layout, else it is empty.
+    """
+
+    size: int | None
+    words: int | None
+    fields: tuple[Field, ...]
+    same_as: str = ""
+
+    def named(self, name: str) -> Field | None:
+        """The field with a name, None if there is none."""
+        return next((field for field in self.fields if field.name == name), None)
+
+
+def list_count(record: Record, field: Field) -> Field | None:
+    """The field before a list that decides how many elements it has if another list follows, None if there is none.
+
+    It is a binary number of one or two bytes without a sign.
+    """
+    for other in record.fields[: record.fields.index(field)]:
+        value = other.value
+        if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
+            continue
+        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        if is_number and value.size <= 2:
+            return other
+    return None
+
+
+def text_count(record: Record, field: Field) -> Field | None:
+    """The field before a text that varies in width that has its number of bytes, None if there is none.
+
+    It is a binary number of one or two bytes without a sign, and nothing but that number.
+    """
+    if field.value is None or not field.value.width or field.value.type.kind is not Kind.TEXT:
+        return None
+    for other in record.fields[: record.fields.index(field)]:
+        value, measure = other.value, other.measures
+        if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
+            continue
+        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
+        if is_number and value.size <= 2 and not has_meaning and not other.reserved and measure.plus >= 0:
+            return other
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class RegisterAccess:
+    """A message reads or writes registers. The fields with the address, the number and the words or bits.
+
+    `count` is empty where it is always one. `space` is empty where the spec names none, which means the first one of
+    the device. `set` and `clear` are the numbers of a single bit that is 1 and 0; `set` is None where the bits are
+    packed into bytes, the first one into the least significant bit, and in spaces of words. Only a step of a message
+    with several has masks, and no `values` then: it writes (register AND `and_mask`) OR (`or_mask` AND NOT `and_mask`).
+    """
+
+    operation: str
+    start: str
+    count: str
+    values: str
+    space: str = ""
+    set: int | None = None
+    clear: int = 0
+    and_mask: str = ""
+    or_mask: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the fields that the access refers to."""
+        return tuple(filter(None, (self.start, self.count, self.values, self.and_mask, self.or_mask)))
+
+
+STEP_FIELDS = ("start", "count", "values", "and_mask", "or_mask")
+"""The keys of a step that name fields."""
+
+
+@dataclass(frozen=True, slots=True)
+class SegmentsAbort:
+    """The message that ends the transfer of a value whose pieces do not follow: its field `reason` says why.
+
+    `counter` and `size` are members of the enum of that field.
+    """
+
+    message: str
+    reason: str
+    counter: str
+    size: str
+
+
+@dataclass(frozen=True, slots=True)
+class Segments:
+    """A message begins to read or to write a value that follows in pieces, each in another `message`.
+
+    It reads where `when` has members, of the field that says how many bytes of its response are the value. `size` is
+    the field with the number of bytes of the whole value, which has none with the members `unsized`. `data` is the
+    field with a piece. `counter`, `unused` and `last` are fields or bits of its message; each may be empty. `abort` is
+    None where nothing ends a transfer before its last piece.
+    """
+
+    message: str
+    when: tuple[str, ...]
+    size: str
+    unsized: tuple[str, ...]
+    data: str
+    counter: str
+    unused: str
+    last: str
+    abort: SegmentsAbort | None = None
+
+    @property
+    def reads(self) -> bool:
+        """Whether a value is read in pieces; else it is written."""
+        return bool(self.when)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Message(Fact):
+    """A code, the data of its request and of its response.
+
+    A response has the code of its request, or `response_code`. A message without a code may have a `number` by which
+    people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
+    those that it `supplements`. It is answered on those of `answered_on`, which is None for all. The lengths are the
+    frame's in bytes, and the words those of the data, as printed. A message that does more with registers than one
+    access has `access_steps` in place of `accesses`; nobody chooses it to read or to write a register.
+    """
+
+    title: str
+    group: str
+    code: int | None
+    number: int | None
+    links: tuple[str, ...]
+    answered_on: tuple[str, ...] | None
+    supplements: tuple[str, ...]
+    request: Record
+    response: Record
+    request_length: int | None
+    response_length: int | None
+    request_words: int | None
+    response_words: int | None
+    broadcast: bool | None
+    handling: Handling
+    accesses: RegisterAccess | None
+    segments: Segments | None = None
+    response_code: int | None = None
+    is_requested: bool = True
+    access_steps: tuple[RegisterAccess, ...] = ()
+
+    def code_of(self, direction: str) -> int | None:
+        """The code in one direction, `request` or `response`; None where the message has none."""
+        return self.code if direction == "request" or self.response_code is None else self.response_code
+
+    @property
+    def codes(self) -> tuple[tuple[str, int], ...]:
+        """The codes of the request and of the response with the keys of the spec that state them, each once."""
+        stated = (("code", self.code), ("response_code", self.response_code))
+        return tuple((key, code) for key, code in stated if code is not None)
+
+    @property
+    def directions(self) -> tuple[str, ...]:
+        """The directions in which it is sent on any link: `request`, `response`, or both."""
+        return ("request",) * self.is_requested + ("response",) * self.is_answered
+
+    @property
+    def is_answered(self) -> bool:
+        """Whether the device answers it on any link."""
+        return self.answered_on != ()
+
+    def is_answered_on(self, link: str) -> bool:
+        """Whether the device answers it on a link."""
+        return self.answered_on is None or link in self.answered_on

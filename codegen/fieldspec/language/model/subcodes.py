@@ -1,0 +1,74 @@
+"""Where messages that share a code differ: in the numbers of a field that all of them have at the same place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.value import Kind
+
+if TYPE_CHECKING:
+    from fieldspec.language.model.record import Field
+
+Place = tuple[int, int, str]
+"""The offset of a constant in the data, its bytes, and its byte order."""
+
+WIDEST = 4
+"""The bytes of the widest constant that tells messages apart."""
+
+WIDEST_MARK = 2
+"""The bytes of the widest constant that marks exception responses."""
+
+Numbers = tuple[int, ...]
+"""The numbers that a field may have, in the order of the spec."""
+
+
+def constant_at(
+    field: Field, offset: int, order: str, word_order: str = "", widest: int = WIDEST_MARK
+) -> tuple[Place, int] | None:
+    """The place and the unsigned number of a constant of at most `widest` bytes, None for any other field.
+
+    `order` and `word_order` are those of values without their own. A constant whose words have another order than its
+    bytes is none.
+    """
+    value = field.value
+    if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
+        return None
+    if value.type.kind is not Kind.INTEGER or value.size > widest:
+        return None
+    own = (value.byte_order or order) if value.size > 1 else "big"
+    if value.has_words and (value.word_order or word_order or own) != own:
+        return None
+    return (offset, value.size, own), value.const & (1 << 8 * value.size) - 1
+
+
+def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, Numbers] | None:
+    """The place and the numbers of a field that may tell messages apart, None for any other field.
+
+    The numbers are its constant, or those of the range of an unsigned byte. The orders are as in `constant_at`.
+    """
+    constant = constant_at(field, offset, order, word_order, WIDEST)
+    if constant is not None:
+        return constant[0], (constant[1],)
+    value = field.value
+    if value is None or value.ranges is None or value.write_ranges is not None or value.sentinels or field.reserved:
+        return None
+    if field.count is not None or field.repeat is not None or value.parameter is not None or value.width:
+        return None
+    if value.type.kind is not Kind.INTEGER or value.type.signed or value.size != 1 or value.digits:
+        return None
+    numbers = (number for low, high in value.ranges.intervals for number in range(max(low, 0), min(high, 0xFF) + 1))
+    return (offset, 1, "big"), tuple(dict.fromkeys(numbers))
+
+
+def distinct_place(places: Sequence[Mapping[Place, Numbers]]) -> Place | None:
+    """The first place at which all of some messages have numbers that no other of them has; None if there is none.
+
+    A place where each has a constant is preferred.
+    """
+    common = [place for place in places[0] if all(numbers.get(place) for numbers in places)]
+    for place in sorted(common, key=lambda place: any(len(numbers[place]) > 1 for numbers in places)):
+        all_numbers = [number for numbers in places for number in numbers[place]]
+        if len(set(all_numbers)) == len(all_numbers):
+            return place
+    return None

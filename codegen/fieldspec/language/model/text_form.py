@@ -1,0 +1,161 @@
+"""Texts of a fixed size: their encoding, what fills them up, and what ends them."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
+
+if TYPE_CHECKING:
+    from typing import Protocol
+
+    class Text(Protocol):
+        """What matters of a `Value` that is a text. The model of values is made of this module."""
+
+        @property
+        def size(self) -> int: ...
+        @property
+        def text_form(self) -> TextForm | None: ...
+
+
+UTF_16 = "utf_16"
+"""The encoding whose characters are numbers of 16 bits, in the byte order of the value."""
+
+PADDINGS = {"nul": 0x00, "space": 0x20}
+"""The characters that fill up a text."""
+
+_CODECS = {"ascii": "ascii", "latin_1": "latin-1", "utf_8": "utf-8"}
+_TITLES = {"ascii": "ASCII", "latin_1": "Latin-1", "utf_8": "UTF-8", UTF_16: "UTF-16"}
+
+
+@dataclass(frozen=True, slots=True)
+class TextForm:
+    """How a text is sent that is not ASCII filled up with zeros behind it.
+
+    `padding` is the code of the character that fills the text up, before it where `is_right`. `terminator` is the code
+    of the character that ends the text, None without one; what follows it is not read. Where it `is_turned`, the two
+    bytes of each word of 16 bits are exchanged, so that the first character is in the low byte.
+    """
+
+    encoding: str
+    padding: int
+    is_right: bool
+    terminator: int | None
+    is_turned: bool = field(default=False, repr=False)
+
+    @property
+    def unit(self) -> int:
+        """The bytes of the padding and of the terminator."""
+        return 2 if self.encoding == UTF_16 else 1
+
+    def codec(self, order: str) -> str:
+        """What Python calls the encoding, in a byte order."""
+        return ("utf-16-be" if order == "big" else "utf-16-le") if self.encoding == UTF_16 else _CODECS[self.encoding]
+
+    def room(self, size: int) -> int:
+        """The bytes that the characters of a text of `size` bytes may take."""
+        return size if self.terminator is None else size - self.unit
+
+    def content(self, data: bytes, order: str) -> bytes | None:
+        """The bytes of the characters alone; None where the terminator is missing."""
+        codec = self.codec(order)
+        data = turned_words(data) if self.is_turned else data
+        if self.terminator is not None:
+            end = chr(self.terminator).encode(codec)
+            places = range(0, len(data) - self.unit + 1, self.unit)
+            return next((data[:place] for place in places if data[place : place + self.unit] == end), None)
+        padding = chr(self.padding).encode(codec)
+        first, last = 0, len(data)
+        while not self.is_right and last > first and data[last - self.unit : last] == padding:
+            last -= self.unit
+        while self.is_right and last > first and data[first : first + self.unit] == padding:
+            first += self.unit
+        return data[first:last]
+
+
+def turned_words(data: bytes) -> bytes:
+    """Words of 16 bits with the two bytes of each exchanged."""
+    return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
+
+
+def text_form(encoding: str, padding: str, align: str, terminator: int | None, byte_order: str) -> TextForm | None:
+    """The form of a text by what a spec states; None for ASCII that is filled up with zeros behind it."""
+    is_turned = byte_order == "little" and encoding != UTF_16
+    form = TextForm(encoding or "ascii", PADDINGS[padding or "nul"], align == "right", terminator, is_turned)
+    return None if form == TextForm("ascii", 0, False, None) else form
+
+
+def decoded_text(value: Text, order: str, data: bytes) -> str | None:
+    """The characters of the bytes of a text; None for bytes that its encoding does not have, and for a zero in it."""
+    form = value.text_form
+    try:
+        if form is None:
+            return data.rstrip(b"\0").decode("ascii")
+        content = form.content(data, order)
+        text = None if content is None else content.decode(form.codec(order))
+    except UnicodeDecodeError:
+        return None
+    return None if text is None or "\0" in text else text
+
+
+def text_fault(value: Text, order: str, text: str) -> tuple[str, str] | None:
+    """Why a text cannot be sent, as a reason and in words; None where it can."""
+    form = value.text_form
+    codec = "ascii" if form is None else form.codec(order)
+    try:
+        size = len(text.encode(codec))
+    except UnicodeEncodeError:
+        return "unknown_value", f"holds characters that are not {encoding_title(value)}"
+    if "\0" in text:
+        return "unknown_value", "holds a zero, which ends a text"
+    if form is not None and form.terminator is not None:
+        if chr(form.terminator) in text:
+            return "unknown_value", f"holds {_character(form.terminator)}, which ends the text"
+    elif form is not None and text[-1 if not form.is_right else 0 :][:1] == chr(form.padding):
+        place = "begins" if form.is_right else "ends"
+        return "unknown_value", f"{place} with {_character(form.padding)}, which fills the text up"
+    room = value.size if form is None else form.room(value.size)
+    if size > room:
+        return "wrong_length", f"has {room} bytes, not {size}"
+    return None
+
+
+def text_bytes(value: Text, order: str, text: str) -> bytes:
+    """The bytes of a text; a question mark for a character that its encoding does not have, and no more than fit."""
+    form = value.text_form
+    if form is None:
+        return text.encode("ascii", "replace").ljust(value.size, b"\0")[: value.size]
+    codec = form.codec(order)
+    data = text.encode(codec, "replace")
+    while len(data) > form.room(value.size):
+        text = text[:-1]
+        data = text.encode(codec, "replace")
+    end = b"" if form.terminator is None else chr(form.terminator).encode(codec)
+    padding = chr(form.padding).encode(codec) * ((value.size - len(data + end)) // form.unit)
+    whole = padding + data if form.is_right else data + end + padding
+    return turned_words(whole) if form.is_turned else whole
+
+
+def encoding_title(value: Text) -> str:
+    """How people call the encoding of a text: `Latin-1`."""
+    return _TITLES[value.text_form.encoding if value.text_form is not None else "ascii"]
+
+
+def text_form_title(value: Text) -> str:
+    """How people call the form of a text: `Latin-1, filled up with spaces before it`; empty for the usual form."""
+    form = value.text_form
+    if form is None:
+        return ""
+    parts = [encoding_title(value)]
+    if form.terminator is not None:
+        parts.append(f"ended by {_character(form.terminator)}")
+    if form.padding or form.is_right:
+        filler = "spaces" if form.padding else "zeros"
+        parts.append(f"filled up with {filler} {'before' if form.is_right else 'behind'} it")
+    if form.is_turned:
+        parts.append("the low byte of each word first")
+    return ", ".join(parts)
+
+
+def _character(code: int) -> str:
+    """A character by its code, as a part of a sentence."""
+    names = {0x00: "a zero", 0x20: "a space", 0x0A: "a line feed", 0x0D: "a carriage return"}
+    return names.get(code, f"the character 0x{code:02X}")

@@ -1,0 +1,375 @@
+"""Values: encoding, range, scale, handling; signals and conversions."""
+
+from __future__ import annotations
+
+from decimal import Context, Decimal
+from enum import Enum
+
+from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, replace
+from fieldspec.language.model.digits import BCD, digit_bounds
+from fieldspec.language.model.fact import Citation, Fact
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.text_form import UTF_16, TextForm
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+
+class Kind(Enum):
+    """The kind of value that a primitive type encodes."""
+
+    INTEGER = "integer"
+    FLOAT = "float"
+    BOOLEAN = "boolean"
+    TEXT = "text"
+    BYTES = "bytes"
+
+
+@dataclass(frozen=True, slots=True)
+class Primitive:
+    """A type: its name, its size in bytes (0 where a length gives it), and its letter in `struct`.
+
+    The letter is empty for a number that `struct` and the machine do not have, such as one of three bytes.
+    """
+
+    name: str
+    kind: Kind
+    size: int
+    signed: bool = False
+    letter: str = ""
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is neither a text nor bytes."""
+        return self.kind not in (Kind.TEXT, Kind.BYTES)
+
+    @property
+    def is_odd(self) -> bool:
+        """Whether it is a whole number of a width that machines do not have: 24, 40, 48 or 56 bits."""
+        return self.is_number and self.size not in _MACHINE_SIZES
+
+    @property
+    def container(self) -> int:
+        """The bytes of the narrowest number of a machine that has all its values."""
+        return next((size for size in _MACHINE_SIZES if size >= self.size), self.size)
+
+    @property
+    def low(self) -> int:
+        """The least integer of the type."""
+        return -(1 << (8 * self.size - 1)) if self.signed else 0
+
+    @property
+    def high(self) -> int:
+        """The greatest integer of the type; 1 for a boolean."""
+        if self.kind is Kind.BOOLEAN:
+            return 1
+        return (1 << (8 * self.size - self.signed)) - 1
+
+
+_MACHINE_SIZES = (1, 2, 4, 8)
+
+PRIMITIVES = {
+    primitive.name: primitive
+    for primitive in (
+        Primitive("u8", Kind.INTEGER, 1, False, "B"),
+        Primitive("i8", Kind.INTEGER, 1, True, "b"),
+        Primitive("u16", Kind.INTEGER, 2, False, "H"),
+        Primitive("i16", Kind.INTEGER, 2, True, "h"),
+        Primitive("u24", Kind.INTEGER, 3),
+        Primitive("i24", Kind.INTEGER, 3, True),
+        Primitive("u32", Kind.INTEGER, 4, False, "I"),
+        Primitive("i32", Kind.INTEGER, 4, True, "i"),
+        Primitive("u40", Kind.INTEGER, 5),
+        Primitive("i40", Kind.INTEGER, 5, True),
+        Primitive("u48", Kind.INTEGER, 6),
+        Primitive("i48", Kind.INTEGER, 6, True),
+        Primitive("u56", Kind.INTEGER, 7),
+        Primitive("i56", Kind.INTEGER, 7, True),
+        Primitive("u64", Kind.INTEGER, 8, False, "Q"),
+        Primitive("i64", Kind.INTEGER, 8, True, "q"),
+        Primitive("f32", Kind.FLOAT, 4, True, "f"),
+        Primitive("f64", Kind.FLOAT, 8, True, "d"),
+        Primitive("bool8", Kind.BOOLEAN, 1, False, "B"),
+        Primitive("bool16", Kind.BOOLEAN, 2, False, "H"),
+        Primitive("bit", Kind.BOOLEAN, 1, False, "B"),
+        Primitive("text", Kind.TEXT, 0, False, "s"),
+        Primitive("bytes", Kind.BYTES, 0, False, "s"),
+    )
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Handling:
+    """The memory of a value, what reading does to it, and the fact with the opposite sense.
+
+    `memory` is `volatile`, `nonvolatile`, or empty where the manual does not state it. `saved_by` is the path of the
+    fact that saves a value which would be lost without power. `endurance` is the number of writes that the memory
+    endures: a number, `limited`, `unlimited`, or empty. `opposite_of` is a path, or empty.
+    """
+
+    memory: str = ""
+    saved_by: str = ""
+    endurance: str = ""
+    clears_on_read: bool = False
+    opposite_of: str = ""
+
+
+UNSPECIFIED = Handling()
+"""The handling of a value where the manual states none."""
+
+HANDLING_KEYS = attributes(Handling)
+"""The keys of specs that state the handling; the attributes have the same names."""
+
+
+# Wide enough for the product of a 64-bit count and any scale that the language takes.
+_EXACT = Context(prec=120)
+
+
+@dataclass(frozen=True, slots=True)
+class Sentinel:
+    """A value that means a state and not a quantity: a count, or for a float a number.
+
+    For a NaN, `value` has its bits and `is_nan` is true; every NaN that is read means this state.
+    """
+
+    value: int
+    name: str
+    doc: str
+    sources: tuple[Citation, ...]
+    is_nan: bool = False
+
+    @property
+    def text(self) -> str:
+        """The value on the wire: `65535`, or `NaN 0x7FC00000`."""
+        return f"NaN 0x{self.value:08X}" if self.is_nan else str(self.value)
+
+
+MOST_PLACES = 22
+"""The greatest size of an exponent in a register: 10^22 is the last power of ten that an f64 has exactly."""
+
+
+def power_of_ten(scale_by: str) -> str:
+    """The scale whose exponent is in a register, as texts write it behind a count: the sign `times`, `10^power_sf`."""
+    return f"\N{MULTIPLICATION SIGN}10^{scale_by}"
+
+
+@dataclass(frozen=True, slots=True)
+class SizeCase:
+    """A number of bytes, and the members of an enum that stand for it; the first one is written."""
+
+    when: tuple[str, ...]
+    bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterSizes:
+    """How many bytes of a field are the value of a parameter: the field `by`, which has an enum, says it."""
+
+    by: str
+    cases: tuple[SizeCase, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterPart:
+    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value.
+
+    `sizes` is None where all bytes of a field are the value.
+    """
+
+    set: str
+    part: str
+    number: str
+    sizes: ParameterSizes | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
+
+    `scale` is a fraction where no decimal number is it, and `scale_text` what the spec writes. `ranges`,
+    `write_ranges`, `default` and `const` are raw counts. `write_ranges` is None where the same values may be read and
+    written. `enum` and `flags` are names, or empty. `byte_order` and `word_order` are empty where the value has the
+    orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
+    how many of them follow a point. `scale_by` names the register with the exponent of a scale that is read from the
+    device, else it is empty; `unit` then begins with that power of ten. `text_form` is how a text is sent, None for
+    ASCII that is filled up with zeros behind it. `width` is the most bytes of a value that varies in width, else
+    it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
+    `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
+    """
+
+    type: Primitive
+    size: int
+    characters: int | None
+    byte_order: str
+    scale: Decimal | Fraction
+    scale_text: str
+    offset: Decimal
+    unit: str
+    ranges: Ranges | None
+    default: int | str | None
+    const: int | None
+    enum: str
+    flags: str
+    parameter: ParameterPart | None
+    sentinels: tuple[Sentinel, ...]
+    write_ranges: Ranges | None = None
+    word_order: str = ""
+    digits: str = ""
+    places: int = 0
+    scale_by: str = ""
+    text_form: TextForm | None = None
+    width: int = 0
+    has_blanks: bool = False
+
+    @property
+    def quantity_unit(self) -> str:
+        """The unit of the quantity; that of a count begins with the power of ten of `scale_by`."""
+        return self.unit.removeprefix(power_of_ten(self.scale_by)).lstrip() if self.scale_by else self.unit
+
+    def number_size(self, size: int) -> int:
+        """The bytes of its number as machines have it, for a value in `size` bytes: those of the type for digits."""
+        return self.type.size if self.digits else size
+
+    @property
+    def low(self) -> int:
+        """The least raw value that the wire can carry."""
+        return max(self.type.low, digit_bounds(self)[0]) if self.digits else self.type.low
+
+    @property
+    def high(self) -> int:
+        """The greatest raw value that the wire can carry."""
+        return min(self.type.high, digit_bounds(self)[1]) if self.digits else self.type.high
+
+    @property
+    def scale_number(self) -> Decimal | str:
+        """The scale as a decimal number, or as the fraction that the spec writes."""
+        return self.scale if isinstance(self.scale, Decimal) else self.scale_text
+
+    @property
+    def writable_ranges(self) -> Ranges | None:
+        """The counts that may be written in addition to sentinels; None where only the type bounds them."""
+        ranges = self.ranges if self.write_ranges is None else self.write_ranges
+        return Ranges(((self.low, self.high),)) if ranges is None and self.digits else ranges
+
+    @property
+    def has_words(self) -> bool:
+        """Whether it consists of several words of 16 bits, whose order matters."""
+        return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.has_characters
+
+    @property
+    def least_width(self) -> int:
+        """The fewest bytes of a value that varies in width: one digit, or no character."""
+        return 1 if self.digits else 0
+
+    @property
+    def has_order(self) -> bool:
+        """Whether the order of its bytes matters."""
+        if self.text_form is not None and (self.text_form.encoding == UTF_16 or self.text_form.is_turned):
+            return True
+        return self.type.size > 1 and not self.has_characters
+
+    @property
+    def has_characters(self) -> bool:
+        """Whether its digits are characters, of which the first is the most significant whatever the byte order."""
+        return self.digits not in ("", BCD)
+
+    @property
+    def scaled(self) -> bool:
+        """Whether the quantity differs from the raw value."""
+        return self.scale != 1 or self.offset != 0
+
+    def sentinel(self, raw: float) -> Sentinel | None:
+        """The sentinel with a raw count, or with a floating-point number."""
+        if raw != raw:
+            return next((sentinel for sentinel in self.sentinels if sentinel.is_nan), None)
+        return next((sentinel for sentinel in self.sentinels if sentinel.value == raw and not sentinel.is_nan), None)
+
+    @property
+    def absent_nan(self) -> bool:
+        """Whether a NaN is a sentinel."""
+        return any(sentinel.is_nan for sentinel in self.sentinels)
+
+    def as_answer(self, trigger: bool) -> Value:
+        """The value in a response: a constant binds only what is written.
+
+        Reading a `trigger` does not return what was written, so a closed enum does not bind the response either.
+        """
+        enum = "" if trigger else self.enum
+        return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)
+
+    def for_writing(self) -> Value:
+        """The value with the range of writing as its only range."""
+        return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
+
+    def in_unit(self, raw: float) -> Decimal:
+        """The quantity of a raw count: the exact one, or 120 digits of it where the scale is no decimal number."""
+        if isinstance(self.scale, Decimal):
+            number = Decimal(repr(raw)) if isinstance(raw, float) else raw
+            return _EXACT.add(_EXACT.multiply(number, self.scale), self.offset)
+        exact = int(raw) * self.scale
+        return _EXACT.add(_EXACT.divide(exact.numerator, exact.denominator), self.offset)
+
+    def scaled_by(self, exponent: int) -> Value:
+        """The value with the scale that an exponent makes of it, which is the number in the register `scale_by`."""
+        scale = Decimal(1).scaleb(exponent)
+        return replace(self, scale=scale, scale_text=f"{scale:f}", scale_by="", unit=self.quantity_unit)
+
+    def from_unit(self, number: Decimal | Fraction) -> int | None:
+        """The raw count of a quantity; None where it is not a whole number of counts."""
+        from fractions import Fraction
+
+        raw = (Fraction(number) - Fraction(self.offset)) / Fraction(self.scale)
+        return raw.numerator if raw.denominator == 1 else None
+
+
+_LARGEST_TERM = 10**18
+"""The greatest numerator and denominator of a scale that is no decimal number."""
+
+
+def exact_scale(text: str) -> Decimal | Fraction | None:
+    """`100/2^14` as an exact number: a fraction where it is no decimal number of at most 60 places.
+
+    None for a divisor of 0, and where numerator or denominator of such a fraction have more than 18 digits.
+    """
+    above, _, below = text.partition("/")
+    base, _, power = below.partition("^")
+    divisor = int(base) ** int(power or "1")
+    if divisor == 0:
+        return None
+    from fractions import Fraction
+
+    number = Fraction(above) / divisor
+    for places in range(61):
+        if (number * 10**places).denominator == 1:
+            return Decimal((number * 10**places).numerator).scaleb(-places, _EXACT)
+    return number if max(number.numerator, number.denominator) <= _LARGEST_TERM else None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Signal(Fact):
+    """A value that fields of messages place. `direction` is request, response, or empty where it is not printed."""
+
+    value: Value
+    direction: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Conversion(Fact):
+    """quantity = reference * raw / full_scale; with `complement`, reference * (1 - raw / full_scale).
+
+    `signals` are the signals that it applies to, `type` is the type of the raw value, and `references` are the paths
+    of the facts with the reference value. `printed` is the formula as printed.
+    """
+
+    title: str
+    signals: tuple[str, ...]
+    type: Primitive
+    full_scale: int
+    complement: bool
+    references: tuple[str, ...]
+    printed: str
+
+    def quantity(self, raw: int, reference: Fraction) -> Fraction:
+        """The quantity of a raw count."""
+        share = reference * raw / self.full_scale
+        return reference - share if self.complement else share

@@ -1,0 +1,169 @@
+"""The device as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar, cast
+
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.source import Span
+from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.model.address_space import WORDS, AddressSpace
+from fieldspec.language.model.device import Detection, Device, Manual, Version, VersionLine
+from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.language.reading.building import enums, links, machines, records, registers, tasks, texts, values
+from fieldspec.language.reading.building.context import Entry, Reused, reused_items
+from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
+
+Item = TypeVar("Item")
+
+
+def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[Device, list[Diagnostic]]:
+    """The model of a device's tree at one version, and the findings that keep it from being complete.
+
+    `reused` has the objects of other versions of the device, and gets those of this one. Raises
+    ValueError for a tree without the section `device`.
+    """
+    reused = {} if reused is None else reused
+    findings: list[Diagnostic] = []
+    root = Entry(tree, "", findings)
+    head = root.entry("device")
+    if head is None:
+        raise ValueError("a device's tree has the section `device`")
+    signals = _by_name(root, "signals", values.signal, reused)
+    spaces = _by_name(root, "spaces", registers.address_space, reused)
+    types = {name: signal.value.type.name for name, signal in signals.items()}
+    return (
+        Device(
+            id=head.text("id"),
+            version=version,
+            place=head.place(),
+            name=head.text("name"),
+            vendor=head.text("vendor"),
+            title=head.text("title"),
+            doc=head.text("doc"),
+            manual=_manual(head),
+            lines=tuple(_line(entry) for entry in root.entries("versions", "line")),
+            links=_by_name(root, "links", links.link, reused),
+            messages=_by_name(root, "messages", lambda entry: records.message(entry, reused), reused),
+            records=_by_name(root, "records", lambda entry: records.record(entry, reused), reused),
+            enums=_by_name(root, "enums", enums.enum, reused),
+            flags=_by_name(root, "flags", enums.flags, reused),
+            units=_by_name(root, "units", texts.declared_unit, reused),
+            spaces=spaces,
+            groups=_groups(root, spaces, reused),
+            tables=_by_name(root, "tables", registers.table, reused),
+            parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, reused), reused),
+            signals=signals,
+            conversions=_by_name(root, "conversions", lambda entry: values.conversion(entry, types), {}),
+            lookups=tuple(_by_name(root, "lookups", texts.lookup, reused).values()),
+            limits=tuple(_by_name(root, "limits", texts.limit, reused).values()),
+            tasks=tuple(_by_name(root, "tasks", tasks.task, reused).values()),
+            notes=tuple(_by_name(root, "notes", texts.note, reused).values()),
+            examples=_by_name(root, "examples", texts.example, reused, "id"),
+            errata=tuple(_by_name(root, "errata", texts.erratum, reused, "id").values()),
+            accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
+            machines=machines.state_machines(root),
+            stated_changes=tuple(texts.stated_change(entry) for entry in root.named("changes", "changes")),
+        ),
+        findings,
+    )
+
+
+def _by_name(
+    root: Entry, section: str, build: Callable[[Entry], Item], reused: Reused, name: str = "name"
+) -> dict[str, Item]:
+    """The objects of a section by name. A name that occurs twice is a finding; the same node gives the same object."""
+    sequence = root.own.get(section)
+    sections, same = reused.setdefault((section, "whole"), ByIdentity()), reused.setdefault(section, ByIdentity())
+    if sequence in sections:
+        return cast("dict[str, Item]", sections[sequence])
+    items: dict[str, Item] = {}
+    first: dict[str, Mapping] = {}
+    before = len(root.findings)
+    for item in mappings(sequence):
+        key = _scalar_text(item, name)
+        if key in items:
+            label = Label(_span(first[key], name), "the first one")
+            text = f"`{section}` has two entries named `{key}`"
+            help = "rename one of them"
+            root.findings.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
+        elif item in same:
+            first[key], items[key] = item, cast("Item", same[item])
+        else:
+            quiet = len(root.findings)
+            first[key], items[key] = item, build(Entry(item, f"{section}/{key}", root.findings))
+            if len(root.findings) == quiet:  # a finding is for every version
+                same[item] = items[key]
+    if len(root.findings) == before:
+        sections[sequence] = items
+    return items
+
+
+def _scalar_text(item: Mapping, key: str) -> str:
+    scalar = item.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""
+
+
+def _span(item: Mapping, name: str) -> Span:
+    return Entry(item, "", []).span(name)
+
+
+def _groups(root: Entry, spaces: dict[str, AddressSpace], reused: Reused) -> tuple[RegisterGroup, ...]:
+    sizes = {name: space.unit_size for name, space in spaces.items()}
+    sizes.setdefault("", next(iter(sizes.values()), WORDS.unit_size))
+    same = reused.setdefault(("registers", *sizes.items()), ByIdentity())
+    return reused_items(
+        root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, sizes, reused)
+    )
+
+
+def _manual(head: Entry) -> Manual:
+    entry = head.entry("manual")
+    if entry is None:
+        return Manual("", "", "", "", "", 0)
+    return Manual(
+        title=entry.text("title"),
+        edition=entry.text("edition"),
+        language=entry.text("language"),
+        file=entry.text("file"),
+        sha256=entry.text("sha256"),
+        lines=entry.integer("lines") or 0,
+    )
+
+
+def _line(entry: Entry) -> VersionLine:
+    members = tuple(
+        Version(
+            inner.text("id"),
+            inner.text("title"),
+            inner.text("doc"),
+            inner.text("inferred"),
+            inner.sources,
+            inner.scalars("detected_as"),
+        )
+        for inner in entry.entries("members", "id")
+    )
+    return VersionLine(
+        entry.text("line"),
+        entry.text("title"),
+        entry.flag("builds"),
+        entry.text("like"),
+        entry.text("inferred"),
+        members,
+        _detection(entry.entry("detected_by")),
+    )
+
+
+def _detection(entry: Entry | None) -> Detection | None:
+    if entry is None:
+        return None
+    return Detection(
+        entry.place(),
+        entry.text("fact"),
+        entry.text("form"),
+        entry.integer("places") or 0,
+        entry.text("doc"),
+        entry.text("inferred"),
+        entry.sources,
+    )

@@ -1,0 +1,260 @@
+"""Links: parts of frames, unit addresses, serial settings, ports of a network."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from fieldspec.foundation.classes import replace
+from fieldspec.language.model.checksums import SIMPLE
+from fieldspec.language.model.escape import CAN_BITS, Escape
+from fieldspec.language.model.link import ExceptionResponse, Link, Network, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.value import Value
+from fieldspec.language.reading.building.checksums import algorithm_of, surrounded_algorithm
+from fieldspec.language.reading.building.context import Entry
+from fieldspec.language.reading.building.escapes import escape
+from fieldspec.language.reading.building.values import VALUE_KEYS, value
+
+_VALUED = ("unit_address", "code", "length", "plain")
+_NUMBER_KEYS = frozenset({"type", "byte_order", "digits", "length"})
+_KEYS = {
+    "unit_address": _NUMBER_KEYS | {"range"},
+    "code": _NUMBER_KEYS,
+    "length": _NUMBER_KEYS | {"range", "counts"},
+    "body": frozenset[str](),
+    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix"}),
+    "plain": VALUE_KEYS
+    - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
+    - {"encoding", "padding", "align", "terminator", "varies"}
+    | {"reserved", "same_as"},
+}
+"""The keys of a part by its role, except those of every fact."""
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "reserved", "same_as"}
+_UNIT_SIZES = {"bytes": 1, "words": 2}
+_HELP = {
+    "const": "remove `const`, or remove the `role` of the part",
+    "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
+    "counts": "move it to the part with `role: length`",
+    "covers": "move it to the part with `role: checksum`",
+    "prefix": "move it to the part with `role: checksum`",
+    "suffix": "move it to the part with `role: checksum`",
+    "checksum": "move it to the part with `role: checksum`",
+    "digits": "remove `digits`, and state them at the fields of messages",
+    "flags": "remove `flags`; only a part without a `role` is a word of bits",
+    "algorithm": "name its `algorithm` or state its parameters under `checksum`; other parts have neither",
+    "reserved": "move it to a part without a `role`",
+    "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
+}
+
+
+def link(entry: Entry) -> Link:
+    """The link that an entry states."""
+    exception, silence, names = (
+        entry.entry("exception_response"),
+        entry.entry("silence"),
+        entry.entry("direction_names"),
+    )
+    escaping, can = entry.entry("escape"), entry.entry("can")
+    order = entry.text("byte_order")
+    request = tuple(_part(inner, order) for inner in entry.entries("request"))
+    delimiters = _delimiters(entry)
+    delimiter_entries = [
+        part.entry(key) for part in (entry.entry("delimiters"),) if part for key in ("request", "response")
+    ]
+    cited = [
+        *entry.sources,
+        *(source for part in (*delimiter_entries, escaping, can) if part for source in part.sources),
+    ]
+    return Link(
+        **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
+        title=entry.text("title"),
+        encoding=entry.text("encoding") or "binary",
+        start=delimiters["start"],
+        end=delimiters["end"],
+        response_start=delimiters["response_start"],
+        response_end=delimiters["response_end"],
+        byte_order=entry.text("byte_order"),
+        word_order=entry.text("word_order"),
+        request=request,
+        response=tuple(_part(inner, order) for inner in entry.entries("response")),
+        message_name=entry.text("message_name") or "message",
+        request_name=names.text("request") if names and names.text("request") else "request",
+        response_name=names.text("response") if names and names.text("response") else "response",
+        exception_response=_exception_response(exception) if exception else None,
+        unit_addresses=_unit_addresses(entry),
+        serial=_serial(entry),
+        network=_network(entry),
+        silence_characters=_silence(silence, "characters"),
+        silence_milliseconds=_silence(silence, "milliseconds"),
+        silence_sources=silence.citations("source") if silence else (),
+        escape=_identifier(can, request, order) if can else escape(escaping) if escaping else None,
+    )
+
+
+def _identifier(entry: Entry, parts: tuple[Part, ...], order: str) -> Escape:
+    """How the parts with bits become the identifier of a CAN frame."""
+    fields = tuple(
+        (part.value.size, part.value.byte_order or order or "big", part.bits[0], part.bits[1] - part.bits[0] + 1)
+        for part in parts
+        if part.bits is not None and part.value is not None
+    )
+    bits = entry.integer("identifier") or CAN_BITS[0]
+    if bits not in CAN_BITS:
+        entry.refuse("wrong_form", "identifier", f"no identifier has {bits} bits", "write 11 or 29")
+    return Escape("can", (), b"\0", 0, "", "", fields, bits)
+
+
+def _delimiters(entry: Entry) -> dict[str, bytes]:
+    """The delimiters of both directions, which are stated once where they are the same."""
+    by_direction = entry.entry("delimiters")
+    if by_direction is None:
+        start, end = bytes.fromhex(entry.text("start")), bytes.fromhex(entry.text("end"))
+        return {"start": start, "end": end, "response_start": start, "response_end": end}
+    for key in ("start", "end"):
+        if key in entry.own:
+            text = f"`{key}` has no effect beside `delimiters`"
+            entry.refuse("wrong_form", key, text, "remove it, or state it for each direction under `delimiters`")
+    delimiters = {}
+    for direction, prefix in (("request", ""), ("response", "response_")):
+        inner = by_direction.entry(direction)
+        for key in ("start", "end"):
+            delimiters[prefix + key] = bytes.fromhex(inner.text(key) if inner is not None else "")
+    return delimiters
+
+
+def _exception_response(entry: Entry) -> ExceptionResponse:
+    marks = [key for key in ("flag", "code", "part", "field") if key in entry.own]
+    if len(marks) != 1:
+        text = f"an exception response has {len(marks)} marks" if marks else "nothing marks an exception response"
+        entry.refuse(
+            "wrong_form", marks[-1] if marks else "record", text, "state one of `flag`, `code`, `part` and `field`"
+        )
+    if ("normal" in entry.own) != ("part" in entry.own):
+        key = "part" if "part" in entry.own else "normal"
+        entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
+    part, field, code = entry.text("part"), entry.text("field"), entry.integer("code")
+    return ExceptionResponse(
+        flag=(entry.integer("flag") or 0) if code is None and not part and not field else 0,
+        record=entry.text("record"),
+        sources=entry.sources,
+        code=None if part or field else code,
+        part=part,
+        normal=entry.whole_ranges("normal") if part else None,
+        field=field,
+    )
+
+
+def _part(entry: Entry, link_order: str) -> Part:
+    role = entry.text("role") or "plain"
+    algorithm = algorithm_of(entry)
+    if (role == "checksum") != bool(algorithm):
+        entry.refuse("wrong_form", "role", "a checksum has an algorithm, other parts have none", _HELP["algorithm"])
+        algorithm = algorithm or "sum8"
+    order, digits = entry.text("byte_order"), entry.text("digits") if role == "checksum" else ""
+    if role == "checksum" and algorithm not in SIMPLE:
+        order = order or link_order
+    if digits and entry.text("byte_order"):
+        text = "`byte_order` has no effect on digits, which begin with the highest one"
+        entry.refuse("wrong_form", "byte_order", text, "remove `byte_order`")
+    for key in entry.own:
+        if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
+            text = f"`{key}` has no effect in a part with the role {role}"
+            entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
+    counts, covers, bits = entry.entry("counts"), entry.entry("covers"), _bits(entry)
+    span = counts if role == "length" else covers if role == "checksum" else None
+    return Part(
+        **entry.fact(),
+        role=role,
+        value=_value(entry, bits) if role in _VALUED else None,
+        algorithm=surrounded_algorithm(entry, algorithm, order) if role == "checksum" else algorithm,
+        stated_algorithm=algorithm,
+        prefix=bytes.fromhex(entry.text("prefix")) if role == "checksum" else b"",
+        suffix=bytes.fromhex(entry.text("suffix")) if role == "checksum" else b"",
+        byte_order=order,
+        span=_span(span) if span is not None else PartSpan("", ""),
+        unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
+        plus=(span.integer("plus") or 0) if span is not None else 0,
+        reserved=entry.flag("reserved"),
+        digits=digits,
+        same_as=entry.text("same_as"),
+        bits=bits,
+    )
+
+
+def _span(entry: Entry) -> PartSpan:
+    return PartSpan(entry.text("from"), entry.text("to"), entry.flag("before_escape"))
+
+
+def _bits(entry: Entry) -> tuple[int, int] | None:
+    text = entry.text("bits")
+    if not text:
+        return None
+    first, _, last = text.partition("..")
+    low, high = int(first), int(last or first)
+    if high < low:
+        entry.refuse("wrong_form", "bits", "`bits` ends before it starts", f"write {high}..{low}")
+        low, high = high, low
+    return low, high
+
+
+def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:
+    """The value of a part; one with bits, or sent as digits, has no greater number than these can hold."""
+    own = value(entry)
+    highest = (1 << bits[1] - bits[0] + 1) - 1 if bits is not None else own.high
+    is_free = own.ranges is None and own.const is None and entry.text("role") not in ("code", "length")
+    if highest >= own.type.high or not is_free:
+        return own
+    return replace(own, ranges=Ranges(((0, highest),)))
+
+
+def _unit_addresses(entry: Entry) -> UnitAddresses | None:
+    addresses = entry.entry("unit_addresses")
+    if addresses is None:
+        return None
+    return UnitAddresses(
+        place=addresses.place(),
+        ranges=addresses.whole_ranges("range"),
+        broadcast=addresses.integer("broadcast"),
+        rule=addresses.text("rule"),
+        notes=addresses.texts("notes"),
+        sources=addresses.sources,
+    )
+
+
+def _silence(silence: Entry | None, key: str) -> Decimal | None:
+    """The silence between frames in the unit of a key; None where it is not stated in it."""
+    time = silence.decimal(key) if silence is not None else None
+    if silence is not None and time is not None and time <= 0:
+        silence.refuse(
+            "wrong_form", key, "no silence is between the frames", "state a time above 0, or remove `silence`"
+        )
+    return time
+
+
+def _network(entry: Entry) -> Network | None:
+    network = entry.entry("network")
+    if network is None:
+        return None
+    ports = {key: network.integer(key) for key in ("tcp", "udp")}
+    if not any(ports.values()):
+        entry.refuse("wrong_form", "network", "a network has no port", "add `tcp` or `udp`, or remove `network`")
+    return Network(**ports, sources=network.sources)
+
+
+def _serial(entry: Entry) -> Serial | None:
+    serial = entry.entry("serial")
+    if serial is None:
+        return None
+    speeds, usual = serial.integers("baud"), serial.integer("default_baud")
+    if usual is not None and speeds and usual not in speeds:
+        text = f"the speed on delivery, {usual}, is none of the speeds"
+        serial.refuse("wrong_form", "default_baud", text, "correct it, or add it to `baud`")
+    return Serial(
+        baud=speeds,
+        default_baud=usual,
+        data_bits=serial.integers("data_bits"),
+        parity=serial.texts("parity"),
+        stop_bits=serial.integers("stop_bits"),
+        start_bits=serial.integer("start_bits"),
+        sources=serial.sources,
+    )

@@ -1,0 +1,261 @@
+"""Records and their fields, messages and their data."""
+
+from __future__ import annotations
+
+from fieldspec.language.model.record import (
+    Case,
+    Choice,
+    Field,
+    Measure,
+    Message,
+    Record,
+    RegisterAccess,
+    Segments,
+    SegmentsAbort,
+)
+from fieldspec.language.reading.building.context import Entry, Reused, rows
+from fieldspec.language.reading.building.values import VALUE_KEYS, value
+
+_OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
+"""The keys that only a field with a value of its own has."""
+
+
+def record(entry: Entry, reused: Reused) -> Record:
+    """The record that an entry states."""
+    return Record(
+        **entry.fact(),
+        size=entry.integer("size"),
+        words=entry.integer("words"),
+        fields=rows(entry, entry.path, None, reused, _field, key="fields"),
+        same_as=entry.text("same_as"),
+    )
+
+
+def _field(entry: Entry) -> Field:
+    if not entry.text("name"):
+        entry.refuse(
+            "missing_key", "name", "the key `name` is missing", "add a `name`, or a `signal` whose name the field has"
+        )
+    name = entry.text("record")
+    choice = entry.entry("choice")
+    kinds = [key for key in ("type", "record", "choice") if entry.get(key)]
+    if len(kinds) > 1:
+        text = f"the field has both `{kinds[0]}` and `{kinds[1]}`"
+        entry.refuse("type_present", kinds[0], text, "remove one of them")
+    if (name or choice) and entry.get("scale_by"):
+        text = f"the field is a {'record' if name else 'choice'}, which has no scale"
+        entry.refuse("type_present", "scale_by", text, "remove it, or state it for a field with a `type`")
+    for key in sorted(_OF_VALUES & entry.own.keys()) if name else ():
+        help = f"state it at the fields of {name}, or give the field a `type`"
+        entry.refuse("type_present", key, f"the field is a record, which has no `{key}`", help)
+    words = entry.integer("words")
+    measures = entry.entry("measures")
+    measure = None
+    if measures:
+        unit = "bytes" if measures.get("bytes") else "items"
+        if "plus" in measures.own and not measures.integer("plus"):
+            measures.refuse("wrong_form", "plus", "a `plus` of 0 has no effect", "remove it")
+        measure = Measure(unit, measures.text(unit), measures.integer("plus") or 0)
+    return Field(
+        **entry.fact(),
+        value=None if name or choice else value(entry, words=words),
+        record=name,
+        choice=_choice(choice, entry) if choice and not name else None,
+        signal=entry.text("signal"),
+        count=entry.integer("count"),
+        repeat=entry.whole_ranges("repeat"),
+        measures=measure,
+        reserved=entry.flag("reserved"),
+        at=entry.integer("at"),
+        words=words,
+        span=_span(entry.text("span")),
+        word_span=_span(entry.text("word_span")),
+        access=entry.text("access"),
+        restart=entry.maybe("restart"),
+        atomic=entry.flag("atomic"),
+        handling=entry.handling(),
+        same_as=entry.text("same_as"),
+    )
+
+
+def _choice(entry: Entry, field: Entry) -> Choice:
+    """The cases of a field; keys of the field apply to the values of all cases."""
+    shared = field.node
+    for key in field.node.values.keys() - VALUE_KEYS:
+        shared = shared.without(key)
+    cases = tuple(
+        Case(**inner.fact(), when=inner.texts("when"), value=value(inner))
+        for inner in entry.entries("cases", defaults=shared)
+    )
+    return Choice(entry.text("by"), cases)
+
+
+def _span(text: str) -> tuple[int, int] | None:
+    if not text:
+        return None
+    first, _, last = text.partition("-")
+    return int(first), int(last or first)
+
+
+def message(entry: Entry, reused: Reused) -> Message:
+    """A message. Its data are records that are named after it."""
+    lengths, words = entry.entry("frame_length"), entry.entry("data_words")
+    access, pieces = entry.entry("accesses"), entry.entry("segments")
+    _refuse_unstated(entry)
+    return Message(
+        **entry.fact(),
+        title=entry.text("title"),
+        group=entry.text("group"),
+        code=entry.integer("code"),
+        number=entry.integer("number"),
+        links=entry.texts("links"),
+        answered_on=_answered_on(entry),
+        supplements=entry.texts("supplements"),
+        request=_data(entry, "request", reused),
+        response=_data(entry, "response", reused),
+        request_length=lengths.integer("request") if lengths else None,
+        response_length=lengths.integer("response") if lengths else None,
+        request_words=words.integer("request") if words else None,
+        response_words=words.integer("response") if words else None,
+        broadcast=entry.maybe("broadcast"),
+        handling=entry.handling(),
+        accesses=_access(access) if access else None,
+        segments=_segments(pieces) if pieces else None,
+        response_code=_response_code(entry),
+        is_requested=_is_requested(entry),
+        access_steps=tuple(_step(step) for step in entry.entries("access_steps")),
+    )
+
+
+def _refuse_unstated(entry: Entry) -> None:
+    """Refuses a message without a request, and one without the response that is due: nothing says what they are."""
+    if "request" not in entry.own and entry.maybe("requested") is not False:
+        text = "the message has no `request`"
+        help = "list the fields of its data, add `request: []` if it has none, or `requested: false` if only the device"
+        entry.refuse("missing_key", "name", text, f"{help} sends it")
+    if "response" in entry.own or ("answered_on" in entry.own and not entry.texts("answered_on")):
+        return
+    text = "the message has no `response`"
+    help = "list the fields of its data, or add `response: []` if it has none"
+    if "number" not in entry.own or "code" in entry.own:  # else requests and responses are sent without each other
+        help = "list the fields of its data, add `response: []` if it has none, or `answered_on: []` if it never comes"
+    entry.refuse("missing_key", "name", text, help)
+
+
+_OF_REQUESTS = ("request", "accesses", "access_steps", "segments", "broadcast", "supplements", "response_code")
+"""The keys of messages that say something of a request."""
+
+
+def _is_requested(entry: Entry) -> bool:
+    """Whether users send the message; one that only the device sends has no request."""
+    if entry.maybe("requested") is not False:
+        return True
+    for key in _OF_REQUESTS:
+        if key in entry.own:
+            text = f"only the device sends the message, but it has `{key}`"
+            help = "state its `code`" if key == "response_code" else f"remove `{key}`, or `requested`"
+            entry.refuse("wrong_form", key, text, help)
+    for key in ("frame_length", "data_words"):
+        stated = entry.entry(key)
+        if stated is not None and "request" in stated.own:
+            text = f"only the device sends the message, but its `{key}` has a request"
+            entry.refuse("wrong_form", key, text, "remove the request there, or `requested`")
+    if "answered_on" in entry.own and not entry.texts("answered_on"):
+        text = "the message is never answered, and the device does not send it of its own accord either"
+        entry.refuse("wrong_form", "answered_on", text, "remove `answered_on`, or `requested`")
+    return False
+
+
+def _answered_on(entry: Entry) -> tuple[str, ...] | None:
+    """The links on which a message is answered, None for all. One that never is has no response."""
+    if "answered_on" not in entry.own:
+        return None
+    links = entry.texts("answered_on")
+    if not links and "response" in entry.own:
+        text = "the message is never answered, but it has a `response`"
+        entry.refuse("wrong_form", "response", text, "remove `response`, or name the links under `answered_on`")
+    return links
+
+
+def _response_code(entry: Entry) -> int | None:
+    """The code of the response where it is another one than that of the request."""
+    code = entry.integer("response_code")
+    if code is None:
+        return None
+    if "code" not in entry.own:
+        text = "the message has a `response_code`, but its request has no `code`"
+        entry.refuse("wrong_form", "response_code", text, "add `code`, or remove `response_code`")
+    elif code == entry.integer("code"):
+        text = "the response has the code of the request, as is usual"
+        entry.refuse("wrong_form", "response_code", text, "remove `response_code`")
+    if "answered_on" in entry.own and not entry.texts("answered_on"):
+        text = "the message is never answered, but it has a `response_code`"
+        entry.refuse("wrong_form", "response_code", text, "remove it, or name the links under `answered_on`")
+    return code
+
+
+def _segments(entry: Entry) -> Segments:
+    if "unsized" in entry.own and "size" not in entry.own:
+        entry.refuse(
+            "wrong_form", "unsized", "`unsized` has no effect without `size`", "add `size`, or remove `unsized`"
+        )
+    if "unsized" in entry.own and "when" not in entry.own:
+        text = "`unsized` has no effect without `when`: the request that writes always has its `size`"
+        entry.refuse("wrong_form", "unsized", text, "remove `unsized`, or state `when` for a message that reads")
+    return Segments(
+        message=entry.text("message"),
+        when=entry.texts("when"),
+        size=entry.text("size"),
+        unsized=entry.texts("unsized"),
+        data=entry.text("data"),
+        counter=entry.text("counter"),
+        unused=entry.text("unused"),
+        last=entry.text("last"),
+        abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None,
+    )
+
+
+def _segments_abort(entry: Entry) -> SegmentsAbort:
+    return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
+
+
+def _access(entry: Entry) -> RegisterAccess:
+    if "clear" in entry.own and "set" not in entry.own:
+        entry.refuse("wrong_form", "clear", "`clear` has no effect without `set`", "add `set`, or remove `clear`")
+    return RegisterAccess(
+        operation=entry.text("operation"),
+        start=entry.text("start"),
+        count=entry.text("count"),
+        values=entry.text("values"),
+        space=entry.text("space"),
+        set=entry.integer("set"),
+        clear=entry.integer("clear") or 0,
+    )
+
+
+def _step(entry: Entry) -> RegisterAccess:
+    return RegisterAccess(
+        operation=entry.text("operation"),
+        start=entry.text("start"),
+        count=entry.text("count"),
+        values=entry.text("values"),
+        space=entry.text("space"),
+        and_mask=entry.text("and_mask"),
+        or_mask=entry.text("or_mask"),
+    )
+
+
+def _data(entry: Entry, direction: str, reused: Reused) -> Record:
+    arguments = entry.fact() | {
+        "name": f"{entry.text('name')}_{direction}",
+        "doc": "",
+        "notes": (),
+        "restated": (),
+        "inferred": {},
+        "standard": {},
+        "reported": (),
+        "roles": (),
+        "unverified": False,
+    }
+    fields = rows(entry, f"{entry.path}/{direction}", None, reused, _field, key=direction)
+    return Record(**arguments, size=None, words=None, fields=fields)

@@ -1,0 +1,163 @@
+"""Lookups, limits, notes, examples, errata and accepted changes."""
+
+from __future__ import annotations
+
+from fieldspec.language.model.texts import (
+    Acceptance,
+    Erratum,
+    Example,
+    Limit,
+    Lookup,
+    LookupColumn,
+    LookupRow,
+    Note,
+    StatedChange,
+    Statement,
+)
+from fieldspec.language.model.units import DeclaredUnit
+from fieldspec.language.reading.building.context import Entry, free
+from fieldspec.language.reading.nodes import Scalar, Sequence, identity
+
+
+def lookup(entry: Entry) -> Lookup:
+    """The lookup table, of what is not on the wire, that an entry states."""
+    columns = tuple(
+        LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
+        for inner in entry.entries("columns")
+    )
+    return Lookup(
+        **entry.fact(),
+        title=entry.text("title"),
+        kind=entry.text("kind") or "table",
+        columns=columns,
+        rows=tuple(_lookup_row(inner, len(columns)) for inner in entry.entries("rows")),
+    )
+
+
+def _lookup_row(entry: Entry, width: int) -> LookupRow:
+    sequence = entry.node.values.get("cells")
+    items = sequence.items if isinstance(sequence, Sequence) else ()
+    cells = tuple(item.value for item in items if isinstance(item, Scalar))
+    if len(cells) != width:
+        text = f"the row has {len(cells)} cells, the table {width} columns"
+        entry.refuse("wrong_size", "cells", text, "write `~` for an empty cell")
+        cells = (cells + (None,) * width)[:width]
+    return LookupRow(entry.place(), cells, entry.text("notes"), entry.sources, entry.texts("only"))
+
+
+def limit(entry: Entry) -> Limit:
+    """The limit, a single number with its unit, that an entry states."""
+    return Limit(
+        **entry.fact(),
+        kind=entry.text("kind") or "limit",
+        value=entry.decimal("value"),
+        low=entry.decimal("min"),
+        high=entry.decimal("max"),
+        text=entry.text("text"),
+        unit=entry.text("unit"),
+        sum_of=entry.texts("sum_of"),
+        within=entry.text("within"),
+        transmits=entry.text("transmits"),
+    )
+
+
+def declared_unit(entry: Entry) -> DeclaredUnit:
+    """A unit that the language does not have."""
+    return DeclaredUnit(
+        **entry.fact(),
+        symbol=entry.text("symbol"),
+        title=entry.text("title"),
+        quantity=entry.text("quantity"),
+        ucum=entry.text("ucum"),
+        factor=entry.text("factor"),
+    )
+
+
+def note(entry: Entry) -> Note:
+    """The note, a caveat of the manual, that an entry states."""
+    return Note(
+        name=entry.text("name"),
+        place=entry.place(),
+        title=entry.text("title"),
+        text=entry.text("text"),
+        about=entry.texts("about"),
+        statements=tuple(
+            Statement(
+                inner.place(), inner.text("subject"), inner.text("says"), inner.text("text"), inner.citations("source")
+            )
+            for inner in entry.entries("statements", "")
+        ),
+        sources=entry.sources,
+    )
+
+
+def example(entry: Entry) -> Example:
+    """The example, a frame with its meaning, that an entry states."""
+    return Example(
+        id=entry.text("id"),
+        place=entry.place(),
+        title=entry.text("title"),
+        link=entry.text("link"),
+        direction=entry.text("direction"),
+        message=entry.text("message"),
+        exception_response=entry.flag("exception_response"),
+        refused=entry.text("refused"),
+        reply_to=entry.text("reply_to"),
+        frame=_frame(entry),
+        elided=entry.texts("elided"),
+        characters=entry.text("characters").replace("\\r", "\r").replace("\\n", "\n"),
+        values=free(entry.get("values")),
+        origin=entry.text("origin") or "printed",
+        sources=entry.sources,
+        notes=entry.texts("notes"),
+    )
+
+
+def _frame(entry: Entry) -> bytes:
+    try:
+        return bytes.fromhex(entry.text("frame"))
+    except ValueError:
+        entry.refuse("wrong_form", "frame", "these digits are not whole bytes", "write pairs of hexadecimal digits")
+        return b""
+
+
+def erratum(entry: Entry) -> Erratum:
+    """The erratum, a departure from what the manual prints, that an entry states."""
+    return Erratum(
+        id=entry.text("id"),
+        place=entry.place(),
+        fact=entry.text("fact"),
+        printed=free(entry.get("printed")),
+        literal=entry.text("literal"),
+        illegible=entry.text("illegible"),
+        reason=entry.text("reason"),
+        confidence=entry.text("confidence"),
+        effect=entry.text("effect"),
+        proof=entry.text("proof"),
+        sources=entry.sources,
+    )
+
+
+def acceptance(entry: Entry) -> Acceptance:
+    """The accepted change that an entry states."""
+    return Acceptance(
+        place=entry.place(),
+        rule=entry.text("rule"),
+        path=entry.text("path"),
+        reason=entry.text("reason"),
+        date=entry.text("date"),
+        since=entry.texts("since"),
+    )
+
+
+def stated_change(entry: Entry) -> StatedChange:
+    """The change that an entry of a version overlay states."""
+    kind, path = entry.text("kind"), entry.text("fact")
+    if kind == "adds":
+        item, path = entry.own.get("item"), entry.text("in")
+        name = identity(item) if item is not None else None
+        section, _, inner = path.partition("/")
+        if section == "registers" and inner:  # the path of a register does not name its group
+            path = section
+        path = f"{path}/{name}" if name else path
+    return StatedChange(entry.place(), kind, path, entry.text("to"), entry.text("reason"), entry.sources)

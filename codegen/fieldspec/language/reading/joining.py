@@ -1,0 +1,141 @@
+"""Joins the trees of several files: those of a device, and those of the protocols that it uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.reading.findings import near
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, identity
+from fieldspec.language.reading.rows import rows_in_order
+from fieldspec.language.reading.used_records import used_records
+from fieldspec.language.reading.yaml_reader import key_span
+
+_NO_DIGITS = str.maketrans("", "", "0123456789")
+
+_DEVICE_SECTIONS = ("device", "protocol", "uses", "versions")
+
+
+def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
+    """One tree of all files: the items of lists follow each other, every other section occurs once."""
+    whole = files[0]
+    findings: list[Diagnostic] = []
+    for tree in files[1:]:
+        for key, value in tree.values.items():
+            existing = whole.values.get(key)
+            if isinstance(existing, Sequence) and isinstance(value, Sequence):
+                whole = whole.with_value(key, _concatenated(existing, value))
+            elif existing is None:
+                whole = whole.with_entry(key, value, tree)
+            else:
+                first = Label(key_span(whole, key), "the first one")
+                text = f"the section `{key}` is in two files of the device"
+                findings.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "remove one of them"))
+    return whole, findings
+
+
+def _concatenated(first: Sequence, second: Sequence) -> Sequence:
+    return Sequence(first.file, first.start, first.end, first.items + second.items)
+
+
+def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The device's tree with the items that it uses of a protocol; where both have an item, the device's keys win."""
+    findings: list[Diagnostic] = []
+    for section, base in protocol.values.items():
+        if section in _DEVICE_SECTIONS or not isinstance(base, Sequence):
+            continue
+        chosen, missing = _chosen(base, use.values.get(section), section)
+        findings += missing
+        messages = protocol.values.get("messages")
+        if section == "records" and "messages" in use.values and isinstance(messages, Sequence):
+            used, _ = _chosen(messages, use.values["messages"], "messages")
+            chosen = used_records(protocol, chosen, used, device)
+        own = device.values.get(section)
+        if own is not None and section in ("links", "messages", "records"):
+            findings += _misspelt(chosen, own)
+        value = chosen if own is None else _merged(chosen, own)
+        if section in device.values:
+            device = device.with_value(section, value)
+        else:
+            device = device.with_entry(section, value, protocol)
+    return device, findings
+
+
+def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence, list[Diagnostic]]:
+    """The items of a section whose names are listed, or all where nothing is listed."""
+    if not isinstance(names, Sequence):
+        return base, []
+    by_name = {identity(item): item for item in base.items}
+    findings = []
+    items = []
+    for name in names.items:
+        if isinstance(name, Scalar) and name.text not in by_name:
+            text = f"the protocol has no {section[:-1]} `{name.text}`"
+            hint = near(name.text, [known for known in by_name if known is not None])
+            findings.append(Diagnostic("references_resolve", text, name.span, help=hint))
+        elif isinstance(name, Scalar):
+            items.append(by_name[name.text])
+    return Sequence(base.file, base.start, base.end, tuple(items)), findings
+
+
+def _merged(base: Node, override: Node) -> Node:
+    """`base` overridden by `override`: mappings by key, lists of named items by name, everything else as a whole."""
+    if isinstance(base, Mapping) and isinstance(override, Mapping):
+        base = _without_standards(base, override)
+        values, keys = dict(base.values), {key: base.holder(key) for key in base.values}
+        for key, value in override.values.items():
+            existing = base.values.get(key)
+            values[key] = value if existing is None else _merged(existing, value)
+            if key == "rows" and isinstance(existing, Sequence) and isinstance(value, Sequence):
+                values[key] = rows_in_order(values[key], existing, value)
+            keys[key] = override.holder(key)
+        return Mapping(override.file, override.start, override.end, values, keys)
+    if isinstance(base, Sequence) and isinstance(override, Sequence) and _has_names(base) and _has_names(override):
+        extra = {identity(item): item for item in override.items}
+        items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
+        return Sequence(override.file, override.start, override.end, (*items, *extra.values()))
+    return override
+
+
+def _misspelt(base: Node, override: Node, is_inside: bool = False) -> Iterator[Diagnostic]:
+    """The parts and fields that an entry adds to those of the protocol under names that are almost theirs."""
+    if isinstance(base, Mapping) and isinstance(override, Mapping):
+        for key, value in override.values.items():
+            existing = base.values.get(key)
+            if existing is not None:
+                yield from _misspelt(existing, value, True)
+    elif isinstance(base, Sequence) and isinstance(override, Sequence) and _has_names(base) and _has_names(override):
+        entries = {identity(item): item for item in base.items}
+        free = [name for name in entries if name is not None and name not in map(identity, override.items)]
+        for item in override.items:
+            name = identity(item) or ""
+            if name in entries:
+                yield from _misspelt(entries[name], item, True)
+            elif is_inside and (like := _similar_name(name, free)) and isinstance(item, Mapping):
+                text = f"`{name}` is none of the protocol's here, and would be added behind them"
+                help = f"did you mean `{like}`? Another one needs a name that is less like it"
+                yield Diagnostic("references_resolve", text, item.values.get("name", item).span, help=help)
+
+
+def _similar_name(name: str, known: list[str]) -> str:
+    """The known name that is almost a name, and does not differ by a number alone; empty where there is none."""
+    from difflib import get_close_matches
+
+    letters = name.translate(_NO_DIGITS)
+    candidates = [other for other in known if other.translate(_NO_DIGITS) != letters]
+    return next(iter(get_close_matches(name, candidates, 1, 0.8)), "")
+
+
+def _without_standards(base: Mapping, override: Mapping) -> Mapping:
+    """An entry without the clauses of standards for those of its keys that `override` states itself."""
+    standards = base.values.get("standard")
+    if not isinstance(standards, Mapping):
+        return base
+    for key, clause in standards.values.items():
+        if isinstance(clause, Mapping) and key in override.values:
+            standards = standards.without(key)
+    return base.with_value("standard", standards) if standards.values else base.without("standard")
+
+
+def _has_names(sequence: Sequence) -> bool:
+    return bool(sequence.items) and all(identity(item) is not None for item in sequence.items)

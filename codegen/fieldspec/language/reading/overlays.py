@@ -1,0 +1,387 @@
+"""Applies a version overlay to the tree that it is based on."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.reading.findings import near, quoted
+from fieldspec.language.reading.nodes import (
+    Mapping,
+    Node,
+    Scalar,
+    Sequence,
+    exact,
+    identity,
+    keys,
+    mappings,
+    node_at,
+    put,
+    schema_path,
+)
+from fieldspec.language.reading.removals import RemovedFact, removal_findings, removed_changes
+from fieldspec.language.reading.scalars import part_at, typed_at
+from fieldspec.language.schema import schema
+
+OVERLAY_PARTS = ("changes", "removes", "adds", "renames")
+"""The lists of an overlay, in the order in which they are applied."""
+
+# The keys by which the rows of lists are in order.
+_ORDERED_BY = ("at", "number", "value", "bit", "base")
+# Where a name of each section is referred to, besides paths.
+_REFERENCES = {
+    "enums": ("enum",),
+    "flags": ("flags",),
+    "records": ("record",),
+    "signals": ("signal", "signals"),
+    "messages": ("message", "messages", "supplements"),
+    "links": ("link", "links", "answered_on"),
+    "spaces": ("space",),
+    "registers": ("same_as", "copy_of", "of", "scale_by", "count_by", "base_by"),
+    "parameters": ("set",),
+}
+_STEPS = ("write", "set", "clear", "pulse", "send", "read", "wait", "timeout")
+_PATHS = ("fact", "about", "references", "saved_by", "opposite_of", "sum_of", "within", "limit", *_STEPS)
+_OF_ALL_VERSIONS = frozenset(("accepts", "audit", "reviews", "uses", "versions"))
+"""Sections that are not of one version, so that no overlay changes them."""
+_REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key in keys)))
+
+
+class Silent:
+    """Remembers the parts of trees without references, so that they are not searched again for every new name."""
+
+    def __init__(self) -> None:
+        self._known: ByIdentity[Node, bool] = ByIdentity()
+
+    def __call__(self, node: Mapping | Sequence) -> bool:
+        """Whether a part of a tree contains no key that refers to a fact."""
+        if node in self._known:
+            return True
+        if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):
+            return False
+        silent = True
+        for item in node.values.values() if isinstance(node, Mapping) else node.items:
+            if not isinstance(item, Scalar) and not self(item):
+                silent = False  # the others are looked at all the same: they are then known
+        if silent:
+            self._known[node] = True
+        return silent
+
+
+def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, list[Diagnostic]]:
+    """The tree of a version, from the tree of its base and its overlay, and the findings where these do not fit.
+
+    All paths are of the base: names change last.
+    """
+    work = _Application(tree, silent)
+    for part, apply in zip(OVERLAY_PARTS, (work.change, work.remove, work.add, work.rename), strict=True):
+        for entry in mappings(overlay.values.get(part)):
+            apply(entry)
+    work.findings += [*removed_changes(tree, overlay), *removal_findings(work.tree, work.removed)]
+    return _stating(_accepting(work.tree, overlay), overlay), work.findings
+
+
+def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
+    """The tree with the changes that an overlay accepts; they come with its version."""
+    own = overlay.values.get("accepts")
+    head = overlay.values["overlay"]
+    if not isinstance(own, Sequence) or not isinstance(head, Mapping):
+        return tree
+    entries = tuple(entry.with_value("since", head.values["id"]) for entry in mappings(own))
+    existing = tree.values.get("accepts")
+    before = existing.items if isinstance(existing, Sequence) else ()
+    return tree.with_value("accepts", Sequence(own.file, own.start, own.end, (*before, *entries)))
+
+
+def _stating(tree: Mapping, overlay: Mapping) -> Mapping:
+    """The tree with the entries of an overlay, in one list behind those of the versions that it is based on."""
+    before = tree.values.get("changes")
+    entries = [*before.items] if isinstance(before, Sequence) else []
+    for part in OVERLAY_PARTS:
+        for entry in mappings(overlay.values.get(part)):
+            kind = Scalar(entry.file, entry.start, entry.end, part, False, part)
+            entries.append(entry.with_value("kind", kind))
+    return tree.with_value("changes", Sequence(overlay.file, overlay.start, overlay.end, tuple(entries)))
+
+
+class _Application:
+    """A tree while the entries of an overlay are applied to it, one after the other."""
+
+    def __init__(self, tree: Mapping, silent: Silent) -> None:
+        self.tree = tree
+        self.silent = silent
+        self.findings: list[Diagnostic] = []
+        self.removed: list[RemovedFact] = []
+
+    def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
+        self.findings.append(Diagnostic(code, text, node.span, labels, help))
+
+    def _keys_and_fact(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
+        """The keys of the fact that an entry is about, and the fact. A missing fact is a finding."""
+        path = entry.values[key]
+        assert isinstance(path, Scalar)
+        section = path.text.partition("/")[0]
+        if section in _OF_ALL_VERSIONS:
+            text = f"`{section}` is that of the device, not of a version"
+            self._refuse("overlay_fact_missing", text, path, "change it in the files of the device")
+            return None
+        node_keys = keys(self.tree, path.text)
+        if node_keys is None:
+            self._refuse(
+                "overlay_fact_missing",
+                f"there is no fact {quoted(path.text)} in the base version",
+                path,
+                _near_path(self.tree, path.text),
+            )
+            return None
+        return node_keys, node_at(self.tree, node_keys)
+
+    def _put(self, node_keys: list[str | int], new: Node | None) -> None:
+        tree = put(self.tree, node_keys, new)
+        assert isinstance(tree, Mapping)
+        self.tree = tree
+
+    def change(self, entry: Mapping) -> None:
+        """Sets keys of a fact, if they have the values that the entry expects."""
+        place = self._keys_and_fact(entry)
+        if place is None:
+            return
+        node_keys, fact = place
+        if not isinstance(fact, Mapping):
+            self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name a fact, not a list")
+            return
+        keys_set = entry.values["set"]
+        assert isinstance(keys_set, Mapping)
+        if node_keys == ["device"] and "id" in keys_set.values:
+            text = "all versions have the id of the device"
+            self._refuse("id_matches_path", text, keys_set.values["id"], "remove `id`")
+            return
+        new, sound = fact, True
+        for key, pair in keys_set.values.items():
+            assert isinstance(pair, Mapping)
+            was, now = pair.values["was"], pair.values["is"]
+            old = fact.values.get(key)
+            if not self._was(key, was, old, fact, node_keys):
+                sound = False
+            elif _is_same_node(was, now):
+                text = f"`{key}` does not change"
+                self._refuse("overlay_changes_nothing", text, pair, "state another value, or remove the entry")
+                sound = False
+            elif _absent(now):
+                new = new.without(key)
+            else:
+                new = new.with_entry(key, now, keys_set)
+        if sound:
+            self._typed(node_keys, new)
+
+    def _was(self, key: str, was: Node, old: Node | None, fact: Node, node_keys: list[str | int]) -> bool:
+        """Whether a key had the value that an entry expects; if not, a finding shows both places."""
+        if _absent(was) and old is None:
+            return True
+        part = schema_path(node_keys)
+        known = key in part_at(part).get("properties", {})
+        if not known:
+            return True  # the schema says that there is no such key
+        if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
+            return True
+        state = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
+        text = f"`{key}` {state} in the base version, not {quoted(_node_text(was))}"
+        label = Label((old or fact).span, "the value in the base version")
+        self._refuse(
+            "overlay_base_differs", text, was, "the base has changed: look at both places, and correct `was`", label
+        )
+        return False
+
+    def _typed(self, node_keys: list[str | int], new: Mapping) -> None:
+        """Puts a mapping at some keys, typed by the schema."""
+        node, findings = typed_at(new, schema_path(node_keys))
+        self.findings += findings
+        if not findings:
+            self._put(node_keys, node)
+
+    def remove(self, entry: Mapping) -> None:
+        """Takes a fact out of its list."""
+        place = self._keys_and_fact(entry)
+        if place is None:
+            return
+        if not isinstance(place[0][-1], int):
+            self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name an item of a list")
+            return
+        node_keys, fact = place
+        holder = node_at(self.tree, node_keys[:2])
+        self._put(node_keys, None)
+        path = entry.values["fact"]
+        assert isinstance(path, Scalar)
+        self.removed.append(RemovedFact(path, fact, holder))
+
+    def rename(self, entry: Mapping) -> None:
+        """Gives a fact another name, wherever the spec refers to it."""
+        place = self._keys_and_fact(entry)
+        if place is None:
+            return
+        node_keys, fact = place
+        to, path = entry.values["to"], entry.values["fact"]
+        assert isinstance(to, Scalar)
+        assert isinstance(path, Scalar)
+        if not isinstance(fact, Mapping) or "name" not in fact.values:
+            self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
+            return
+        holder = node_at(self.tree, node_keys[:-1])
+        existing = next((item for item in mappings(holder) if identity(item) == to.text), None)
+        if existing is not None:
+            text = f"{quoted(to.text)} already exists"
+            same = existing is fact
+            code = "overlay_changes_nothing" if same else "overlay_name_taken"
+            self._refuse(code, text, to, "use another name", Label(existing.span, "this one"))
+            return
+        old = path.text.rpartition("/")[2]
+        self._put(node_keys, fact.with_value("name", to))
+        renaming = _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(node_keys) == 2)
+        tree = _referring(self.tree, renaming, self.silent)
+        assert isinstance(tree, Mapping)
+        self.tree = tree
+
+    def add(self, entry: Mapping) -> None:
+        """Puts a new fact into a list."""
+        path, item = entry.values["in"], entry.values["item"]
+        assert isinstance(path, Scalar)
+        assert isinstance(item, Mapping)
+        if "source" in entry.values and "source" not in item.values:
+            item = item.with_value("source", entry.values["source"])
+        node_keys = keys(self.tree, path.text) if path.text.partition("/")[0] not in _OF_ALL_VERSIONS else None
+        if node_keys is None and "/" not in path.text and path.text in _LISTS - _OF_ALL_VERSIONS:
+            empty = Sequence(path.file, path.start, path.end, ())
+            self.tree = self.tree.with_value(path.text, empty)
+            node_keys = [path.text]
+        if node_keys is None:
+            self._keys_and_fact(entry, "in")
+            return
+        node = node_at(self.tree, node_keys)
+        if isinstance(node, Mapping):
+            inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
+            if inner is None:
+                self._refuse("overlay_fact_missing", "this is not a list of facts", path, "name a list of facts")
+                return
+            node_keys, node = [*node_keys, inner], node.values[inner]
+        assert isinstance(node, Sequence)
+        name = identity(item)
+        existing = next((item for item in node.items if name is not None and identity(item) == name), None)
+        if existing is not None:
+            label = Label(existing.span, "this one")
+            help = "change it under `changes`, or use another name"
+            self._refuse("overlay_name_taken", f"{quoted(name or '')} already exists", item, help, label)
+            return
+        new, findings = typed_at(item, (*schema_path(node_keys), "items"))
+        self.findings += findings
+        place = self._index_of_new(entry, node, new)
+        if not findings and place is not None:
+            self._put(
+                node_keys, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:]))
+            )
+
+    def _index_of_new(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
+        """The index of a new item in its list."""
+        after = entry.values.get("after")
+        if isinstance(after, Scalar):
+            names = [identity(item) for item in siblings.items]
+            if after.text not in names:
+                text = f"there is no {quoted(after.text)} in this list"
+                hint = near(after.text, [name for name in names if name])
+                self._refuse("overlay_fact_missing", text, after, hint)
+                return None
+            return names.index(after.text) + 1
+        for key in _ORDERED_BY:
+            own = _scalar_number(new, key)
+            if own is not None:
+                later = (n for n, item in enumerate(siblings.items) if (_scalar_number(item, key) or 0) > own)
+                return next(later, len(siblings.items))
+        return len(siblings.items)
+
+
+_LISTS = frozenset(key for key, part in schema()["properties"].items() if part["type"] == "array")
+
+
+@dataclass(frozen=True, slots=True)
+class _Renaming:
+    """The new name of the fact at a path in a section; `whole` if the fact is an item of the section."""
+
+    path: str
+    section: str
+    old: str
+    new: str
+    whole: bool
+
+    @property
+    def referred(self) -> bool:
+        """Whether others refer to it by its name alone."""
+        return self.whole or self.section == "registers"
+
+    def path_of(self, text: str) -> str:
+        """A path under the new name."""
+        if text == self.path or text.startswith(f"{self.path}/"):
+            return f"{self.path.rpartition('/')[0]}/{self.new}{text[len(self.path) :]}"
+        return text
+
+
+def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -> Node:
+    """The tree with every reference to a fact under its new name."""
+    if key not in _REFERRING and not isinstance(node, Scalar) and silent(node):
+        return node
+    if isinstance(node, Sequence):
+        items = tuple([_referring(item, renaming, silent, key) for item in node.items])
+        same = all(new is old for new, old in zip(items, node.items, strict=True))
+        return node if same else Sequence(node.file, node.start, node.end, items)
+    if isinstance(node, Mapping):
+        values = {name: _referring(value, renaming, silent, name) for name, value in node.values.items()}
+        same = all(values[name] is node.values[name] for name in values)
+        return node if same else Mapping(node.file, node.start, node.end, values, node.keys)
+    text = node.text
+    if key in _PATHS:
+        text = renaming.path_of(text)
+    elif text == renaming.old and renaming.referred and key in _REFERENCES.get(renaming.section, ()):
+        text = renaming.new
+    return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
+
+
+def _near_path(tree: Mapping, path: str) -> str:
+    """The help for the path of a fact that is not there: the name that its first unknown step may mean."""
+    steps = path.split("/")
+    known = next(n for n in range(len(steps) - 1, -1, -1) if not n or keys(tree, "/".join(steps[:n])) is not None)
+    before = "/".join(steps[:known])
+    holder: Node = node_at(tree, keys(tree, before) or []) if before else tree
+    close = near(steps[known], _names_below(holder, 2))
+    if not close.startswith("did you mean"):
+        return "see `fieldspec facts` for the paths"
+    name = close.partition("`")[2].partition("`")[0]
+    return f"did you mean `{'/'.join([*steps[:known], name, *steps[known + 1 :]])}`?"
+
+
+def _names_below(node: Node, levels: int) -> list[str]:
+    """The names of the entries of a list, of the rows of its groups, or of what is listed in an entry."""
+    if isinstance(node, Sequence):
+        inner = [item for item in node.items if isinstance(item, Mapping) and ("group" in item.values)]
+        rows = [name for item in inner for name in _names_below(item, 1)]
+        return [*rows, *(name for item in node.items if (name := identity(item)))]
+    if not isinstance(node, Mapping):
+        return []
+    lists = [child for child in node.values.values() if isinstance(child, Sequence) and levels]
+    return [*node.values, *(name for child in lists for name in _names_below(child, levels - 1))]
+
+
+def _scalar_number(node: Node, key: str) -> int | None:
+    scalar = node.values.get(key) if isinstance(node, Mapping) else None
+    return scalar.value if isinstance(scalar, Scalar) and isinstance(scalar.value, int) else None
+
+
+def _absent(node: Node) -> bool:
+    return isinstance(node, Scalar) and node.value is None
+
+
+def _is_same_node(was: Node, now: Node) -> bool:
+    return exact(was) == exact(now)
+
+
+def _node_text(node: Node | None) -> str:
+    if isinstance(node, Scalar):
+        return node.text
+    return "a list" if isinstance(node, Sequence) else "a mapping"

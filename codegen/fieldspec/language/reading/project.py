@@ -1,0 +1,320 @@
+"""All specs of a folder: protocols, and devices with their versions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Mapping as Table
+
+from fieldspec.foundation.classes import dataclass, field
+from fieldspec.foundation.names import Name, folded
+from fieldspec.foundation.reserved import file_name_fault
+from fieldspec.foundation.source import Span
+from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.model.device import Device
+from fieldspec.language.reading.building.context import Reused
+from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.expansion import expanded
+from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
+from fieldspec.language.reading.joining import joined, merged_over
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.language.reading.overlays import Silent, applied
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.versions import Lines, overlays, selected, unportable
+from fieldspec.language.reading.yaml_reader import decoded, key_span, parsed
+
+_OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
+_NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
+_NOT_OF_A_PROTOCOL = ("device", "versions", "accepts", "audit", "reviews", *_OF_A_VERSION)
+
+
+DEEPEST_USE = 16
+"""How many protocols may are in one chain of uses."""
+MOST_USES = 100
+"""Protocols that a device or a protocol may use."""
+MOST_OVERLAYS = 250
+"""Versions of a device that may be written as changes of others, a file each."""
+LARGEST_VERSIONS = 32 * 1024 * 1024
+"""Bytes of the files of a device, once for each of its versions: what reading all versions takes grows with it."""
+
+JOINT = "+"
+"""The separator of versions of different lines that are picked together."""
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceSpec:
+    """The joined tree of a device, with its protocols, before a version is picked.
+
+    `trees` are those of the versions that are written as changes of others, `bases` the versions that they change. A
+    version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths of
+    all files that it was read from, those of protocols too. `kept` and what follows it remember what was asked for.
+    """
+
+    id: str
+    tree: Mapping
+    lines: Lines
+    trees: Table[str, Mapping]
+    bases: Table[str, str]
+    files: frozenset[str]
+    reused: Reused = field(default_factory=dict, repr=False, compare=False)
+    picked: dict[str, Mapping] = field(default_factory=dict, repr=False, compare=False)
+    built: dict[str, tuple[Device, list[Diagnostic]]] = field(default_factory=dict, repr=False, compare=False)
+
+    def versions(self) -> list[str]:
+        """The versions that outputs are written for, the oldest first."""
+        return self.lines.versions()
+
+    def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
+        """The model at one version."""
+        if version not in self.built:
+            device, findings = built(self.tree_at(version), version, self.reused)
+            self.built[version] = device, bounded(findings)
+        return self.built[version]
+
+    def tree_at(self, version: str) -> Mapping:
+        """The tree with the facts of one version."""
+        if version not in self.picked:
+            picked = tuple(version.split(JOINT))
+            whole = next((self.trees[identifier] for identifier in picked if identifier in self.trees), self.tree)
+            tree = selected(whole, picked, self.lines)
+            assert isinstance(tree, Mapping)
+            self.picked[version] = tree
+        return self.picked[version]
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """The devices by id, and what is wrong with the files."""
+
+    devices: Table[str, DeviceSpec]
+    findings: list[Diagnostic]
+
+
+def read(
+    files: Table[str, bytes],
+    only: frozenset[str] = frozenset(),
+    folder: str = "",
+    origins: Table[str, str] | None = None,
+    installed: Callable[[], Iterable[str]] = tuple,
+) -> Project:
+    """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders.
+
+    Findings show the files below `folder`, but those that `origins` gives other paths, and name `installed` protocols.
+    """
+    return _Reader(files, folder, origins or {}, installed).project(only)
+
+
+class _Reader:
+    def __init__(
+        self, files: Table[str, bytes], folder: str, origins: Table[str, str], installed: Callable[[], Iterable[str]]
+    ) -> None:
+        self.files, self.folder, self.origins, self.installed = files, folder, origins, installed
+        self.findings: list[Diagnostic] = []
+        self.protocols: dict[str, Mapping | None] = {}
+        self.uses: dict[str, set[str]] = {}
+        self.folded: dict[str, str] = {}
+        """The files that were read, by their paths without what some file systems do not tell apart."""
+        self.incomplete: set[str] = set()
+        """The protocols that lack one that they use; the empty name is that of the last device."""
+
+    def project(self, only: frozenset[str]) -> Project:
+        folders: dict[str, list[str]] = {}
+        for path in sorted(self.files):
+            folder, _, name = path.partition("/")
+            subfolder, _, file = name.rpartition("/")
+            if name.endswith(".yaml") and subfolder in ("", VERSIONS) and folder != PROTOCOLS and file:
+                folders.setdefault(folder, []).append(path)
+        devices: dict[str, DeviceSpec] = {}
+        for folder, paths in folders.items():
+            if only and folder not in only:
+                continue
+            spec = self._device(folder, paths)
+            if spec is None:
+                continue
+            other = next((device for device in devices.values() if Name.of(device.id) == Name.of(spec.id)), None)
+            if other is not None:
+                first = Label(_id_span(other.tree), "the first one")
+                text = f"two devices have the id `{spec.id}`"
+                if other.id != spec.id:
+                    text = f"the ids `{other.id}` and `{spec.id}` become the same name in generated code"
+                span = _id_span(spec.tree)
+                self.findings.append(Diagnostic("device_id_unique", text, span, (first,), "change one of them"))
+                continue
+            devices[spec.id] = spec
+        for path in sorted(self.files) if not only else ():
+            folder, _, name = path.partition("/")
+            if folder == PROTOCOLS and name.endswith(".yaml"):
+                self._loaded(name.removesuffix(".yaml"), ())
+        return Project(devices, self.findings)
+
+    def _tree(self, path: str) -> Mapping | None:
+        """The typed tree of one file, or None where it cannot be used."""
+        display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
+        file, findings = decoded(display_path, self.files[path])
+        findings = [*findings, *self._unportable(path, Span(file, 0, 0))]
+        if not findings:
+            node, findings = parsed(file)
+            if node is None and not findings:
+                text = "the file is empty"
+                findings = [
+                    Diagnostic("file_empty", text, Span(file, 0, 0), help="write a section, or remove the file")
+                ]
+            elif node is not None:
+                result, type_findings = typed(node)
+                findings += type_findings
+                if isinstance(result, Mapping) and not findings:
+                    return result
+        self.findings += bounded(findings)
+        return None
+
+    def _unportable(self, path: str, span: Span) -> Iterator[Diagnostic]:
+        """Finds what keeps a file from the file systems of some users: a name, and another one like it."""
+        for step in path.split("/"):
+            if fault := file_name_fault(step):
+                text = f"the name {quoted(step)} {fault}"
+                yield Diagnostic("file_name_portable", text, span, help="choose another name")
+        first = self.folded.setdefault(folded(path), path)
+        if first != path:
+            text = f"the file cannot be beside `{first}` where names differ in more than small and capital letters"
+            yield Diagnostic("file_name_portable", text, span, help="rename one of them")
+
+    def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
+        main = f"{folder}/{MAIN}"
+        paths = sorted(paths, key=lambda path: (path != main, path))
+        own = [path for path in paths if not path.startswith(f"{folder}/{VERSIONS}/")]
+        trees = [self._tree(path) for path in own]
+        overlay_trees = {path: self._tree(path) for path in paths if path not in own}
+        usable = [tree for tree in trees if tree is not None]
+        if len(usable) < len(trees) or None in overlay_trees.values() or not usable:
+            return None
+        whole, findings = joined(usable)
+        self.findings += findings
+        head = whole.values.get("device")
+        if not isinstance(head, Mapping):
+            text = f"no file of the folder `{folder}` has the section `device`"
+            span = Span(whole.file, 0, 1)
+            self.findings.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
+            return None
+        self.uses[""] = set()
+        self.incomplete.discard("")
+        files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in overlay_trees.items() if tree}
+        if len(files) > MOST_OVERLAYS:
+            text = f"the device has {len(files)} files of versions; the limit is {MOST_OVERLAYS}"
+            help = "write the oldest version that is still in use as the base, and remove those before it"
+            span = Span([*files.values()][MOST_OVERLAYS].file, 0, 1)
+            self.findings.append(Diagnostic("versions_bounded", text, span, help=help))
+            return None
+        whole = self._with_protocols(whole, ())
+        if "" in self.incomplete:
+            return None  # all that the protocol states would seem to be missing
+        versions, whole = overlays(files, whole)
+        self.findings += bounded(versions.findings)
+        lines = Lines(whole)
+        self.findings += (
+            bounded(lines.findings) + bounded(lines.unknown(whole)) + bounded([*unportable(whole, lines.versions())])
+        )
+        if len(lines.place) * sum(len(self.files[path]) for path in own) > LARGEST_VERSIONS:
+            text = f"{len(lines.place)} versions of a spec of this size exceed the limit"
+            help = "remove versions that are not in use any more"
+            self.findings.append(Diagnostic("versions_bounded", text, key_span(whole, "versions"), help=help))
+            return None
+        layers: dict[str, Mapping] = {}
+        silent = Silent()
+        for version, overlay in versions.trees.items():
+            base = versions.bases[version]
+            tree = lines.reached(layers.get(base, whole), base, version)
+            assert isinstance(tree, Mapping)
+            layers[version], findings = applied(tree, overlay, silent)
+            missing = lines.unreached(overlay, version, versions.bases)
+            self.findings += bounded(findings + lines.unknown(overlay) + missing)
+        whole, findings = expanded(whole)
+        self.findings += bounded(findings)
+        self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
+        identity = head.values["id"]
+        assert isinstance(identity, Scalar)
+        expanded_trees = {version: expanded(tree)[0] for version, tree in layers.items()}
+        used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
+        return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used)
+
+    def _used(self, name: str) -> set[str]:
+        """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""
+        used: set[str] = set()
+        waiting = {name}
+        while waiting:
+            waiting = {inner for name in waiting for inner in self.uses.get(name, ())} - used
+            used |= waiting
+        return used
+
+    def _placed(self, tree: Mapping, head: Mapping, name: str, foreign: tuple[str, ...]) -> None:
+        """Finds an id that is not the name of the folder or file, and sections that mean nothing there."""
+        identity = head.values["id"]
+        if isinstance(identity, Scalar) and identity.text != name:
+            text = f"the id is {quoted(identity.text)}, the folder or file is `{name}`"
+            self.findings.append(Diagnostic("id_matches_path", text, identity.span, help="rename one of them"))
+        for key in foreign:
+            if key in tree.values:
+                text = f"there is no key `{key}` here"
+                help = "a file belongs to a device or to a protocol, not to both"
+                self.findings.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
+
+    def _with_protocols(self, tree: Mapping, users: tuple[str, ...]) -> Mapping:
+        """The tree, merged over every protocol that it uses."""
+        uses = tree.values.get("uses")
+        if isinstance(uses, Sequence) and len(uses.items) > MOST_USES:
+            text = f"{len(uses.items)} protocols are used here; the limit is {MOST_USES}"
+            help = "combine related protocols into one"
+            self.findings.append(Diagnostic("uses_bounded", text, uses.items[MOST_USES].span, help=help))
+            return tree
+        for use in uses.items if isinstance(uses, Sequence) else ():
+            if not isinstance(use, Mapping):
+                continue
+            name = use.values["protocol"]
+            assert isinstance(name, Scalar)
+            if name.text not in users:
+                self.uses.setdefault(users[-1] if users else "", set()).add(name.text)
+            protocol = self._protocol(name, users)
+            if protocol is None or name.text in self.incomplete:
+                self.incomplete.add(users[-1] if users else "")
+            if protocol is not None:
+                tree, findings = merged_over(tree, protocol, use)
+                self.findings += bounded(findings)
+        return tree
+
+    def _protocol(self, name: Scalar, users: tuple[str, ...]) -> Mapping | None:
+        if name.text in users:
+            chain = " -> ".join((*users, name.text))
+            text = f"the protocol uses itself: {chain}"
+            self.findings.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
+            return None
+        if len(users) >= DEEPEST_USE and name.text not in self.protocols:
+            text = f"more than {DEEPEST_USE} protocols are in one chain of uses"
+            help = "let each protocol use the ones that it needs directly"
+            self.findings.append(Diagnostic("uses_bounded", text, name.span, help=help))
+            return None
+        path = f"{PROTOCOLS}/{name.text}.yaml"
+        if path not in self.files:
+            own = (p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/"))
+            known = sorted({*own, *self.installed()})
+            text = f"there is no file `{path}`"
+            self.findings.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
+            return None
+        return self._loaded(name.text, users)
+
+    def _loaded(self, name: str, users: tuple[str, ...]) -> Mapping | None:
+        """The tree of a protocol whose file is there, read once."""
+        if name not in self.protocols:
+            tree = self._tree(f"{PROTOCOLS}/{name}.yaml")
+            head = tree.values.get("protocol") if tree is not None else None
+            if tree is not None and not isinstance(head, Mapping):
+                text = "the key `protocol` is missing"
+                help = "describe the protocol under the key `protocol`"
+                self.findings.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
+            elif tree is not None and isinstance(head, Mapping):
+                self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
+            self.protocols[name] = self._with_protocols(tree, (*users, name)) if tree is not None else None
+        return self.protocols[name]
+
+
+def _id_span(tree: Node) -> Span:
+    head = tree.values["device"] if isinstance(tree, Mapping) else tree
+    identifier = head.values["id"] if isinstance(head, Mapping) else head
+    return identifier.span

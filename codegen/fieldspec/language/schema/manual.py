@@ -1,0 +1,183 @@
+"""The manual of the language: its general texts, with tables of keys made from the schema."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from importlib import resources
+
+from fieldspec.language.schema import Schema, built_in_units, described, resolved, schema
+
+ROOT = "file"
+"""The name under which the template asks for the sections of a file."""
+
+_MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
+_INCLUDED = re.compile(r"^<!-- include: ([a-z_]+\.md) -->$", re.MULTILINE)
+_UNITS = "<!-- units -->"
+_SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
+_KINDS = {
+    "string": ("text", "texts"),
+    "integer": ("whole number", "whole numbers"),
+    "number": ("number", "numbers"),
+    "boolean": ("`true` or `false`", "truth values"),
+    "null": ("`~`", "empty values"),
+    "array": ("list of texts", "lists"),
+    "object": ("mapping", "mappings"),
+}
+
+
+def manual() -> str:
+    """The manual as Markdown. The template names the part of the schema for each table of keys."""
+    text = _INCLUDED.sub(lambda mark: _resource_text(mark[1]).rstrip("\n"), _resource_text("language.md"))
+    text = text.replace(_UNITS, "\n".join(_units()))
+    return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
+
+
+def _units() -> Iterator[str]:
+    """The table of the units that every spec may use."""
+    yield "| symbol | also entered as | unit | quantity | coherent SI units | UCUM |"
+    yield "|---|---|---|---|---|---|"
+    for unit in built_in_units():
+        also = ", ".join(f"`{symbol}`" for symbol in unit.get("also", ()))
+        factor = unit.get("factor", "") + (f" + {unit['offset']}" if "offset" in unit else "")
+        ucum = f"`{unit['ucum']}`" if "ucum" in unit else ""
+        quantity = unit["quantity"].replace("_", " ")
+        yield f"| `{unit['symbol']}` | {also} | {unit['title']} | {quantity} | {factor} | {ucum} |"
+
+
+def _resource_text(name: str) -> str:
+    return resources.files(__name__.rpartition(".")[0]).joinpath(name).read_text("utf-8")
+
+
+@cache
+def parts() -> dict[str, Schema]:
+    """Every part of the schema that has a section, by its name: `register`, `link.serial`, `unit`."""
+    schemas: dict[str, Schema] = {ROOT: schema()}
+    for name, part in schema()["properties"].items():
+        schemas |= dict(_inner(name, part))
+    for name, part in schema()["$defs"].items():
+        schemas |= {name: part, **dict(_mappings(name, part))}
+    return schemas
+
+
+def _mappings(path: str, part: Schema) -> Iterator[tuple[str, Schema]]:
+    """The mappings below a part that have no definition of their own, by path."""
+    for key, inner in part.get("properties", {}).items():
+        yield from _inner(f"{path}.{key}", inner)
+
+
+def _inner(path: str, part: Schema) -> Iterator[tuple[str, Schema]]:
+    part = part.get("items", part)
+    if "properties" in part:
+        yield path, part
+        yield from _mappings(path, part)
+
+
+def _section(name: str) -> Iterator[str]:
+    """The heading, the description and the keys, or the words, of a part of the schema."""
+    part = parts()[name]
+    yield f"### {name}"
+    yield ""
+    yield described(part)
+    yield from _words(part)
+    own = {key: inner for key, inner in part.get("properties", {}).items() if not _shared_by(inner)}
+    required = part.get("required", [])
+    if own:
+        yield ""
+        yield "| key | form | needed | what it is |"
+        yield "|---|---|---|---|"
+        for key, inner in own.items():
+            path = key if name == ROOT else f"{name}.{key}"
+            yield f"| `{key}` | {_form(path, inner)} | {'yes' * (key in required)} | {_cell(described(inner))} |"
+    yield from _also(part, required)
+
+
+def _shared_by(part: Schema) -> str:
+    """The group of shared keys that a key comes from, or nothing."""
+    group = part.get("$ref", "").removeprefix("#/$defs/").partition("/properties/")[0]
+    return group if group in _SHARED else ""
+
+
+def _also(part: Schema, required: list[str]) -> Iterator[str]:
+    """A sentence for each group of shared keys that a part takes."""
+    for group, words in _SHARED.items():
+        all_keys = list(schema()["$defs"][group]["properties"])
+        shared_keys = [key for key, inner in part.get("properties", {}).items() if _shared_by(inner) == group]
+        if not shared_keys:
+            continue
+        left_out = [key for key in all_keys if key not in shared_keys]
+        few = len(shared_keys) < len(left_out)
+        text = f"It also takes {words}"
+        if few:
+            text = f"It also takes {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
+        elif left_out:
+            text += f" but {_enumeration(left_out)}"
+        must = [key for key in shared_keys if key in required]
+        yield ""
+        yield text + (f"; {_enumeration(must)} is needed." if must else ".")
+
+
+def _words(part: Schema) -> Iterator[str]:
+    """The words that a scalar may be; nothing where any text may be."""
+    if "enum" in part:
+        yield ""
+        if "enumDescriptions" in part:
+            yield "| word | what it means |"
+            yield "|---|---|"
+            yield from (
+                f"| `{word}` | {_cell(text)} |"
+                for word, text in zip(part["enum"], part["enumDescriptions"], strict=True)
+            )
+            return
+        yield "Words: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
+
+
+def _form(path: str, part: Schema) -> str:
+    """The form of a key's value in a few words, with a link to its section."""
+    if "$ref" in part:
+        name = part["$ref"].removeprefix("#/$defs/")
+        return _link(name) if "/" not in name else _form(name.replace("/properties/", "."), resolved(part))
+    if "properties" in part:
+        return f"[mapping](#{anchor(path)})"
+    if "enum" in part:
+        return ", ".join(f"`{word}`" for word in part["enum"])
+    if "items" in part and part["type"] == "array":
+        return f"list of {_plural_form(path, part['items'])}"
+    if part.get("type") == "object":
+        return f"mapping of {_plural_form(path, part['additionalProperties'])}"
+    kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
+    return " or ".join(_KINDS[kind][0] for kind in kinds) + _bounds(part)
+
+
+def _plural_form(path: str, part: Schema) -> str:
+    """The items of a list, or the values of a mapping."""
+    if "$ref" in part or "properties" in part or "enum" in part:
+        return _form(path, part).replace("[mapping]", "[mappings]")
+    kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
+    return " or ".join(_KINDS[kind][1] for kind in kinds if kind != "integer" or "number" not in kinds)
+
+
+def _bounds(part: Schema) -> str:
+    low, high = part.get("minimum"), part.get("maximum")
+    if low is None:
+        return ""
+    return f", {low} to {high}" if high is not None else f", {low} or more"
+
+
+def _link(name: str) -> str:
+    return f"[{name}](#{anchor(name)})"
+
+
+def anchor(heading: str) -> str:
+    """The anchor that Markdown viewers give a heading: `link.serial` is `linkserial`."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _enumeration(words: list[str]) -> str:
+    quoted = [f"`{word}`" for word in words]
+    return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]

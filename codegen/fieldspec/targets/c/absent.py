@@ -1,0 +1,142 @@
+"""Values that stand for a state and not for a quantity: their constants, and the functions that tell them apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.value import Kind, Sentinel, Value
+from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
+from fieldspec.targets.c.expressions import (
+    VALUE,
+    Call,
+    Expression,
+    Group,
+    Operation,
+    Type,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    equal,
+    greater,
+    hexadecimal,
+    integer,
+    real,
+)
+from fieldspec.targets.c.naming import Naming, Noun
+from fieldspec.targets.c.runtime_files import all_records, is_bit
+from fieldspec.targets.c.statements import Return, Variable
+from fieldspec.targets.c.values import real_functions, type_name
+
+_INFINITY = {4: 0x7F800000, 8: 0x7FF0000000000000}
+"""The bits of infinity, beyond which those of NaN begin."""
+
+
+@dataclass(frozen=True, slots=True)
+class AbsentValue:
+    """A value with sentinels, the noun under which `Naming` has it, and the words of its names."""
+
+    noun: Noun
+    names: tuple[str, ...]
+    value: Value
+
+    @property
+    def title(self) -> str:
+        """The value in comments: `power`, `module.current`."""
+        return ".".join(self.names)
+
+    def constant(self, naming: Naming, sentinel: Sentinel) -> str:
+        """The name of the constant of a sentinel: `GADGET_REG_POWER_ABSENT_NOT_MEASURED`"""
+        return naming.macro(self.noun, *self.names, "absent", sentinel.name)
+
+    def function(self, naming: Naming) -> str:
+        """The name of the function that tells the sentinels apart: `gadget_reg_power_is_absent`"""
+        return naming.function(self.noun, *self.names, "is_absent")
+
+
+def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
+    """All values with sentinels: signals, fields and their cases, registers, parameters."""
+    return (absent for absent in _every_value(layout) if absent.value.sentinels)
+
+
+def _every_value(layout: DeviceLayout) -> Iterator[AbsentValue]:
+    for signal in layout.device.signals.values():
+        yield AbsentValue("signal", (signal.name,), signal.value)
+    for record in all_records(layout):
+        for field in record.fields:
+            if field.value is not None and not field.field.reserved:
+                yield AbsentValue("record", (record.name, field.name), field.value)
+            for case in field.cases:
+                yield AbsentValue("record", (record.name, field.name, case.name), case.value)
+    for row in layout.registers:
+        if not is_bit(row) and not row.register.reserved:
+            yield AbsentValue("register", (row.name,), row.register.value)
+    for parameters in layout.device.parameters.values():
+        for parameter in parameters.parameters:
+            if not parameter.reserved:
+                yield AbsentValue("parameter", (parameters.name, parameter.name), parameter.value)
+                for inner in parameter.subindices:
+                    if not inner.reserved:
+                        yield AbsentValue("parameter", (parameters.name, parameter.name, inner.name), inner.value)
+
+
+def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
+    """A constant for each sentinel, and the function that says whether a value is one of them.
+
+    `#define GADGET_REG_POWER_ABSENT_NOT_MEASURED (-32768)`, `bool gadget_reg_power_is_absent(int16_t value)`
+    """
+    value = absent.value
+    states = ", ".join(sentinel.name for sentinel in value.sentinels)
+    any_nan = f"Every NaN stands for {_nan_name(value)}." if value.absent_nan else ""
+    constants = [
+        Define(
+            absent.constant(naming, sentinel),
+            sentinel_literal(naming, value, sentinel),
+            escape_comment(f"{absent.title}: {sentinel.name}. {sentinel.doc}".rstrip()),
+        )
+        for sentinel in value.sentinels
+    ]
+    return [
+        *constants,
+        comment(f"Whether {absent.title} is no quantity: {states}.", any_nan),
+        Function(
+            Type("bool"),
+            absent.function(naming),
+            (Variable(Type(type_name(value)), "value"),),
+            (Return(_absent_test(naming, value)),),
+        ),
+    ]
+
+
+def _nan_name(value: Value) -> str:
+    return next(sentinel.name for sentinel in value.sentinels if sentinel.is_nan)
+
+
+def sentinel_literal(naming: Naming, value: Value, sentinel: Sentinel) -> Expression:
+    """A sentinel as a constant of the type of its value; a NaN by a function, as no constant of C has its bits."""
+    if value.type.kind is not Kind.FLOAT:
+        return integer(sentinel.value, value.type.container, value.type.signed)
+    if sentinel.is_nan:
+        return Call(naming.own(real_functions(value.size)[0]), (hexadecimal(sentinel.value, value.size),))
+    literal = real(sentinel.value, value.size)
+    return Group(literal) if sentinel.value < 0 else literal
+
+
+def _absent_test(naming: Naming, value: Value) -> Expression:
+    """`value == 65535u`. Floating-point numbers are compared in order, as compilers warn of `==`.
+
+    A NaN is told by its bits, as compilers may take comparisons with it for what they are not, with -ffast-math.
+    """
+    kind = value.type
+    if kind.kind is not Kind.FLOAT:
+        numbers = [integer(sentinel.value, kind.container, kind.signed) for sentinel in value.sentinels]
+        return any_of([equal(VALUE, number) for number in numbers])
+    literals = [real(sentinel.value, value.size) for sentinel in value.sentinels if not sentinel.is_nan]
+    tests: list[Expression] = [Group(all_of([at_least(VALUE, number), at_most(VALUE, number)])) for number in literals]
+    if value.absent_nan:
+        bits = Call(naming.own(real_functions(value.size)[1]), (VALUE,))
+        magnitude = Group(Operation("&", (bits, hexadecimal((1 << (8 * value.size - 1)) - 1, value.size))))
+        tests.append(greater(magnitude, hexadecimal(_INFINITY[value.size], value.size)))
+    return any_of(tests)

@@ -1,0 +1,155 @@
+"""Statements of self-tests: what is expected, and members of structs that are set and compared."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.c.expressions import (
+    FALSE,
+    TRUE,
+    Call,
+    Element,
+    Expression,
+    Identifier,
+    Literal,
+    Member,
+    SizeOf,
+    Unary,
+    all_of,
+    byte_string,
+    decimal,
+    equal,
+    hexadecimal,
+    integer,
+    string,
+    unsigned,
+)
+from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.sample_values import RecordForm, form_of_values
+from fieldspec.targets.c.statements import Assignment, Evaluation, Expectation, Statement, assign, call
+from fieldspec.targets.c.values import real_functions
+
+LENGTH = Identifier("length")
+
+
+def expect(test: Expression, description: str) -> Evaluation:
+    """`expect(test, "what is tested");`"""
+    return Evaluation(Call("expect", (test, string(description))))
+
+
+def expect_equal(description: str, left: Expression, right: Expression) -> Expectation:
+    """`expect(left == right, "what is tested");`"""
+    return Expectation(left, right, string(description))
+
+
+def expect_bytes(description: str, memory: Expression, data: bytes) -> Evaluation:
+    """`expect(same_bytes(memory, "\\001\\002", 2u), "what is tested");`"""
+    return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), description)
+
+
+def same_array(memory: Identifier, expected: Identifier) -> Expression:
+    """`length == sizeof wanted && same_bytes(memory, wanted, length)`"""
+    return all_of([equal(LENGTH, SizeOf(expected)), Call("same_bytes", (memory, expected, LENGTH))])
+
+
+def clear_variable(variable: Expression) -> Evaluation:
+    """`clear(&variable, sizeof variable);` of a struct, `clear(bytes, sizeof bytes);` of an array"""
+    cleared = variable.operand if isinstance(variable, Unary) else variable
+    return call("clear", variable, SizeOf(cleared))
+
+
+def set_members(naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression) -> list[Statement]:
+    """`in.speed = 100u;`: gives members their values."""
+    statements: list[Statement] = []
+    for field in members(form.record):
+        statements += set_member(naming, form, field, values[field.name], struct)
+    return statements
+
+
+def set_member(naming: Naming, form: RecordForm, field: FieldLayout, value: Any, struct: Expression) -> list[Statement]:
+    """Gives the member of a field its value, and the one for the number of its elements."""
+    statements: list[Statement] = []
+    if field.field.repeat is not None:
+        statements.append(assign(Member(struct, form.count_name(field)), unsigned(len(value))))
+    for target, item in _elements(form, field, struct, value):
+        if field.record is not None:
+            statements += set_members(naming, form_of_values(field.record, item), item, target)
+        else:
+            statements += _set_element(naming, field, target, item)
+    return statements
+
+
+def expect_members(
+    naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression, description: str
+) -> list[Statement]:
+    """`expect(out.speed == 100u, "...");`: compares members with values; members that have none are left out."""
+    statements: list[Statement] = []
+    for field in members(form.record):
+        if field.name not in values:
+            continue
+        value = values[field.name]
+        if field.field.repeat is not None:
+            count = Member(struct, form.count_name(field))
+            statements.append(expect_equal(f"{description}: {field.name} count", count, unsigned(len(value))))
+        for target, item in _elements(form, field, struct, value):
+            if field.record is not None:
+                statements += expect_members(naming, form_of_values(field.record, item), item, target, description)
+            else:
+                statements += _expect_member(naming, field, target, item, f"{description}: {field.name}")
+    return statements
+
+
+def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: Any) -> Iterator[tuple[Expression, Any]]:
+    """Each element of a field with its value."""
+    target = struct
+    for name in form.member_names(field):
+        target = Member(target, name)
+    if not field.is_list:
+        yield target, value
+        return
+    for index, item in enumerate(value):
+        yield Element(target, decimal(index)), item
+
+
+def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
+    kind = field.primitive.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = _data(item)
+        return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
+    if kind is Kind.FLOAT:
+        real_of, _ = real_functions(field.size)
+        return [assign(target, Call(naming.own(real_of), (_real_bits(field, item),)))]
+    return [Assignment(target, _literal(field, item))]
+
+
+def _expect_member(
+    naming: Naming, field: FieldLayout, target: Expression, item: Any, description: str
+) -> list[Statement]:
+    kind = field.primitive.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = _data(item)
+        return [expect_bytes(description, target, data)] if data else []
+    if kind is Kind.FLOAT:
+        _, bits_of = real_functions(field.size)
+        return [expect_equal(description, Call(naming.own(bits_of), (target,)), _real_bits(field, item))]
+    return [expect_equal(description, target, _literal(field, item))]
+
+
+def _data(item: Any) -> bytes:
+    return item.encode("utf-8") if isinstance(item, str) else bytes(item)
+
+
+def _real_bits(field: FieldLayout, item: Any) -> Literal:
+    return hexadecimal(int.from_bytes(struct.pack(f">{field.primitive.letter}", item), "big"), field.size)
+
+
+def _literal(field: FieldLayout, item: Any) -> Literal:
+    primitive = field.primitive
+    if primitive.kind is Kind.BOOLEAN:
+        return TRUE if item else FALSE
+    return integer(int(item), primitive.size, primitive.signed)

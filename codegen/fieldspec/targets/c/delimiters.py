@@ -1,0 +1,139 @@
+"""Frames that are more than their bytes: delimiters around them, and bytes that are written as characters."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.targets.c.declarations import Declaration, Function, comment
+from fieldspec.targets.c.expressions import (
+    CAPACITY,
+    INDEX,
+    INPUT_BYTES,
+    LENGTH,
+    OUT,
+    OUTPUT_BYTES,
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Cast,
+    Element,
+    Expression,
+    Identifier,
+    Operation,
+    Type,
+    add,
+    any_of,
+    decimal,
+    dereference,
+    different,
+    greater,
+    hexadecimal,
+    hexadecimal_digits,
+    less,
+    multiply,
+    subtract,
+    unsigned,
+)
+from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.statements import Assignment, Body, CountDown, CountUp, Statement, Variable, assign
+from fieldspec.targets.c.values import refuse, return_ok, status_type
+
+_FRAME, _SIZE, _TOTAL = Identifier("frame"), Identifier("size"), Identifier("total")
+_BYTE = Identifier("byte")
+
+
+def is_wrapped(link: LinkLayout) -> bool:
+    """Whether a frame is more than its bytes: it has delimiters or escapes, or is written in characters."""
+    if link.link.encoding == "hex_ascii" or link.link.escape:
+        return True
+    return any(frame.start or frame.end for frame in (link.request, link.response))
+
+
+def unwrap_function(naming: Naming, link: LinkLayout, direction: str) -> str:
+    """The name of the function that takes the delimiters off: one for both directions if they have the same."""
+    words = ("parts",) if link.link.has_common_delimiters else (direction, "parts")
+    return naming.function("link", link.name, *words)
+
+
+def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
+    """The function that takes the delimiters off a frame, and turns characters into bytes.
+
+    `codec_status ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)`
+    """
+    start, end = link.link.delimiters(direction)
+    length = dereference(LENGTH)
+    delimiters = len(start) + len(end)
+    body: list[Statement] = [Variable(SIZE_TYPE, "at")]
+    if delimiters:
+        body += refuse(naming, less(_SIZE, unsigned(delimiters)), "err_wrong_mark")
+        body += refuse(naming, any_of(_wrong_delimiters(start, end)), "err_wrong_mark")
+    body.append(assign(length, subtract(_SIZE, unsigned(delimiters))))
+    too_small = refuse(naming, less(CAPACITY, length), "err_capacity")
+    if link.link.encoding == "binary":
+        byte = Element(_FRAME, add(unsigned(len(start)), INDEX))
+        body += [*too_small, CountUp(INDEX, length, (assign(Element(OUT, INDEX), byte),))]
+    else:
+        body += _read_characters(naming, len(start), length, too_small)
+    body.append(return_ok(naming))
+    parameters = (
+        Variable(INPUT_BYTES, "frame"),
+        Variable(SIZE_TYPE, "size"),
+        Variable(OUTPUT_BYTES, "out"),
+        Variable(SIZE_TYPE, "capacity"),
+        Variable(Type("size_t", pointer=True), "length"),
+    )
+    return [
+        comment("Removes the delimiters and writes the bytes between them. `out` may be the frame itself."),
+        Function(status_type(naming), unwrap_function(naming, link, direction), parameters, tuple(body)),
+    ]
+
+
+def _wrong_delimiters(start: bytes, end: bytes) -> list[Expression]:
+    """`frame[0] != 0x3Au`, `frame[size - 1u] != 0x0Au`"""
+    first = [different(Element(_FRAME, decimal(index)), hexadecimal(byte, 1)) for index, byte in enumerate(start)]
+    places = [subtract(_SIZE, unsigned(len(end) - index)) for index in range(len(end))]
+    last = [different(Element(_FRAME, place), hexadecimal(byte, 1)) for place, byte in zip(places, end, strict=True)]
+    return [*first, *last]
+
+
+def _read_characters(naming: Naming, start: int, length: Expression, too_small: Body) -> Body:
+    """Refuses what is no hexadecimal digit, then joins two digits to each byte."""
+    digit = naming.own("digit")
+    is_no_digit = greater(Call(digit, (Element(_FRAME, add(unsigned(start), INDEX)),)), unsigned(15))
+    first = Call(digit, (Element(_FRAME, add(unsigned(start), multiply(unsigned(2), INDEX))),))
+    second = Call(digit, (Element(_FRAME, add(unsigned(start + 1), multiply(unsigned(2), INDEX))),))
+    byte = Cast("uint8_t", Operation("|", (Operation("<<", (first, decimal(4))), second)))
+    return (
+        CountUp(INDEX, length, refuse(naming, is_no_digit, "err_not_hex")),
+        *refuse(naming, different(Operation("%", (length, unsigned(2))), ZERO), "err_wrong_length"),
+        Assignment(length, unsigned(2), "/="),
+        *too_small,
+        CountUp(INDEX, length, (assign(Element(OUT, INDEX), byte),)),
+    )
+
+
+def wrap_frame(naming: Naming, link: LinkLayout, direction: str) -> Body:
+    """Turns the bytes at `out` into a frame with delimiters, the last byte first, as they overwrite themselves."""
+    start, end = link.link.delimiters(direction)
+    if link.link.encoding == "hex_ascii":
+        digit = naming.own("hex_digit")
+        high = Cast("uint8_t", Operation(">>", (_BYTE, decimal(4))))
+        low = Cast("uint8_t", Operation("&", (_BYTE, unsigned(15))))
+        size = add(unsigned(len(start)), multiply(unsigned(2), _TOTAL))
+        first = add(unsigned(len(start)), multiply(unsigned(2), INDEX))
+        second = add(unsigned(len(start) + 1), multiply(unsigned(2), INDEX))
+        moved: Body = (
+            Variable(Type("uint8_t", const=True), "byte", value=Element(OUT, INDEX)),
+            assign(Element(OUT, first), Call(digit, (high,))),
+            assign(Element(OUT, second), Call(digit, (low,))),
+        )
+    else:
+        size = add(unsigned(len(start)), _TOTAL)
+        moved = (assign(Element(OUT, add(unsigned(len(start)), INDEX)), Element(OUT, INDEX)),)
+    return (
+        CountDown(INDEX, _TOTAL, moved),
+        *(assign(Element(OUT, decimal(index)), hexadecimal_digits(byte, 2)) for index, byte in enumerate(start)),
+        *(
+            assign(Element(OUT, add(size, unsigned(index))), hexadecimal_digits(byte, 2))
+            for index, byte in enumerate(end)
+        ),
+    )

@@ -1,0 +1,260 @@
+"""Enums, and tables of codes with their texts."""
+
+from __future__ import annotations
+
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Enum, Member
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.c.declarations import (
+    BLANK,
+    Comment,
+    Declaration,
+    Define,
+    Enumeration,
+    Enumerator,
+    Function,
+    Typedef,
+    describe_fact,
+    escape_comment,
+)
+from fieldspec.targets.c.expressions import (
+    FALSE,
+    INDEX,
+    NULL,
+    TRUE,
+    VALUE,
+    ZERO,
+    Call,
+    Cast,
+    Element,
+    Expression,
+    Identifier,
+    Initializer,
+    Operation,
+    SizeOf,
+    Type,
+    address_of,
+    all_of,
+    at_least,
+    at_most,
+    different,
+    equal,
+    hexadecimal,
+    hexadecimal_digits,
+    integer,
+    negate,
+    string,
+)
+from fieldspec.targets.c.expressions import Member as StructMember
+from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
+
+# What the constants of an enum may be: an int, which has 16 bits on small machines.
+_LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
+_LARGEST_CODE = 2**63 - 1
+
+# Enums that are no tables of codes, and have no texts but their members' comments.
+_KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
+
+
+def code_tables(device: Device) -> list[Enum]:
+    """The enums that are tables of codes, which have texts: alarms, faults, exceptions, errors."""
+    return [enum for enum in device.enums.values() if enum.kind not in _KINDS_WITHOUT_TEXTS]
+
+
+def available_members(enum: Enum) -> list[Member]:
+    """The members of an enum without those that the device does not have."""
+    return [member for member in enum.members if not member.unavailable]
+
+
+def declare_enum(naming: Naming, enum: Enum) -> list[Declaration]:
+    """The members' values, and the function that says which values a closed enum has.
+
+    Members that are more than an int can be make all of them macros of one integer type.
+    """
+    members = available_members(enum)
+    declarations: list[Declaration] = [describe_fact(enum, "Other values may occur." if enum.open else "")]
+    if _fits_int(members):
+        declarations += _enumeration(naming, enum, members)
+    else:
+        declarations += _macros(naming, enum, members)
+    if not enum.open:
+        declarations += [BLANK, *_known_function(naming, enum)]
+    return declarations
+
+
+def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
+    if not members:
+        return []
+    printed_in_hexadecimal = "x}" in enum.printed_as.lower()
+    enumerators = tuple(
+        Enumerator(
+            naming.macro("enum", enum.name, name),
+            hexadecimal_digits(member.value) if printed_in_hexadecimal and member.value >= 0 else integer(member.value),
+            remark,
+        )
+        for member in members
+        for name, remark in _names(member)
+    )
+    return [Enumeration(naming.type("enum", enum.name), enumerators, naming.own_macro("enum_16"))]
+
+
+def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
+    signed = any(member.value < 0 for member in members)
+    size = 4 if not signed and all(member.value < 2**32 for member in members) else 8
+    kind = Type(f"{'' if signed else 'u'}int{8 * size}_t")
+    return [
+        Typedef(kind, naming.type("enum", enum.name)),
+        *(
+            Define(
+                naming.macro("enum", enum.name, name),
+                integer(member.value, size) if signed else hexadecimal(member.value, size),
+                remark,
+            )
+            for member in members
+            for name, remark in _names(member)
+        ),
+    ]
+
+
+def _names(member: Member) -> list[tuple[str, str]]:
+    """The names of a member, the one to write first, each with its remark."""
+    return [(member.name, _remark(member)), *((alias, f"An alias of {member.name}.") for alias in member.aliases)]
+
+
+def _remark(member: Member) -> str:
+    number = f"Number {member.number}." if member.number is not None else ""
+    return escape_comment(" ".join(part for part in (member.printed_name, member.label, number, member.doc) if part))
+
+
+def _fits_int(members: list[Member]) -> bool:
+    return all(_LEAST <= member.value <= _LARGEST for member in members)
+
+
+def enum_type(device: Device, value: Value) -> Enum | None:
+    """The closed enum whose type a value has as a parameter or a result of C; None where that is an integer."""
+    enum = _closed_enum(device, value)
+    return None if enum is None or integer_reason(device, value) else enum
+
+
+def integer_reason(device: Device, value: Value) -> str:
+    """Why a value of a closed enum has an integer type in C; empty where it has the type of its enum, or has none."""
+    enum = _closed_enum(device, value)
+    if enum is None:
+        return ""
+    members = available_members(enum)
+    if not members:
+        return f"An integer, as {enum.name} has no members."
+    if not _fits_int(members):
+        return f"An integer, as 16 bits do not hold all members of {enum.name}."
+    if not all(value.type.low <= member.value <= value.type.high for member in members):
+        return f"An integer, as {value.type.name} does not hold all members of {enum.name}."
+    numbers = {member.value for member in members}
+    missing = [sentinel.name for sentinel in value.sentinels if sentinel.value not in numbers]
+    return f"An integer, as {enum.name} does not have {', '.join(missing)}." if missing else ""
+
+
+def _closed_enum(device: Device, value: Value) -> Enum | None:
+    """The closed enum of an integer that is no constant."""
+    if not value.enum or value.const is not None or value.type.kind is not Kind.INTEGER:
+        return None
+    enum = device.enums[value.enum]
+    return None if enum.open else enum
+
+
+def _is_wide(enum: Enum) -> bool:
+    return any(member.value > _LARGEST_CODE for member in available_members(enum))
+
+
+def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
+    """`bool stop_mode_known(int64_t value)`"""
+    wide = _is_wide(enum)
+    tests: list[Expression] = []
+    for low, high in _runs(sorted({member.value for member in available_members(enum)})):
+        minimum, maximum = integer(low, 8, not wide), integer(high, 8, not wide)
+        if low == 0 and high > 0 and wide:
+            tests.append(at_most(VALUE, maximum))
+        else:
+            tests.append(
+                equal(VALUE, minimum) if low == high else all_of([at_least(VALUE, minimum), at_most(VALUE, maximum)])
+            )
+    body: list[Statement] = [If(test, (Return(TRUE),)) for test in tests[:-1]]
+    if tests:
+        body.append(Return(Call(naming.own_macro("likely"), (tests[-1],))))
+    else:
+        body += [discard("value"), Return(FALSE)]
+    parameter = Variable(Type("uint64_t" if wide else "int64_t"), "value")
+    # The name of the type is claimed before that of the function.
+    description = f"Whether a value is one of {escape_comment(naming.type('enum', enum.name))}."
+    function = Function(Type("bool"), naming.function("enum", enum.name, "known"), (parameter,), tuple(body))
+    return [Comment((description,)), function]
+
+
+def _runs(values: list[int]) -> list[tuple[int, int]]:
+    """The intervals of consecutive numbers."""
+    runs: list[tuple[int, int]] = []
+    for value in values:
+        if runs and runs[-1][1] == value - 1:
+            runs[-1] = (runs[-1][0], value)
+        else:
+            runs.append((value, value))
+    return runs
+
+
+def unknown_value_test(naming: Naming, device: Device, value: Value, number: Expression) -> Expression | None:
+    """`!stop_mode_known((int64_t)value)`: whether the value's closed enum refuses it; None where nothing is refused."""
+    if not value.enum or device.enums[value.enum].open:
+        return None
+    kind = "uint64_t" if _is_wide(device.enums[value.enum]) else "int64_t"
+    known = negate(Call(naming.function("enum", value.enum, "known"), (Cast(kind, number),)))
+    sentinels = [different(number, integer(s.value, value.type.size, value.type.signed)) for s in value.sentinels]
+    return all_of([known, *sentinels])
+
+
+def enum_implies_range(device: Device, value: Value) -> bool:
+    """Whether every number that the value's closed enum takes may be written: then the range need not be tested."""
+    ranges = value.writable_ranges
+    if not value.enum or device.enums[value.enum].open:
+        return False
+    if ranges is None:
+        return value.type.is_odd  # such a type bounds numbers as a range does, and every member is within it
+    sentinels = {sentinel.value for sentinel in value.sentinels}
+    return all(
+        member.value in ranges or member.value in sentinels for member in available_members(device.enums[value.enum])
+    )
+
+
+def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
+    """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
+    struct = naming.own("code_text")
+    description = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL if the code is unknown."
+    members = [member for member in enum.members if member.value <= _LARGEST_CODE]
+    texts, code = Identifier("texts"), Identifier("code")
+    row = Element(texts, INDEX)
+    body: tuple[Statement, ...] = (discard("code"), Return(NULL))
+    if members:
+        body = (
+            Table(Type(struct), "texts", tuple([_code_text(member) for member in members])),
+            Variable(INDEX.type, INDEX.name),
+            CountUp(
+                INDEX,
+                Operation("/", (SizeOf(texts), SizeOf(Element(texts, ZERO)))),
+                (If(equal(StructMember(row, "code"), code), (Return(address_of(row)),)),),
+            ),
+            Return(NULL),
+        )
+    function = Function(
+        Type(struct, const=True, pointer=True),
+        naming.function("enum", enum.name, "text"),
+        (Variable(Type("int64_t"), "code"),),
+        body,
+    )
+    return [Comment((description,)), function]
+
+
+def _code_text(member: Member) -> Initializer:
+    causes = "\n".join(cause.cause for cause in member.causes)
+    remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
+    texts = (member.printed_name, member.name, member.label, member.problem or member.doc, causes, remedies)
+    number = integer(-1 if member.number is None else member.number, 8)
+    return Initializer((integer(member.value, 8), number, *[string(text) for text in texts]))

@@ -1,0 +1,62 @@
+"""Escapes in C: the functions of a link that turn bytes into those that are sent, and back, in place."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.language.model.escape import Escape
+from fieldspec.targets.c.declarations import Source
+from fieldspec.targets.c.expressions import Call, Expression, unsigned
+from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.runtime_files import copy_runtime
+
+_FORMS = "escape_forms.h"
+
+
+def declare_escapes(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
+    """The functions of the escapes of all links."""
+    links = [link for link in layout.links.values() if link.link.escape is not None]
+    functions = [[_functions(naming, link, link.link.escape)] for link in links if link.link.escape is not None]
+    is_moving = any(link.link.escape is not None and link.link.escape.method != "add" for link in links)
+    return [*([[copy_runtime(naming, _FORMS, "moving")]] if is_moving else []), *functions]
+
+
+def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
+    def digits(number: int) -> str:
+        return f"0x{number:02X}u"
+
+    if escape.method == "can":
+        fields = ((size, int(order == "little"), first, width) for size, order, first, width in escape.fields)
+        rows = (", ".join(f"{number}u" for number in field) for field in fields)
+        can_words = {
+            "ESCAPE": f"escape_{link.name}",
+            "UNESCAPE": f"unescape_{link.name}",
+            "ROWS": f"{len(escape.fields)}u",
+            "FIELDS": "\n".join(f"        {{{row}}}," for row in rows),
+            "FLAGS": f"0x{escape.flags:08X}u",
+            "MASKED": f"0x{0xFFFFFFFF & ~((1 << escape.bits) - 1):08X}u",
+            "SIZE": f"{escape.fields_size}u",
+        }
+        return copy_runtime(naming, _FORMS, escape.method, can_words)
+    special = dict.fromkeys([byte for byte, _, _ in escape.pairs] + [first for _, first, _ in escape.pairs])
+    words = {
+        "ESCAPE": f"escape_{link.name}",
+        "UNESCAPE": f"unescape_{link.name}",
+        "ROW": f"row_{link.name}" if escape.pairs else f"pattern_{link.name}",
+        "ROWS": f"{len(escape.pairs) or len(escape.pattern)}u",
+        "PAIRS": "\n".join(f"        {{{', '.join(map(digits, row))}}}," for row in escape.pairs),
+        "SENT": "\n".join(f"        {{{', '.join(map(digits, row))}}}," for _, *row in escape.pairs),
+        "ORIGINALS": ", ".join(digits(byte) for byte, _, _ in escape.pairs),
+        "SPECIAL": " || ".join(f"data[at] == {digits(byte)}" for byte in special),
+        "PATTERN": ", ".join(map(digits, escape.pattern)),
+        "INSERTED": digits(escape.inserted),
+    }
+    return copy_runtime(naming, _FORMS, escape.method, words)
+
+
+def escape_call(naming: Naming, link: LinkLayout, frame: FrameLayout, *arguments: Expression) -> Call:
+    """`escape_slip(out, &total, 0u, 0u, capacity - 1u)`: `arguments` are the bytes and their length, then the room."""
+    function = "escape" if len(arguments) > 2 else "unescape"
+    first, length, *room = arguments
+    bounds = unsigned(frame.escape_start), unsigned(-(frame.escape_stop or 0))
+    return Call(naming.own(f"{function}_{link.name}"), (first, length, *bounds, *room))

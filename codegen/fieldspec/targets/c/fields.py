@@ -1,0 +1,222 @@
+"""Fields of records in C: members of structs, statements for one element or for all, and fields with cases."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.targets.c.declarations import Comment, Union, describe_fact, describe_value
+from fieldspec.targets.c.expressions import (
+    IN,
+    INDEX,
+    SIZE_TYPE,
+    Element,
+    Expression,
+    Group,
+    Local,
+    Member,
+    Operation,
+    PointerMember,
+    Type,
+    address_of,
+    decimal,
+    different,
+    integer,
+    multiply,
+    unsigned,
+)
+from fieldspec.targets.c.naming import Naming, member
+from fieldspec.targets.c.statements import Assignment, Body, CountUp, If, Return, Statement, Switch, Variable
+from fieldspec.targets.c.values import declare_value, field_value, load
+
+ELEMENT_SIZE = Local("element", SIZE_TYPE)
+INNER_LENGTH = Local("inner_length", SIZE_TYPE)
+
+# The statements for one element, from a pointer to its first byte and from its member of the struct.
+ElementBody = Callable[[Expression, Expression], Body]
+
+
+def is_set_by_user(field: FieldLayout) -> bool:
+    """Whether users set the field: it is no constant, measures no other field, and has a meaning.
+
+    Of a record in which they set nothing, they set how often it is repeated.
+    """
+    if field.record is not None and not members(field.record):
+        return field.field.repeat is not None
+    constant = field.value is not None and field.value.const is not None
+    return not (constant or field.field.measures or field.field.reserved)
+
+
+def words_around_images(naming: Naming, record: RecordLayout) -> dict[str, str]:
+    """The names in the functions of a record that call those of its image, where each field has a place of its own."""
+    struct = naming.type("record", record.name) if members(record) else ""
+    verbs = ("encode", "decode", "encode_image", "decode_image")
+    return {
+        **{verb: naming.function("record", record.name, verb) for verb in verbs},
+        "ok": naming.status("ok").name,
+        "status": naming.own("codec_status"),
+        "argument": f"const {struct} *in, " if struct else "",
+        "passed": "in, " if struct else "",
+        "result": f", {struct} *out" if struct else "",
+        "returned": ", out" if struct else "",
+    }
+
+
+def members(record: RecordLayout) -> list[FieldLayout]:
+    """The fields that are members of the struct."""
+    return [field for field in record.fields if is_set_by_user(field)]
+
+
+def greatest_count(field: FieldLayout) -> int:
+    """How many elements a list can have."""
+    repeat = field.field.repeat
+    return repeat.high if repeat is not None else field.count or 1
+
+
+def count_member(record: RecordLayout, field: FieldLayout) -> str:
+    """The member that has the number of elements of a list; a field that is called so keeps the name for itself."""
+    name = f"{field.name}_count"
+    return f"{name}_" if name in {member(other.name) for other in members(record)} else name
+
+
+def function_locals(naming: Naming) -> tuple[Local, ...]:
+    """The variables that functions of records may have, in the order in which they are declared."""
+    return ELEMENT_SIZE, INDEX, INNER_LENGTH, naming.status_variable()
+
+
+def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> Iterator[Comment | Variable | Union]:
+    """The member of a struct for a field, and the one for the number of its elements where that varies."""
+    yield describe_fact(field.field, describe_value(field.value))
+    count = greatest_count(field) if field.is_list else None
+    if field.cases:
+        yield from _declare_union(field, count)
+    elif field.record is not None:
+        dimensions = (decimal(count),) if count is not None else ()
+        if members(field.record):
+            yield Variable(Type(naming.type("record", field.record.name)), member(field.name), dimensions)
+    else:
+        yield declare_value(field_value(field), member(field.name), count)
+    if field.field.repeat is not None:
+        yield Variable(SIZE_TYPE, count_member(record, field))
+
+
+def walk_elements(
+    record: RecordLayout,
+    field: FieldLayout,
+    element_body: ElementBody,
+    struct: Expression,
+    data: Expression,
+    case: CaseLayout | None = None,
+) -> Body:
+    """The statements for a field, once or in a loop: `for (at = 0; at < in->points_count; at++) { ... }`
+
+    `struct` is a pointer to the struct of the record, `data` one to its first byte.
+    """
+    target: Expression = PointerMember(struct, member(field.name))
+    size = field.size
+    if case is not None:
+        target, size = Member(target, case_member(case)), case.value.size
+    if not field.is_list:
+        return element_body(Operation("+", (data, decimal(field.offset))), target)
+    repeated = field.field.repeat is not None
+    limit = PointerMember(struct, count_member(record, field)) if repeated else unsigned(field.count or 0)
+    pointer = Operation("+", (data, unsigned(field.offset), multiply(INDEX, unsigned(size))))
+    body = element_body(pointer, Element(target, INDEX))
+    return (CountUp(INDEX, limit, body),) if body else ()
+
+
+def return_error(naming: Naming, call: Expression) -> Body:
+    """`status = call; if (status != OK) { return status; }`"""
+    variable = naming.status_variable()
+    return Assignment(variable, call), If(different(variable, naming.status("ok")), (Return(variable),))
+
+
+def struct_argument(record: RecordLayout, struct: Expression) -> tuple[Expression, ...]:
+    """`&struct` as the argument of a function; a record without members has no struct."""
+    return (address_of(struct),) if members(record) else ()
+
+
+def element_size(record: RecordLayout, field: FieldLayout) -> Expression:
+    """The size of an element; where it differs from case to case, the variable that has it."""
+    return ELEMENT_SIZE if field.cases and record.size is None else unsigned(field.size)
+
+
+def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) -> Expression:
+    """`in->points_count * 4u`: the size, or the number of elements, of the field that another one measures."""
+    measure = field.field.measures
+    assert measure is not None
+    other = record.named(measure.field)
+    assert other is not None
+    repeated = other.field.repeat is not None
+    count = PointerMember(struct, count_member(record, other)) if repeated else unsigned(other.count or 1)
+    size = element_size(record, other) if measure.of == "bytes" else unsigned(1)
+    units = count if size == unsigned(1) else multiply(count, size)
+    if not measure.plus:
+        return units
+    return Group(Operation("+" if measure.plus > 0 else "-", (units, unsigned(abs(measure.plus)))))
+
+
+# Fields whose type follows from an earlier field, the selector: unions in structs, and switches in functions.
+
+
+def case_member(case: CaseLayout) -> str:
+    """The member of the union that has a case's values, empty where they are a constant."""
+    return "" if case.value.const is not None else member(case.name)
+
+
+def _declare_union(field: FieldLayout, count: int | None) -> Iterator[Union]:
+    """The member of a struct that has a member for each case."""
+    inner: list[Comment | Variable] = []
+    for case in field.cases:
+        if name := case_member(case):
+            condition = f"While {field.field.choice.by if field.field.choice else ''} is {' or '.join(case.case.when)}."
+            inner.append(describe_fact(case.case, condition, describe_value(case.value)))
+            inner.append(declare_value(field_value(case), name, count))
+    if inner:
+        yield Union(tuple(inner), member(field.name))
+
+
+def encoded_selector(selector: FieldLayout) -> Expression:
+    """`in->kind`: the value of the selector in a struct that is encoded, or its constant."""
+    value = selector.value
+    assert value is not None
+    if value.const is not None:
+        return integer(value.const, value.size, value.type.signed)
+    return PointerMember(IN, member(selector.name))
+
+
+def decoded_selector(naming: Naming, selector: FieldLayout) -> Expression:
+    """`load_u8(in + 0)`: the value of the selector in bytes that are decoded."""
+    return load(naming, field_value(selector), Operation("+", (IN, decimal(selector.offset))))
+
+
+def check_selector(naming: Naming, record: RecordLayout, selector: Expression) -> Statement:
+    """Refuses a selector that chooses nothing; sets `element` where the size differs from case to case."""
+    cases = record.fields[-1].cases
+    if record.size is not None:
+        return _switch(naming, record, selector, [(list(cases), ())])
+    sizes: dict[int, list[CaseLayout]] = {}
+    for case in cases:
+        sizes.setdefault(case.value.size, []).append(case)
+    branches = [(chosen, (Assignment(ELEMENT_SIZE, unsigned(size)),)) for size, chosen in sizes.items()]
+    return _switch(naming, record, selector, branches)
+
+
+def switch_cases(
+    naming: Naming, record: RecordLayout, selector: Expression, case_body: Callable[[CaseLayout], Body]
+) -> Statement:
+    """Statements that differ from case to case."""
+    return _switch(naming, record, selector, [([case], case_body(case)) for case in record.fields[-1].cases])
+
+
+def _switch(
+    naming: Naming, record: RecordLayout, selector: Expression, branches: Iterable[tuple[list[CaseLayout], Body]]
+) -> Switch:
+    assert record.selector is not None
+    assert record.selector.value is not None
+    value = record.selector.value
+    labels = []
+    for cases, body in branches:
+        numbers = sorted(number for case in cases for number in case.numbers)
+        labels.append((tuple([integer(number, value.size, value.type.signed) for number in numbers]), body))
+    return Switch(selector, tuple(labels), (Return(naming.status("err_unknown_value")),))

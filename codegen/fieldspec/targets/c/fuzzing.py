@@ -1,0 +1,305 @@
+"""A fuzz target for a header: everything that decodes gets any bytes, and what it takes is encoded again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.c.conversions import count_type
+from fieldspec.targets.c.declarations import Function, escape_comment
+from fieldspec.targets.c.delimiters import is_wrapped
+from fieldspec.targets.c.expressions import (
+    INPUT_BYTES,
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Conditional,
+    Element,
+    Expression,
+    Group,
+    Identifier,
+    Literal,
+    Member,
+    Operation,
+    SizeOf,
+    Type,
+    add,
+    address_of,
+    all_of,
+    at_least,
+    at_most,
+    decimal,
+    different,
+    equal,
+    less,
+    multiply,
+    subtract,
+    unsigned,
+)
+from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.frames import header_parts
+from fieldspec.targets.c.naming import Naming, Noun, frame_member
+from fieldspec.targets.c.packing import is_packed
+from fieldspec.targets.c.printer import Printer
+from fieldspec.targets.c.quantities import EXACT_BYTES, scaled_values
+from fieldspec.targets.c.runtime_files import all_records, copy_runtime, runtime_parts
+from fieldspec.targets.c.sample_values import lone_values
+from fieldspec.targets.c.statements import (
+    Break,
+    Constant,
+    Evaluation,
+    If,
+    Return,
+    Statement,
+    Switch,
+    Variable,
+    assign,
+    call,
+)
+from fieldspec.targets.c.values import WireValue, accessed_type, declare_value, status_type, type_name
+from fieldspec.targets.templates import fill
+
+_BYTE = Type("uint8_t")
+_DATA, _SIZE, _OUT, _BUFFER, _OPENED, _LENGTH, _STATUS, _HEADER_SIZE = (
+    Identifier(name) for name in ("data", "size", "out", "buffer", "opened", "length", "status", "GIVEN")
+)
+_LONGEST_LINE = 200
+"""Calls that close a frame stay on one line."""
+
+_YES, _NO = decimal(1), decimal(0)
+
+
+def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
+    """The C source of the fuzz target of a device."""
+    directions = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
+    frames = [Call(f"frame_{number}", (_DATA, _SIZE)) for number in range(2 * len(directions))]
+    macros = [
+        *_record_macros(layout, naming),
+        *_value_macros(layout, naming),
+        *_address_and_conversion_macros(layout, naming),
+    ]
+    choices = [*frames, *macros]
+    used = {macro.function for macro in macros}
+    functions = [
+        function
+        for number, (link, direction) in enumerate(directions)
+        for function in (
+            _open_any_bytes(naming, link, direction, 2 * number),
+            _close_any_body(naming, link, direction, 2 * number + 1),
+        )
+    ]
+    printer = Printer(longest_line=_LONGEST_LINE)
+    branches = tuple([((decimal(index),), (Evaluation(choice),)) for index, choice in enumerate(choices)])
+    return fill(
+        "c/fuzz.c.j2",
+        header=header,
+        source=header.replace(".h", "_fuzz.c"),
+        title=escape_comment(f"{layout.device.name}, version {layout.device.version}"),
+        identity=layout.identity,
+        macros=[
+            f"\n{copy_runtime(naming, 'fuzz_macros.h', name).text.rstrip()}\n"
+            for name in runtime_parts("fuzz_macros.h")
+            if name in used
+        ],
+        functions=["\n".join(["", *printer.print_declarations([function]), ""]) for function in functions],
+        choices="\n".join(printer.print_statements([Switch(Identifier("choice"), branches, (Break(),))], "    ")),
+        number_of_choices=str(len(choices)),
+    )
+
+
+# Calls of the macros in runtime/fuzz_macros.h
+
+
+def _is_exact(record: RecordLayout) -> bool:
+    """Whether every byte of a record comes back: no reserved ones, and none behind the end of a text."""
+    kinds = [field.value.type.kind for field in record.fields if field.value is not None]
+    kinds += [case.value.type.kind for field in record.fields for case in field.cases]
+    inner = [_is_exact(field.record) for field in record.fields if field.record is not None]
+    reserved = any(field.field.reserved for field in record.fields)
+    return not reserved and not record.spans and Kind.TEXT not in kinds and all(inner)
+
+
+def _flag(holds: bool) -> Literal:
+    return _YES if holds else _NO
+
+
+def _names(*names: str) -> tuple[Identifier, ...]:
+    return tuple([Identifier(name) for name in names])
+
+
+def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
+    for record in all_records(layout):
+        decode, encode = (naming.function("record", record.name, verb) for verb in ("decode", "encode"))
+        size = naming.macro("record", record.name, "size")
+        exact = _flag(_is_exact(record))
+        if not members(record):
+            yield Call("FIXED", (*_names(decode, encode, size), exact))
+            continue
+        struct = naming.type("record", record.name)
+        yield Call("RECORD", (*_names(struct, decode, encode, size), exact))
+        if is_packed(record):
+            unpack, pack = (naming.function("record", record.name, verb) for verb in ("unpack", "pack"))
+            yield Call("PACKED", _names(struct, unpack, pack, size))
+
+
+def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
+    for noun, names, wire, size, trigger in lone_values(layout):
+        yield _value_macro(naming, layout.device, noun, names, wire, size, trigger)
+
+
+def _value_macro(
+    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool
+) -> Call:
+    """Of a trigger whose enum is closed the device may answer anything."""
+    answer = wire.value.as_answer(trigger)
+    kind = Identifier(accessed_type(naming, device, answer))
+    functions = _names(*(naming.function(noun, *names, verb) for verb in ("decode", "encode")))
+    if wire.value.const is not None:
+        return Call("CONSTANT", (kind, *functions, unsigned(size)))
+    if wire.is_array:
+        exact = _flag(wire.kind is Kind.BYTES and wire.size == size)
+        declared = Identifier(Printer().print_variable(declare_value(wire, "value")))
+        return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
+    sizes = unsigned(wire.size), unsigned(size)
+    if answer == wire.value:
+        return Call("VALUE", (kind, *functions, *sizes))
+    return Call("TRIGGER", (kind, Identifier(accessed_type(naming, device, wire.value)), *functions, *sizes))
+
+
+def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
+    for table in layout.tables.values():
+        if table.table.base_by:
+            yield Call("MOVING_ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
+            continue
+        yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
+    for conversion in layout.device.conversions.values():
+        functions = [naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw")]
+        exact = _flag(conversion.type.size <= EXACT_BYTES)
+        yield Call("CONVERSION", (*_names(count_type(conversion), *functions), exact))
+    for scaled in scaled_values(layout):
+        functions = [scaled.function(naming, end) for end in ("from_raw", "to_raw")]
+        types = type_name(scaled.value), type_name(scaled.exponent.value)
+        yield Call("QUANTITY", (*_names(*types, *functions), _flag(scaled.value.type.size <= EXACT_BYTES)))
+
+
+# Functions for frames
+
+
+def _hold(test: Expression) -> Evaluation:
+    """`hold(test);`"""
+    return call("hold", test)
+
+
+def _declare_variables(naming: Naming, link: LinkLayout, direction: str) -> list[Statement]:
+    """The buffers, the opened frame and the length that both functions have."""
+    largest = Identifier("LARGEST")
+    buffer = Variable(_BYTE, "buffer", (multiply(decimal(2), largest),), storage="static")
+    return [
+        *([buffer] if is_wrapped(link) else []),
+        Variable(_BYTE, "out", (multiply(decimal(4), largest),), storage="static"),
+        Variable(Type(naming.type("link", link.name, direction, "frame")), "opened"),
+        Variable(SIZE_TYPE, "length", value=ZERO),
+    ]
+
+
+def _clear_opened() -> Evaluation:
+    return call("memset", address_of(_OPENED), ZERO, SizeOf(_OPENED))
+
+
+def _open_call(naming: Naming, link: LinkLayout, direction: str, data: Expression, size: Expression) -> Call:
+    buffer = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else ()
+    function = naming.function("link", link.name, direction, "open")
+    return Call(function, (data, size, *buffer, address_of(_OPENED)))
+
+
+def _flag_of(link: LinkLayout, direction: str) -> int:
+    """The flag that an exception response has in its code, 0 for requests and for links without one."""
+    return (
+        link.link.exception_response.flag if link.link.exception_response is not None and direction == "response" else 0
+    )
+
+
+def _frame_function(number: int, body: list[Statement]) -> Function:
+    parameters = Variable(INPUT_BYTES, "data"), Variable(SIZE_TYPE, "size")
+    return Function(Type("void"), f"frame_{number}", parameters, tuple(body), storage="static")
+
+
+def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: int) -> Function:
+    """Opens any bytes, and makes a frame of what it finds."""
+    frame = link.frame(direction)
+    ok, body_member = naming.status("ok"), Member(_OPENED, "body")
+    body_length = Member(_OPENED, "body_length")
+    arguments: list[Expression] = [Member(_OPENED, frame_member(part)) for part in header_parts(frame)]
+    flag = _flag_of(link, direction)
+    if frame.role("code") is not None:
+        code: Expression = Member(_OPENED, "code")
+        if flag:
+            error = Group(Conditional(Member(_OPENED, "error"), unsigned(flag), unsigned(0)))
+            code = Operation("|", (code, error))
+        arguments.append(code)
+    start, end = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else (_DATA, _SIZE)
+    is_within_buffer = all_of([at_least(body_member, start), at_most(add(body_member, body_length), add(start, end))])
+    tests: list[Expression] = [equal(_LENGTH, _SIZE)]
+    if link.link.encoding != "hex_ascii":
+        # Characters have two ways to write a digit; bytes have one.
+        tests.append(equal(Call("memcmp", (_OUT, _DATA, _SIZE)), ZERO))
+    closed = Call(
+        naming.function("link", link.name, direction, "close"),
+        (*arguments, body_length, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
+    )
+    return _frame_function(
+        number,
+        [
+            *_declare_variables(naming, link, direction),
+            _clear_opened(),
+            If(different(_open_call(naming, link, direction, _DATA, _SIZE), ok), (Return(),)),
+            _hold(is_within_buffer),
+            call("memcpy", add(_OUT, decimal(frame.header_size)), body_member, body_length),
+            If(equal(closed, ok), (_hold(all_of(tests)),)),
+        ],
+    )
+
+
+def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: int) -> Function:
+    """Closes a frame around any bytes, and opens it again; the first bytes are the parts before the body."""
+    frame = link.frame(direction)
+    ok = naming.status("ok")
+    names = [frame_member(part) for part in header_parts(frame)]
+    has_code = frame.role("code") is not None
+    flag = _flag_of(link, direction)
+    header = [Element(_DATA, decimal(index)) for index in range(len(names) + has_code)]
+    tests: list[Expression] = [equal(Member(_OPENED, name), header[index]) for index, name in enumerate(names)]
+    if has_code:
+        code: Expression = header[-1]
+        if flag:
+            code = Group(Operation("&", (code, unsigned(255 & ~flag))))
+        tests.append(equal(Member(_OPENED, "code"), code))
+    size = subtract(_SIZE, _HEADER_SIZE)
+    body, opened_body = add(_DATA, _HEADER_SIZE), Member(_OPENED, "body")
+    tests.append(equal(Member(_OPENED, "body_length"), size))
+    tests.append(equal(Call("memcmp", (opened_body, body, size)), ZERO))
+    closed = Call(
+        naming.function("link", link.name, direction, "close"),
+        (*header, size, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
+    )
+    unknown_code = equal(_STATUS, naming.status("err_unknown_code"))
+    return _frame_function(
+        number,
+        [
+            Constant("GIVEN", decimal(len(header))),
+            *_declare_variables(naming, link, direction),
+            Variable(status_type(naming), "status"),
+            _clear_opened(),
+            If(less(_SIZE, _HEADER_SIZE), (Return(),)),
+            call("memcpy", add(_OUT, decimal(frame.header_size)), body, size),
+            If(different(closed, ok), (Return(),)),
+            assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),
+            *([If(unknown_code, (Return(),))] if has_code else []),
+            _hold(equal(_STATUS, ok)),
+            *(_hold(test) for test in tests),
+        ],
+    )

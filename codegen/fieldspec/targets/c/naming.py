@@ -1,0 +1,137 @@
+"""Names of C. All but the members of structs begin with the device, so none meets a word of C or a macro."""
+
+from __future__ import annotations
+
+from typing import Literal, TypeAlias
+
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.foundation.names import Name
+from fieldspec.foundation.reserved import C
+from fieldspec.targets.c.expressions import Identifier, Local, Type
+
+Noun: TypeAlias = Literal[
+    "own",
+    "enum",
+    "word",
+    "bit",
+    "state",
+    "record",
+    "message",
+    "signal",
+    "conversion",
+    "register",
+    "table",
+    "parameter",
+    "link",
+]
+
+_PREFIXES: dict[Noun, str] = {"signal": "signal", "register": "reg", "table": "table", "parameter": "par"}
+
+# What the headers that are included define, as far as it has several words, and the local names of functions.
+_TAKEN = (
+    *("size_t", "ptrdiff_t", "wchar_t", "max_align_t", "size_max", "ptrdiff_max", "inner_length", "body_length"),
+    *(f"{sign}int{kind}{bits}_t" for sign in ("", "u") for kind in ("", "_fast", "_least") for bits in (8, 16, 32, 64)),
+    *(f"{sign}int{bits}_{end}" for sign in ("", "u") for bits in (8, 16, 32, 64, "ptr") for end in ("t", "max", "min")),
+)
+
+_OWN = {
+    *("unit_address", "code", "in", "out", "length", "capacity", "body_length"),
+    *("status", "total", "at", "byte", "value"),
+}
+_FRAME = {"unit_address", "code", "subcode", "error", "body", "body_length"}
+_ARGUMENTS = C | _OWN
+_MEMBERS = C | _FRAME
+
+
+class Naming:
+    """The names in the header of one device: each fact has one name, and no two names are equal.
+
+    A thing is known by what it is and by the names of what it belongs to. Of two things whose words are the same
+    joined, the one that is asked for first gets them; the other one has a number behind them.
+    """
+
+    def __init__(self, device: str) -> None:
+        self.device = Name.of(device)
+        self._taken = {word for name in _TAKEN for word in (name, name.upper())}
+        self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
+        self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
+        self._statuses: dict[str, Identifier] = {}
+        self._status_variable: Local | None = None
+
+    def type(self, noun: Noun, *parts: str) -> str:
+        """`gadget_point`"""
+        return self._name(False, noun, parts)
+
+    function = type
+
+    def macro(self, noun: Noun, *parts: str) -> str:
+        """`GADGET_POINTS_BASE`"""
+        return self._name(True, noun, parts)
+
+    def own(self, *parts: str) -> str:
+        """A type or a function that every header has, or that no other noun has: `gadget_codec_status`"""
+        return self._name(False, "own", parts)
+
+    def own_macro(self, *parts: str) -> str:
+        """`GADGET_OK`"""
+        return self._name(True, "own", parts)
+
+    def status(self, name: str) -> Identifier:
+        """A constant of the status that functions return: `GADGET_ERR_OUT_OF_RANGE`"""
+        constant = self._statuses.get(name)
+        if constant is None:
+            constant = self._statuses[name] = Identifier(self.own_macro(name))
+        return constant
+
+    def status_variable(self) -> Local:
+        """The variable for the status of a call; its type is what functions return."""
+        if self._status_variable is None:
+            self._status_variable = Local("status", Type(self.own("codec_status")))
+        return self._status_variable
+
+    def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
+        key = (upper, noun, parts)
+        name = self._given.get(key)
+        if name is None:
+            name = self._given[key] = self._free(self._words(noun, parts), upper)
+        return name
+
+    def _words(self, noun: Noun, parts: tuple[str, ...]) -> Name:
+        """The words of a name. Words of a holder that has many names are looked up, not parted again."""
+        if not parts:
+            return self.device + Name.of(_PREFIXES.get(noun, ""))
+        key = noun, parts[:-1]
+        stem = self._stems.get(key)
+        if stem is None:
+            stem = self._stems[key] = self._words(*key)
+        return stem + Name.of(parts[-1])
+
+    def _free(self, words: Name, upper: bool) -> str:
+        number, tried = 1, words
+        while (text := tried.upper() if upper else tried.snake()) in self._taken:
+            number += 1
+            tried = words + Name.of(str(number))
+        self._taken.add(text)
+        return text
+
+
+def member(name: str) -> str:
+    """A member of a struct; a word of C gets an underscore behind it."""
+    return f"{name}_" if name in C else name
+
+
+def argument(part: PartLayout) -> str:
+    """The parameter for a part of a frame, `unit_address` for the unit address.
+
+    A word of C, or a name that the function itself uses, gets an underscore behind it.
+    """
+    if part.role == "unit_address":
+        return part.role
+    return f"{part.name}_" if part.name in _ARGUMENTS else part.name
+
+
+def frame_member(part: PartLayout) -> str:
+    """The member of an opened frame for a part of the frame, `unit_address` for the unit address."""
+    if part.role == "unit_address":
+        return part.role
+    return f"{part.name}_" if part.name in _MEMBERS else part.name

@@ -1,0 +1,127 @@
+"""The parts of frames other than checksums: where they are, how they are tested and written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.targets.c.digits import digits_test
+from fieldspec.targets.c.enums import enum_implies_range, unknown_value_test
+from fieldspec.targets.c.expressions import (
+    IN,
+    LENGTH,
+    OUT,
+    ZERO,
+    Cast,
+    Expression,
+    Group,
+    Identifier,
+    Operation,
+    add,
+    add_size,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    decimal,
+    different,
+    equal,
+    greater,
+    less,
+    negate,
+    unsigned,
+)
+from fieldspec.targets.c.naming import Naming, argument
+from fieldspec.targets.c.statements import Body, CompileIf, Statement
+from fieldspec.targets.c.values import WireValue, out_of_range_test, refuse, store, store_constant, store_number
+
+CODE, TOTAL = Identifier("code"), Identifier("total")
+
+
+def part_value(part: PartLayout) -> WireValue:
+    """The value of a part, which must have one, with its order on the wire."""
+    assert part.value is not None
+    return WireValue(part.value, part.order, False)
+
+
+def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
+    """`in + 2`, or behind the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
+    return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
+
+
+def check_digits(naming: Naming, parts: Iterable[PartLayout]) -> Body:
+    """`if (!is_digits(in + 1, 2u, 0u, 0u)) { return ERR_UNKNOWN_VALUE; }`, for each part that is sent as digits"""
+    body: Body = ()
+    for part in parts:
+        test = digits_test(naming, part_value(part).value, part_pointer(IN, part, LENGTH), ZERO)
+        body += refuse(naming, negate(test), "err_unknown_value")
+    return body
+
+
+def length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
+    """The number of a length part in a frame of `total` bytes, and the tests for lengths that it cannot express.
+
+    Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
+    """
+    parts_size = frame.header_size + frame.trailer_size
+    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > parts_size else []
+    number = add_size(total, -part.base)
+    if part.unit_size > 1:
+        unit = unsigned(part.unit_size)
+        unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
+        number = Operation("/", (number, unit))
+    return number, unrepresentable
+
+
+def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: FrameLayout, part: PartLayout) -> Body:
+    """Checks a part other than the checksum, and writes it."""
+    wire = part_value(part)
+    target = part_pointer(OUT, part, TOTAL)
+    if part.role == "length":
+        highest = wire.value.high
+        number, unrepresentable = length_number(frame, part, TOTAL)
+        checks = refuse(naming, any_of(unrepresentable), "err_wrong_length") if unrepresentable else ()
+        limit = refuse(naming, greater(number, unsigned(highest)), "err_wrong_length")
+        if highest >= 0xFFFF:
+            limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
+        return (*checks, *limit, _store_part(naming, wire, target, number))
+    if part.role == "code":
+        highest = wire.value.high
+        limit = refuse(naming, greater(CODE, unsigned(highest)), "err_unknown_code") if highest < 0xFFFFFFFF else ()
+        return (*limit, _store_part(naming, wire, target, CODE))
+    if part.constant is not None:
+        return store_constant(naming, wire, part.constant, target)
+    value = Identifier(argument(part))
+    unknown = unknown_value_test(naming, layout.device, wire.value, value)
+    out_of_range = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
+    if out_of_range is None and not enum_implies_range(layout.device, wire.value):
+        out_of_range = out_of_range_test(wire.value, value)
+    return (
+        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
+        *(refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()),
+        _store_part(naming, wire, target, value),
+    )
+
+
+def _store_part(naming: Naming, wire: WireValue, target: Expression, number: Expression) -> Statement:
+    """Writes the number of a part, which its bytes or its digits hold."""
+    if wire.value.digits:
+        return store_number(naming, wire, number, target)
+    return store(naming, wire.access, target, Cast(f"uint{8 * wire.value.type.container}_t", number))
+
+
+def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
+    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is none of the link's."""
+    addresses = link.link.unit_addresses
+    if addresses is None or addresses.ranges is None:
+        return None
+    tests: list[Expression] = []
+    for low, high in addresses.ranges.intervals:
+        bounds: list[Expression] = [at_least(address, decimal(low))] if low > wire.value.type.low else []
+        bounds += [at_most(address, decimal(high))] if high < wire.value.type.high else []
+        tests.append(Group(all_of(bounds) if bounds else decimal(1)))
+    if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
+        tests.append(Group(equal(address, decimal(addresses.broadcast))))
+    return negate(Group(tests[0]) if len(tests) == 1 else any_of(tests))

@@ -1,0 +1,160 @@
+"""C that is the same in all headers but for the prefix of its names: the files of `runtime/`, and their parts.
+
+The names in these files begin with `device_` and `DEVICE_`. A file has parts where a line such as
+`/* ---- u16_be ---- */` begins each.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
+from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.digits import BCD
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.c.declarations import Source
+from fieldspec.targets.c.digits import digits_parts
+from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.values import WireValue, access_name
+from fieldspec.targets.templates import text
+
+_FOLDER = "targets/c/runtime"
+_PART = re.compile(r"^/\* ---- (\w+) ---- \*/\n\n", re.MULTILINE)
+_PREFIXED = re.compile(r"\b(?:device|DEVICE)_(\w+)")
+_STATUS = re.compile(r"^    DEVICE_(\w+) = ", re.MULTILINE)
+
+
+def copy_runtime(naming: Naming, file: str, part: str = "", words: Mapping[str, str] | None = None) -> Source:
+    """A file, or a part of it, with the names of a device. `words` replace the words of a form."""
+    content = _parts(file)[part] if part else text(f"{_FOLDER}/{file}")
+    if words:
+        content = re.sub(r"\b(device_)?(" + "|".join(words) + r")\b", lambda m: (m[1] or "") + words[m[2]], content)
+    return Source(_PREFIXED.sub(lambda match: _device_name(naming, match), content))
+
+
+def _device_name(naming: Naming, match: re.Match[str]) -> str:
+    name = match[1]
+    return naming.own_macro(name.lower()) if match[0][0] == "D" else naming.own(name)
+
+
+@cache
+def _parts(file: str) -> dict[str, str]:
+    """The parts of a file by their names."""
+    _, *pieces = _PART.split(text(f"{_FOLDER}/{file}"))
+    return dict(zip(pieces[::2], pieces[1::2], strict=True))
+
+
+def runtime_parts(file: str) -> list[str]:
+    """The names of a file's parts."""
+    return list(_parts(file))
+
+
+def status_names() -> list[str]:
+    """The constants of the status in the order of their numbers: `ok`, `err_incomplete`, ..."""
+    return [name.lower() for name in _STATUS.findall(text(f"{_FOLDER}/status.h"))]
+
+
+def runtime_macros() -> list[str]:
+    """The macros that every header defines."""
+    defined = re.findall(r"#define DEVICE_(\w+)", text(f"{_FOLDER}/machine.h"))
+    return [*dict.fromkeys(name.lower() for name in defined), *status_names()]
+
+
+def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
+    """The functions for the numbers, texts and characters that the device has."""
+    usual_texts = any(wire.kind is Kind.TEXT and wire.value.text_form is None for wire in _wire_values(layout))
+    reals = {wire.size for wire in _wire_values(layout) if wire.kind is Kind.FLOAT}
+    # The functions for absent values take those of signals that no record places, too.
+    unplaced = (signal.value for signal in layout.device.signals.values() if signal.value.sentinels)
+    reals |= {value.size for value in unplaced if value.type.kind is Kind.FLOAT}
+    characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
+    parts = [
+        *_accesses(layout),
+        *(["bits"] if has_bits(layout) else []),
+        "signed",
+        *(["float"] if 4 in reals else []),
+        *(["double"] if 8 in reals else []),
+        *(["text"] if usual_texts else []),
+        *(["hexadecimal"] if characters else []),
+    ]
+    odd = [[copy_runtime(naming, "odd_numbers.h", part)] for part in _odd_accesses(layout)]
+    numbers = [wire.value for wire in _wire_values(layout)] + list(_part_values(layout))
+    digits = digits_parts([value for value in numbers if value.digits])
+    encoded = any(wire.value.text_form is not None for wire in _wire_values(layout))
+    odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
+    odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
+    inner = any(record.inner_lists is not None for record in all_records(layout))
+    odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
+    additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
+    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
+
+
+def _accesses(layout: DeviceLayout) -> list[str]:
+    """The widths and orders of the device's numbers, as in the names of the functions that load and store them."""
+    used = {wire.access for wire in _wire_values(layout) if not wire.is_array and not wire.value.has_characters}
+    for link in layout.links.values():
+        for frame in (link.request, link.response):
+            used |= {access_name(part.size, part.order, False) for part in frame.parts if not part.form}
+        used |= {access_name(4, "big", False)} if link.link.is_can else set()  # that of the identifier
+    return [name for name in runtime_parts("numbers.h") if name in used]
+
+
+def _odd_accesses(layout: DeviceLayout) -> list[str]:
+    """The functions that load and store numbers of odd sizes or in BCD, and those that extend their signs."""
+    odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
+    used = {wire.access for wire in _wire_values(layout) if wire.value.type.is_odd or wire.value.digits == BCD}
+    parts = [part for part in _parts_of_frames(layout) if part.value is not None and part.value.type.is_odd]
+    used |= {access_name(part.size, part.order, False) for part in parts}
+    signed = [wire.value for wire in odd] + [part.value for part in parts if part.value is not None]
+    used |= {f"signed_{8 * value.size}" for value in signed if value.type.signed}
+    return [name for name in runtime_parts("odd_numbers.h") if name in used]
+
+
+def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
+    """The values of records, registers and parameters, as they lie in bytes."""
+    device = layout.device
+    orders = Orders(device.byte_order, device.word_order)
+    for record in all_records(layout):
+        for field in record.fields:
+            if field.value is not None:
+                yield WireValue(field.value, field.order, field.swapped)
+            yield from (WireValue(case.value, case.order, case.swapped) for case in field.cases)
+    for register in layout.registers:
+        if not is_bit(register):
+            yield WireValue(register.register.value, register.order, register.swapped)
+    for parameters in device.parameters.values():
+        for parameter in parameters.parameters:
+            for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
+                yield WireValue(value, *orders.of(value))
+
+
+def _part_values(layout: DeviceLayout) -> Iterator[Value]:
+    """The values of the parts of frames that have one."""
+    yield from (part.value for part in _parts_of_frames(layout) if part.value is not None)
+
+
+def _parts_of_frames(layout: DeviceLayout) -> Iterator[PartLayout]:
+    """The parts of the frames of both directions."""
+    for link in layout.links.values():
+        yield from (*link.request.parts, *link.response.parts)
+
+
+def has_bits(layout: DeviceLayout) -> bool:
+    """Whether the device has registers of single bits."""
+    return any(is_bit(register) for register in layout.registers)
+
+
+def is_bit(register: RegisterLayout) -> bool:
+    """Whether a register is a single bit, which messages pack into bytes."""
+    return register.register.value.type.name == BIT
+
+
+def all_records(layout: DeviceLayout) -> Iterator[RecordLayout]:
+    """The records of a device, then the data of its messages."""
+    yield from layout.records.values()
+    for message in layout.messages.values():
+        yield from message.bodies

@@ -1,0 +1,255 @@
+"""Values for self-tests and their bytes, worked out from the layout by other means than the C functions."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from fieldspec.codec.layout.bit_counts import fitting_bit_count
+from fieldspec.codec.layout.bits import packed_size
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.codec.layout.widths import data_of
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.text_form import UTF_16, text_bytes
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.c.enums import available_members
+from fieldspec.targets.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
+from fieldspec.targets.c.naming import Noun, member
+from fieldspec.targets.c.runtime_files import is_bit
+from fieldspec.targets.c.values import WireValue
+
+ValuePicker = Callable[[Device, Value], Any]
+
+
+def lone_values(layout: DeviceLayout) -> Iterator[tuple[Noun, tuple[str, ...], WireValue, int, bool]]:
+    """The values of registers and parameters, which have functions of their own.
+
+    Each with the noun and the names of its functions, its size on the wire, and whether it is a trigger.
+    """
+    device = layout.device
+    for register in layout.registers:
+        if not is_bit(register):
+            wire = WireValue(register.register.value, register.order, register.swapped)
+            yield "register", (register.name,), wire, register.size, register.register.trigger
+    orders = Orders(device.byte_order, device.word_order)
+    for parameters in device.parameters.values():
+        for parameter in parameters.parameters:
+            if parameter.reserved:
+                continue
+            names = (parameters.name, parameter.name)
+            inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
+            for full_names, value in [(names, parameter.value), *inner]:
+                yield "parameter", full_names, WireValue(value, *orders.of(value)), value.size, parameter.trigger
+
+
+# Records whose selector has a value
+
+
+@dataclass(frozen=True, slots=True)
+class RecordForm:
+    """A record without cases, and the record with cases of which it is a form: that one has the struct.
+
+    `case` is the member of the union, empty where there is none.
+    """
+
+    record: RecordLayout
+    struct: RecordLayout
+    case: str
+
+    def member_names(self, field: FieldLayout) -> tuple[str, ...]:
+        """The member that has a field's values, and the member in that one where it is a union."""
+        name = member(field.name)
+        return (name, self.case) if self.case and field is self.record.fields[-1] else (name,)
+
+    def count_name(self, field: FieldLayout) -> str:
+        """The member that has the number of elements."""
+        return count_member(self.struct, field)
+
+
+def all_forms(device: Device, record: RecordLayout) -> Iterator[tuple[RecordForm, dict[str, Any]]]:
+    """Each form of a record, and the value of the selector that chooses it, if the selector may have it."""
+    if record.selector is None:
+        yield RecordForm(record, record, ""), {}
+        return
+    in_struct = record.selector in members(record)
+    selector = record.selector.value
+    enum = device.enums[selector.enum] if selector is not None and selector.enum else None
+    for number in record.chosen:
+        chosen_by = enum.member(number) if enum is not None and not enum.open else None
+        if chosen_by is not None and chosen_by.unavailable:
+            continue
+        values = {record.selector.name: number}
+        yield form_of_values(record, values), values if in_struct else {}
+
+
+def form_of_values(record: RecordLayout, values: Mapping[str, Any]) -> RecordForm:
+    """The form of a record that has some values."""
+    if record.selector is None:
+        return RecordForm(record, record, "")
+    constant = record.selector.value.const if record.selector.value is not None else None
+    number = values[record.selector.name] if constant is None else constant
+    case = next(case for case in record.fields[-1].cases if number in case.numbers)
+    return RecordForm(record.chosen[number], record, case_member(case))
+
+
+# Values
+
+
+def low_value(device: Device, value: Value) -> Any:
+    """A value that is always taken: 0 where it is in range."""
+    if value.type.kind is Kind.TEXT:
+        return ""
+    if value.type.kind is Kind.BYTES:
+        return bytes(value.size)
+    if value.type.kind is Kind.FLOAT:
+        return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
+    numbers = legal_numbers(device, value)
+    return 0 if 0 in numbers else numbers[0]
+
+
+def high_value(device: Device, value: Value) -> Any:
+    """A value that is as different from it as can be."""
+    if value.text_form is not None:
+        return text_sample(value)
+    if value.type.kind is Kind.TEXT:
+        return "".join(chr(0x41 + index % 26) for index in range(value.size))
+    if value.type.kind is Kind.BYTES:
+        return bytes((0xA1 + index) & 0xFF for index in range(value.size))
+    if value.type.kind is Kind.FLOAT:
+        return -1.5 if value.ranges is None else float(value.ranges.high)
+    return legal_numbers(device, value)[-1]
+
+
+def text_sample(value: Value) -> str:
+    """The longest text of a form, of characters that are not ASCII where the encoding has them."""
+    form = value.text_form
+    assert form is not None
+    letters, size = {"latin_1": ("\xc4", 1), "utf_8": ("\xc4", 2), UTF_16: ("\u03a9", 2)}.get(form.encoding, ("A", 1))
+    return letters * (form.room(value.size) // size)
+
+
+def legal_numbers(device: Device, value: Value) -> list[int]:
+    """Numbers that are taken, the least and the greatest of each interval among them."""
+    ranges = value.writable_ranges
+    if value.enum and not device.enums[value.enum].open:
+        numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
+        permitted = [number for number in numbers if ranges is None or number in ranges]
+        return permitted or numbers
+    numbers = [0, value.type.low, value.type.high]
+    if ranges is not None:
+        numbers = [bound for pair in ranges.intervals for bound in pair]
+    if value.flags:
+        words = [device.flags[value.flags].nearest(number) for number in numbers]
+        numbers = [word for word in words if ranges is None or word in ranges] or numbers
+    return numbers
+
+
+def record_value(device: Device, record: RecordLayout) -> dict[str, Any]:
+    """Low values for all members of a record; lists are as short as they may be, but not empty."""
+    return fitting({field.name: field_sample(device, field, low_value) for field in members(record)}, record)
+
+
+def fitting(values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:
+    """The values with as many bytes of packed bits as their number takes where that is the field `changed`, and with
+    another number of bits elsewhere.
+    """
+    for field in record.fields:
+        if field.bits_of and field.name == changed:
+            packed = record.named(field.bits_of)
+            assert packed is not None
+            assert packed.field.repeat is not None
+            size = min(packed_size(values[field.name]), packed.field.repeat.high)
+            values = {**values, field.bits_of: [0] * size, field.name: fitting_bit_count(field, size)}
+        elif field.bits_of:
+            values = {**values, field.name: fitting_bit_count(field, len(values[field.bits_of]))}
+    return values
+
+
+def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
+    """A value for a field, a list of them where it is a list."""
+
+    def sample() -> Any:
+        if field.record is None:
+            assert field.value is not None
+            return pick(device, field.value)
+        return {inner.name: field_sample(device, inner, pick) for inner in members(field.record)}
+
+    if not field.is_list:
+        return sample()
+    repeat = field.field.repeat
+    count = greatest_count(field) if repeat is None else max(repeat.low, min(1, repeat.high))
+    return [sample() for _ in range(count)]
+
+
+# Bytes
+
+
+def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
+    """The bytes of a record on the wire for some values of its fields."""
+    data = b""
+    for field in record.fields:
+        if field.field.measures is not None:
+            value: Any = _measured_size(record, field, values)
+        elif is_set_by_user(field):
+            value = values.get(field.name)
+        else:
+            value = _fixed_value(field)
+        for item in value if field.is_list else [value]:
+            element = record_bytes(field.record, item) if field.record else _element_bytes(field, item)
+            data += element.ljust(field.size, b"\0") if field.count is None else element
+        room = record.image.room_of(field)
+        data = data if room is None else data.ljust(room.room + room.most, b"\0")
+    if record.inner_lists is not None:
+        return record.inner_lists.data_of(data)
+    return data_of(record.spans, data) if record.spans else data
+
+
+def _fixed_value(field: FieldLayout) -> Any:
+    """The value of a field that users do not set."""
+    if field.record is not None:
+        return [{}] * (field.count or 1) if field.is_list else {}
+    assert field.value is not None
+    default = field.value.default if isinstance(field.value.default, int) else 0
+    value: Any = field.value.const if field.value.const is not None else default
+    if field.value.type.letter == "s":
+        value = b""
+    return [value] * (field.count or 1) if field.is_list else value
+
+
+def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, Any]) -> int:
+    measure = field.field.measures
+    assert measure is not None
+    other = record.named(measure.field)
+    assert other is not None
+    items = len(values[other.name]) if other.field.repeat is not None else other.count or 1
+    return measure.number(items, other.size)
+
+
+def _element_bytes(field: FieldLayout, item: Any) -> bytes:
+    assert field.value is not None
+    return value_bytes(field.value, field.order, field.swapped, item)
+
+
+def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
+    """The bytes of a value on the wire, in an order of bytes and of words."""
+    kind = value.type.kind
+    if value.text_form is not None and isinstance(item, str):
+        return text_bytes(value, order, item)
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = item.encode("ascii") if isinstance(item, str) else bytes(item)
+        return data.ljust(value.size, b"\0")
+    if value.digits:
+        data = digits_bytes(value, int(item))
+        data = data[::-1] if (order == "little") != swapped else data
+        return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2)) if swapped else data
+    is_float = kind is Kind.FLOAT
+    number = int.from_bytes(struct.pack(f">{value.type.letter}", item), "big") if is_float else int(item)
+    words_little = (order == "little") != swapped
+    data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
+    if swapped:
+        return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
+    return data

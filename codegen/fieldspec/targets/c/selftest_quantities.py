@@ -1,0 +1,149 @@
+"""What self-tests expect of absent values, and of quantities that may be absent or have their scale elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.c.absent import AbsentValue, absent_values
+from fieldspec.targets.c.assertions import expect, expect_equal
+from fieldspec.targets.c.expressions import (
+    FALSE,
+    TRUE,
+    ZERO,
+    Call,
+    Expression,
+    Identifier,
+    Type,
+    address_of,
+    at_least,
+    at_most,
+    double,
+    integer,
+    real,
+    whole_double,
+)
+from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.quantities import EXACT_BYTES, ScaledValue, fixed_values, scaled_values
+from fieldspec.targets.c.sample_values import legal_numbers
+from fieldspec.targets.c.statements import CompileIf, Statement, Variable, assign
+from fieldspec.targets.c.values import type_name
+
+_GREATEST = 1e38
+"""What a double can be on machines where it has 32 bits."""
+
+_WHOLE_FLOATS = 1 << 24
+"""Below it, a float has every whole number."""
+
+_RAW, _QUANTITY = Identifier("raw"), Identifier("quantity")
+
+
+def test_quantities(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """Each value at its bounds, by the least and the greatest exponent and by 0, and what is refused."""
+    for scaled in scaled_values(layout):
+        numbers = sorted(set(legal_numbers(layout.device, scaled.value)))
+        yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(_of_value(naming, scaled, numbers)))]
+
+
+def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """Tests that each sentinel is absent, that its neighbours are not, and that no sentinel becomes a quantity."""
+    for absent in absent_values(layout):
+        value, function = absent.value, absent.function(naming)
+        numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
+        neighbours = sorted({number + step for number in (0, *numbers) for step in (-1, 0, 1)} - set(numbers))
+        is_float = value.type.kind is Kind.FLOAT
+        yield [
+            *(
+                expect_equal(f"{function} {sentinel.name}", Call(function, (constant,)), TRUE)
+                for sentinel in value.sentinels
+                if (constant := Identifier(absent.constant(naming, sentinel)))
+            ),
+            *(
+                expect_equal(f"{function} {number}", Call(function, (literal,)), FALSE)
+                for number in neighbours
+                if (abs(number) < _WHOLE_FLOATS if is_float else value.type.low <= number <= value.type.high)
+                if (literal := real(number, value.size) if is_float else _literal(value, number))
+            ),
+        ]
+    for absent in fixed_values(layout):
+        numbers = sorted(set(legal_numbers(layout.device, absent.value)))
+        expected = list(_of_fixed(naming, absent, numbers))
+        if expected:
+            body = (Variable(Type("double"), "quantity", value=whole_double(0)), *expected)
+            yield [CompileIf("ifndef", naming.own_macro("without_double"), body)]
+
+
+def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterator[Statement]:
+    """Each count by its scale and back; a sentinel is refused in both directions."""
+    value, names = absent.value, absent.names
+    from_raw, to_raw = (naming.function(absent.noun, *names, end) for end in ("from_raw", "to_raw"))
+    ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
+    goes_back = value.type.size <= EXACT_BYTES and not value.offset
+    quantities = {number: float(value.in_unit(number)) for number in numbers}
+    small = {number: quantity for number, quantity in quantities.items() if abs(quantity) <= _GREATEST}
+    if goes_back and small:
+        yield Variable(Type(type_name(value)), "raw", value=ZERO)
+    for number, expected in small.items():
+        description = f"{absent.title} {number}"
+        reading = Call(from_raw, (_literal(value, number), address_of(_QUANTITY)))
+        writing = Call(to_raw, (_QUANTITY, address_of(_RAW)))
+        if value.sentinel(number) is not None:
+            yield expect_equal(description, reading, out_of_range)
+            if goes_back:
+                yield assign(_QUANTITY, double(expected))
+                yield expect_equal(f"{description} back", writing, out_of_range)
+            continue
+        tolerance = abs(expected) * 1e-12
+        yield expect_equal(description, reading, ok)
+        yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
+        yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
+        if goes_back:
+            yield expect_equal(f"{description} back", writing, ok)
+            yield expect_equal(f"{description} back", _RAW, _literal(value, number))
+
+
+def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterator[Statement]:
+    name, value, exponent = scaled.title, scaled.value, scaled.exponent
+    from_raw, to_raw = scaled.function(naming, "from_raw"), scaled.function(naming, "to_raw")
+    ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
+    ranges = exponent.value.ranges
+    assert ranges is not None
+    yield Variable(Type(type_name(value)), "raw", value=ZERO)
+    yield Variable(Type("double"), "quantity", value=whole_double(0))
+    exact = value.type.size <= EXACT_BYTES
+    for power in sorted({ranges.intervals[0][0], ranges.intervals[-1][1], 0} & _whole(exponent.value)):
+        for number in numbers:
+            description, expected = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))
+            reading = Call(from_raw, (_literal(value, number), _literal(exponent.value, power), address_of(_QUANTITY)))
+            if value.sentinel(number) is not None:
+                yield expect_equal(description, reading, out_of_range)
+                continue
+            if abs(expected) > _GREATEST:
+                continue
+            tolerance = abs(expected) * 1e-12
+            yield expect_equal(description, reading, ok)
+            yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
+            yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
+            if exact:
+                arguments = (_QUANTITY, _literal(exponent.value, power), address_of(_RAW))
+                yield expect_equal(f"{description} back", Call(to_raw, arguments), ok)
+                yield expect_equal(f"{description} back", _RAW, _literal(value, number))
+    excessive = ranges.high + 1
+    if excessive <= exponent.value.type.high:
+        refused: tuple[Expression, ...] = (whole_double(0), _literal(exponent.value, excessive), address_of(_RAW))
+        yield expect_equal(f"{name} by {excessive}", Call(to_raw, refused), out_of_range)
+    high = float(value.scaled_by(ranges.low).in_unit(4 * value.high + 4))
+    if high < _GREATEST:
+        refused = (double(high), _literal(exponent.value, ranges.low), address_of(_RAW))
+        yield expect_equal(f"{name} beyond", Call(to_raw, refused), out_of_range)
+
+
+def _whole(exponent: Value) -> set[int]:
+    """All whole numbers that an exponent may be."""
+    intervals = exponent.ranges.intervals if exponent.ranges is not None else ()
+    return {number for low, high in intervals for number in range(low, high + 1)}
+
+
+def _literal(value: Value, number: int) -> Expression:
+    return integer(number, value.type.container, value.type.signed)

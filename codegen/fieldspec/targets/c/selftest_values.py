@@ -1,0 +1,310 @@
+"""What self-tests expect of constants, and of registers, parameters and conversions at their bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Enum, Flags
+from fieldspec.language.model.registers import ParameterSet
+from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
+from fieldspec.targets.c.conversions import count_bounds, count_type
+from fieldspec.targets.c.enums import available_members, code_tables, enum_type
+from fieldspec.targets.c.expressions import (
+    FALSE,
+    NULL,
+    TRUE,
+    ZERO,
+    Call,
+    Cast,
+    Expression,
+    Identifier,
+    PointerMember,
+    Type,
+    Unary,
+    address_of,
+    all_of,
+    at_least,
+    at_most,
+    byte_initializer,
+    decimal,
+    different,
+    double,
+    equal,
+    hexadecimal,
+    integer,
+    string,
+    unsigned,
+    whole_double,
+)
+from fieldspec.targets.c.flags import named_bits
+from fieldspec.targets.c.naming import Naming, Noun
+from fieldspec.targets.c.parameters import wire_number_type
+from fieldspec.targets.c.quantities import EXACT_BYTES
+from fieldspec.targets.c.sample_values import legal_numbers, lone_values, value_bytes
+from fieldspec.targets.c.statements import Block, CompileIf, Statement, Variable, assign, discard
+from fieldspec.targets.c.values import accessed_type, type_name
+
+
+def test_constants(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """The statements, one list a function."""
+    device = layout.device
+    tests: tuple[list[Statement], ...] = (
+        [test for word in device.flags.values() for test in _test_flags(naming, word)],
+        [test for enum in device.enums.values() for test in _test_enum(naming, enum)],
+        [test for enum in code_tables(device) for test in _test_code_texts(naming, enum)],
+        list(_test_messages(layout, naming)),
+        list(_test_addresses(layout, naming)),
+        [test for parameters in device.parameters.values() for test in _test_numbers(naming, parameters)],
+    )
+    yield from (statements for statements in tests if statements)
+
+
+def _expect_constant(name: str, number: Expression) -> Statement:
+    return expect_equal(name, Identifier(name), number)
+
+
+def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
+    """The mask of each bit field, and what its function gives of a word with only its bits, and of all others."""
+    size = word.type.size
+    for name, bit in named_bits(word):
+        ones = hexadecimal(sum(1 << number for number in range(bit.first, bit.last + 1)), size)
+        mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
+        other_bits = Cast(f"uint{8 * word.type.container}_t", Unary("~", ones))
+        wide = bit.width > 1
+        yield _expect_constant(mask, ones)
+        all_ones = integer(-1, max(size, 4)) if bit.signed else integer((1 << bit.width) - 1, size, False)
+        yield expect_equal(get, Call(get, (ones,)), all_ones if wide else TRUE)
+        yield expect_equal(get, Call(get, (other_bits,)), ZERO if wide else FALSE)
+    if word.states:
+        yield from _test_states(naming, word)
+
+
+def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
+    """Tests the state of a word with exactly the bits of each state, with no bit, and with all bits."""
+    bits = {bit.name: bit.mask for bit in word.bits}
+    words = [sum(bits[name] for name in state.set) for state in word.states]
+    function = naming.function("word", word.name, "state_of")
+    for number in sorted({0, word.type.high, *words}):
+        matches = [
+            state
+            for state in word.states
+            if all(number & bits[name] == bits[name] for name in state.set)
+            and not any(number & bits[name] for name in state.clear)
+        ]
+        state = (
+            naming.macro("state", word.name, "state", matches[0].name)
+            if matches
+            else naming.macro("word", word.name, "no_state")
+        )
+        result = Call(function, (hexadecimal(number, word.type.size),))
+        yield expect_equal(f"{function} {number:#x}", result, Identifier(state))
+
+
+def _test_enum(naming: Naming, enum: Enum) -> Iterator[Statement]:
+    """Compares the numbers that the function of a closed enum knows with those of its members."""
+    members = available_members(enum)
+    largest = max((member.value for member in members), default=0)
+    wide = largest >= 2**63
+    if not enum.open:
+        known = naming.function("enum", enum.name, "known")
+        for member in members:
+            yield expect_equal(known, Call(known, (integer(member.value, 8, not wide),)), TRUE)
+        if largest + 1 < 2**63:
+            yield expect_equal(known, Call(known, (integer(largest + 1, 8),)), FALSE)
+
+
+def _test_code_texts(naming: Naming, enum: Enum) -> Iterator[Statement]:
+    """The names of codes, and that a code which there is not has no texts."""
+    function = naming.function("enum", enum.name, "text")
+    for member in [member for member in enum.members if member.value < 2**63]:
+        result = Call(function, (integer(member.value, 8),))
+        number = integer(-1 if member.number is None else member.number, 8)
+        tests: list[Expression] = [different(result, NULL), equal(PointerMember(result, "number"), number)]
+        for text, name in ((member.name, "name"), (member.printed_name, "printed")):
+            tests.append(Call("same_text", (PointerMember(result, name), string(text))))
+        yield expect(all_of(tests), function)
+    unknown = next(code for code in range(len(enum.members) + 1) if enum.member(code) is None)
+    yield expect_equal(function, Call(function, (integer(unknown, 8),)), NULL)
+
+
+def _test_messages(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
+    for message in layout.messages.values():
+        own = message.message
+        for kind, number in (("code", own.code), ("response_code", own.response_code), ("number", own.number)):
+            if number is not None:
+                yield _expect_constant(naming.macro("message", message.name, kind), unsigned(number))
+
+
+def _test_addresses(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
+    for register in layout.registers:
+        yield _expect_constant(naming.macro("register", register.name, "address"), unsigned(register.address))
+    for table in layout.tables.values():
+        last = table.table.indexes[-1]
+        function = naming.function("table", table.name, "at")
+        base = (unsigned(table.table.base),) if table.table.base_by else ()
+        yield _test_last(naming, function, "uint16_t", "address", last, table.table.address(last), base)
+
+
+def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statement]:
+    for parameter in parameters.parameters:
+        name = naming.macro("parameter", parameters.name, parameter.name, "number")
+        yield _expect_constant(name, unsigned(parameters.base + parameter.number))
+        for inner in parameter.subindices if not parameter.reserved else ():
+            if not inner.reserved:
+                end = "subindex" if inner.indices.low == inner.indices.high else "last_subindex"
+                name = naming.macro("parameter", parameters.name, parameter.name, inner.name, end)
+                yield _expect_constant(name, unsigned(inner.indices.high))
+    if parameters.numbers is not None:
+        function, last = naming.function("parameter", parameters.name, "wire_number"), parameters.numbers.high
+        yield _test_last(naming, function, wire_number_type(parameters), "number", last, parameters.base + last)
+
+
+def _test_last(
+    naming: Naming, function: str, kind: str, result: str, last: int, expected: int, before: tuple[Expression, ...] = ()
+) -> Block:
+    """What a function from numbers to addresses gives for the last number, and that it refuses the one behind it."""
+    variable = Identifier(result)
+
+    def result_of(number: int) -> Call:
+        return Call(function, (*before, unsigned(number), address_of(variable)))
+
+    return Block(
+        (
+            Variable(Type(kind), result, value=ZERO),
+            expect_equal(f"{function} last", result_of(last), naming.status("ok")),
+            expect_equal(f"{function} last {result}", variable, unsigned(expected)),
+            expect_equal(f"{function} beyond", result_of(last + 1), naming.status("err_out_of_range")),
+            discard(result),
+        )
+    )
+
+
+_BYTES, _OTHER, _IN, _OUT, _RAW = (Identifier(name) for name in ("bytes", "other", "in", "out", "raw"))
+_OUT_POINTER = address_of(_OUT)
+_REFERENCE = 3000
+"""The reference of quantities in tests: a usual speed in revolutions a minute."""
+
+
+def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """Each register's and each parameter's value at its bounds."""
+    for noun, names, wire, size, trigger in lone_values(layout):
+        order = wire.order, wire.swapped
+        yield from _test_value(layout.device, naming, noun, names, wire.value, order, size, trigger)
+
+
+def _test_value(
+    device: Device,
+    naming: Naming,
+    noun: Noun,
+    names: tuple[str, ...],
+    value: Value,
+    order: tuple[str, bool],
+    size: int,
+    trigger: bool,
+) -> Iterator[list[Statement]]:
+    if value.type.kind is not Kind.INTEGER:
+        return
+    encode, decode = naming.function(noun, *names, "encode"), naming.function(noun, *names, "decode")
+    ok, label = naming.status("ok"), ".".join(names)
+    body: list[Statement] = [Variable(Type("uint8_t"), "bytes", (decimal(size),))]
+    kind = Type(type_name(value))
+    if value.const is not None:
+        data = value_bytes(value, *order, value.const).ljust(size, b"\0")
+        other = 0 if value.const else 1
+        other_data = byte_initializer(value_bytes(value, *order, other).ljust(size, b"\0"))
+        yield [
+            *body,
+            Variable(kind, "out", value=ZERO),
+            Variable(Type("uint8_t"), "other", (None,), other_data, "static const"),
+            expect_equal(label, Call(encode, (_BYTES,)), ok),
+            expect_bytes(f"{label} bytes", _BYTES, data),
+            expect_equal(label, Call(decode, (_BYTES, _OUT_POINTER)), ok),
+            expect_equal(label, _OUT, integer(value.const, value.size, value.type.signed)),
+            expect_equal(f"{label} {other}", Call(decode, (_OTHER, _OUT_POINTER)), ok),
+            expect_equal(f"{label} {other}", _OUT, integer(other, value.size, value.type.signed)),
+        ]
+        return
+    numbers = sorted(set(legal_numbers(device, value)))
+    encoded_constants = _constants(naming, device, value, numbers)
+    decoded_constants = _constants(naming, device, value.as_answer(trigger), numbers)
+    out_type, in_type = (Type(accessed_type(naming, device, content)) for content in (value.as_answer(trigger), value))
+    # An enum has no neutral value: `out` starts with another number than the first that is read.
+    out_start = ZERO if enum_type(device, value.as_answer(trigger)) is None else decoded_constants[numbers[-1]]
+    in_start = ZERO if enum_type(device, value) is None else encoded_constants[numbers[0]]
+    body += [Variable(out_type, "out", value=out_start), Variable(in_type, "in", value=in_start, storage="volatile")]
+    encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
+    for number in numbers:
+        data = value_bytes(value, *order, number).ljust(size, b"\0")
+        description = f"{label} {number}"
+        body += [
+            assign(_IN, encoded_constants[number]),
+            expect_equal(description, encoded, ok),
+            expect_bytes(f"{description} bytes", _BYTES, data),
+            expect_equal(description, decoded, ok),
+            expect_equal(description, _OUT, decoded_constants[number]),
+        ]
+    yield body
+
+
+def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:
+    """Numbers of a value as C constants: the names of its enum where they have its type."""
+    enum = enum_type(device, value)
+    if enum is None:
+        return {number: integer(number, value.type.size, value.type.signed) for number in numbers}
+    names = {member.value: member.name for member in available_members(enum)}
+    return {number: Identifier(naming.macro("enum", enum.name, names[number])) for number in numbers}
+
+
+def test_conversions(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """Each conversion at its bounds, there and back, between two counts, and beyond the bounds."""
+    for conversion in layout.device.conversions.values():
+        body = _test_conversion(layout.device, naming, conversion)
+        yield [CompileIf("ifndef", naming.own_macro("without_double"), tuple(body))]
+
+
+def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> list[Statement]:
+    size, signed = conversion.type.size, conversion.type.signed
+    from_raw = naming.function("conversion", conversion.name, "from_raw")
+    to_raw = naming.function("conversion", conversion.name, "to_raw")
+    ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
+    reference, raw = whole_double(_REFERENCE), address_of(_RAW)
+    low, high = count_bounds(device, conversion)
+    body: list[Statement] = [Variable(Type(count_type(conversion)), "raw", value=ZERO)]
+    counts = {low, 0, 1, conversion.full_scale, high}
+    for number in sorted(count for count in counts if low <= count <= high):
+        literal, description = integer(number, size, signed), f"{conversion.name} {number}"
+        expected = float(conversion.quantity(number, Fraction(_REFERENCE)))
+        tolerance = max(abs(expected) * 1e-12, 1e-12)
+        quantity = Call(from_raw, (literal, reference))
+        body += [
+            expect(at_least(quantity, double(expected - tolerance)), description),
+            expect(at_most(quantity, double(expected + tolerance)), description),
+        ]
+        if size <= EXACT_BYTES:
+            body += [
+                expect_equal(f"{description} back", Call(to_raw, (quantity, reference, raw)), ok),
+                expect_equal(f"{description} back", _RAW, literal),
+            ]
+    if conversion.full_scale & (conversion.full_scale - 1) == 0 and low <= 0 and high > 2:
+        # A reference as large as the full scale makes halves of counts exact.
+        exact = Fraction(conversion.full_scale)
+        for doubled, even in ((1, 0), (3, 2), (5, 2)):
+            half = float(conversion.quantity(doubled, exact / 2) + (exact / 2 if conversion.complement else 0))
+            description = f"{conversion.name} {doubled}/2"
+            arguments: tuple[Expression, ...] = (double(half), double(float(exact)), raw)
+            body += [
+                expect_equal(description, Call(to_raw, arguments), ok),
+                expect_equal(description, _RAW, integer(even, size, signed)),
+            ]
+    excessive = double(float(conversion.quantity(2 * high + 2 - low, Fraction(1))))
+    unit = whole_double(1)
+    return [
+        *body,
+        expect_equal(f"{conversion.name} beyond", Call(to_raw, (excessive, unit, raw)), out_of_range),
+        expect_equal(f"{conversion.name} of nothing", Call(to_raw, (unit, whole_double(0), raw)), out_of_range),
+        discard("raw"),
+    ]

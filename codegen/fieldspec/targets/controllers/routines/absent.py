@@ -1,0 +1,81 @@
+"""Whether a number stands for a state and is no quantity: a function for each kind of quantity with sentinels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.controllers.routines.scaling import Quantity, by_name, every_value
+from fieldspec.targets.controllers.routines.world import PREFIXES, World
+from fieldspec.targets.controllers.statements.expressions import (
+    BOOL,
+    REAL,
+    Elementary,
+    Expression,
+    Fraction,
+    Variable,
+    Whole,
+    compared,
+    either,
+    every,
+)
+from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Routine
+
+
+def absent_values(layout: DeviceLayout) -> dict[str, list[Quantity]]:
+    """The quantities with sentinels, by the names under which they get functions; those that share one are together."""
+    return by_name(quantity for quantity in every_value(layout) if _states(quantity))
+
+
+def _states(quantity: Quantity) -> bool:
+    """Whether a value is a quantity with sentinels. A number without unit and scale is compared with the constants."""
+    value = quantity.value
+    if value.type.kind is Kind.FLOAT:
+        return value.size == REAL.size and bool(value.sentinels) and not value.absent_nan
+    return value.type.kind is Kind.INTEGER and bool(value.sentinels) and (value.scaled or bool(value.unit))
+
+
+def absent_routines(world: World) -> Iterator[Routine]:
+    """`F_METER_VoltageIsAbsent`: TRUE for a number that stands for a state."""
+    for name, same in absent_values(world.layout).items():
+        first = same[0]
+        function = world.routine(name, "is_absent")
+        kind = _kind(first)
+        number = Variable(f"{PREFIXES[kind.name]}{'Value' if kind is REAL else 'Counts'}", kind)
+        owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
+        states = ", ".join(f"{sentinel.value} is {sentinel.name}" for sentinel in first.value.sentinels)
+        owners_text = f"Of {owners}. " if owners else ""
+        yield Routine(
+            function,
+            "scaling",
+            BOOL,
+            (Declared(number, "input"),),
+            (Assignment(Variable(function, BOOL), _test(first, number, kind)),),
+            (
+                f"Whether a number of {name} is no quantity: {states}.",
+                f"{owners_text}{world.comment(first.fact, None)}".strip(),
+            ),
+        )
+
+
+def _kind(quantity: Quantity) -> Elementary:
+    return REAL if quantity.value.type.kind is Kind.FLOAT else quantity.kind
+
+
+def _test(quantity: Quantity, number: Expression, kind: Elementary) -> Expression:
+    """Whether a number is one of the sentinels. Not every controller has a literal of the least number of a type."""
+    sentinels = quantity.value.sentinels
+    if kind is REAL:
+        literals = [Fraction(f"{sentinel.value}.0", REAL) for sentinel in sentinels]
+        return either(
+            [every([compared(number, ">=", literal), compared(number, "<=", literal)]) for literal in literals]
+        )
+    return either(
+        [
+            compared(number, "<", Whole(count + 1, kind))
+            if count == kind.low < 0
+            else compared(number, "=", Whole(count, kind))
+            for count in sorted({sentinel.value for sentinel in sentinels})
+        ]
+    )

@@ -1,0 +1,151 @@
+"""Groups of single bits: the bytes of messages to structs and back. The first bit is the least significant one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.record import RegisterLayout
+from fieldspec.language.model.access import readable, writable
+from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.routines.register_range import RegisterRange
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.statements.expressions import (
+    BOOL,
+    INT,
+    UINT,
+    USINT,
+    Call,
+    Conversion,
+    Element,
+    Expression,
+    Negation,
+    Operation,
+    Variable,
+    Whole,
+    compared,
+    either,
+    every,
+    number,
+)
+from fieldspec.targets.controllers.statements.routine import (
+    Assignment,
+    Condition,
+    Declared,
+    Draft,
+    Loop,
+    Routine,
+    Statement,
+)
+
+_BYTE, _INDEX, _VALUE = Variable("usiByte", USINT), Variable("iIndex", INT), Variable("xValue", BOOL)
+_STEP, _WEIGHT, _IS_SET = Variable("iStep", INT), Variable("uiWeight", UINT), Variable("xIsSet", BOOL)
+_INPUTS = (
+    Declared(_BYTE, "input", "the byte of the bit"),
+    Declared(_INDEX, "input", "index of the bit, from 0; of the byte, its remainder by 8"),
+)
+_LOCALS = tuple(Declared(variable, "local") for variable in (_STEP, _WEIGHT))
+
+
+def bit_routines(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Iterator[Routine]:
+    """The functions of a group: of the bits that can be read, and of those that can be written."""
+    read_registers = [register for register in registers if readable(register.register.access)]
+    writable_registers = [
+        register for register in registers if writable(register.register.access) or register.register.trigger
+    ]
+    if read_registers:
+        yield _unpacked(world, group, read_registers)
+    if writable_registers:
+        yield _packed(world, group, writable_registers)
+
+
+def single_bit_routines(world: World) -> Iterator[Routine]:
+    """The functions that read a bit of a byte and change it."""
+    name = world.routine("bit")
+    body = (*_weighed(), Assignment(Variable(name, BOOL), _is_set()))
+    yield Routine(name, "registers", BOOL, (*_INPUTS, *_LOCALS), body, ("Whether a bit of a byte is 1.",))
+    name = world.routine("with_bit")
+    result, byte = Variable(name, USINT), Conversion(_BYTE, UINT)
+    changes = (
+        (every([_VALUE, Negation(_IS_SET)]), (Assignment(result, _narrowed("+", byte)),)),
+        (every([_IS_SET, Negation(_VALUE)]), (Assignment(result, _narrowed("-", byte)),)),
+    )
+    body = (*_weighed(), Assignment(_IS_SET, _is_set()), Assignment(result, _BYTE), Condition(changes))
+    declared = (*_INPUTS, Declared(_VALUE, "input", "the bit"), *_LOCALS, Declared(_IS_SET, "local"))
+    yield Routine(name, "registers", USINT, declared, body, ("A byte with one bit changed.",))
+
+
+def _weighed() -> tuple[Statement, ...]:
+    """The statements that put 2 to the power of the bit's place into the local variable."""
+    twice = Assignment(_WEIGHT, Operation("*", (_WEIGHT, Whole(2, UINT)), UINT))
+    last = Operation("MOD", (_INDEX, number(8)), INT)
+    return Assignment(_WEIGHT, Whole(1, UINT)), Loop(_STEP, number(1), last, (twice,))
+
+
+def _is_set() -> Expression:
+    share = Operation("/", (Conversion(_BYTE, UINT), _WEIGHT), UINT)
+    return compared(Operation("MOD", (share, Whole(2, UINT)), UINT), "=", Whole(1, UINT))
+
+
+def _narrowed(operator: str, byte: Expression) -> Expression:
+    return Conversion(Operation(operator, (byte, _WEIGHT), UINT), USINT)
+
+
+def _about(group: RegisterGroup, registers: list[RegisterLayout]) -> str:
+    first = min(register.address for register in registers)
+    last = max(register.register.end for register in registers) - 1
+    section = f" [{group.section}]" if group.section else ""
+    return f"{group.title or group.name.replace('_', ' ')}{section}: addresses {first}..{last}."
+
+
+def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    draft = Draft(
+        world.routine("unpack", group.name),
+        f"registers {group.name}",
+        world.status,
+        f"Bits to struct: {_about(group, registers)}",
+        "Each register whose bit is there is put into the struct; the others stay as they are.",
+    )
+    bits_range = _range(world, group, draft, "is read only")
+    struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
+    for register in registers:
+
+        def read(index: Expression, variable: Expression) -> list[Statement]:
+            byte = _byte(bits_range.array, index)
+            return [Assignment(variable, Call(world.routine("bit"), (("usiByte", byte), ("iIndex", index)), (), BOOL))]
+
+        draft.add(bits_range.each(register, struct, None, read))
+    draft.refuse(compared(bits_range.taken, "=", number(0)), "not_covered")
+    return draft.finished()
+
+
+def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    draft = Draft(
+        world.routine("pack", group.name),
+        f"registers {group.name}",
+        world.status,
+        f"Struct to bits: {_about(group, registers)}",
+        "All bits that are asked for must belong to registers that may be written. Other bits of the bytes stay as "
+        "they are.",
+    )
+    struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
+    bits_range = _range(world, group, draft, "receives the bits")
+    for register in registers:
+
+        def write(index: Expression, variable: Expression) -> list[Statement]:
+            byte = _byte(bits_range.array, index)
+            inputs = (("usiByte", byte), ("iIndex", index), ("xValue", variable))
+            return [Assignment(byte, Call(world.routine("with_bit"), inputs, (), USINT))]
+
+        draft.add(bits_range.each(register, struct, None, write))
+    wrong = [compared(bits_range.count, "<=", number(0)), compared(bits_range.taken, "<>", bits_range.count)]
+    draft.refuse(either(wrong), "not_covered")
+    return draft.finished()
+
+
+def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
+    array = Variable("aBits", world.bits)
+    return RegisterRange(world, group, draft, array, 8 * (world.bits.high + 1), "bit", remark)
+
+
+def _byte(array: Variable, index: Expression) -> Element:
+    return Element(array, Operation("/", (index, number(8)), INT), USINT)

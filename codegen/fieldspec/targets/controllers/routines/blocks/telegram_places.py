@@ -1,0 +1,91 @@
+"""Where the facts of a telegram are in its port, and the bits of its request."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.operand import Operand, Operands
+from fieldspec.language.model.watches import STARTING
+from fieldspec.targets.controllers.routines.blocks.motion import AxisPort
+from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
+from fieldspec.targets.controllers.routines.blocks.ports import axis_key, member
+from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
+from fieldspec.targets.controllers.routines.blocks.words import masked
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.statements.expressions import Expression, Member
+from fieldspec.targets.controllers.statements.routine import Statement
+
+_REQUEST, _RESPONSE = "request", "response"
+
+
+@dataclass(frozen=True, slots=True)
+class RequestBit:
+    """A bit of the request: the word it is in, its mask, and the roles of its fact."""
+
+    word: Expression
+    mask: int
+    roles: frozenset[str]
+
+    def put(self, on: bool) -> Statement:
+        """The statement that sets or clears the bit."""
+        return masked(self.word, self.mask, on)
+
+
+class TelegramPlaces:
+    """The members of a telegram's port, by the facts that they hold."""
+
+    def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: MessageLayout) -> None:
+        self.world, self.operands, self.message = world, operands, message
+        self.axis = draft.struct("axis", axis_key(message), "the same for all blocks of the telegram")
+        self.valid = self._member("valid")
+
+    def axis_port(self) -> AxisPort:
+        """The members of the port that say which block has the axis."""
+        return AxisPort(*(self._member(name) for name in AxisPort.MEMBERS))
+
+    def _member(self, name: str) -> Member:
+        return member(self.world, axis_key(self.message), name, self.axis)
+
+    def starting(self) -> list[Operand]:
+        """The bits of the request that start something or keep it going."""
+        path = f"messages/{self.message.name}/{_REQUEST}/"
+        return [
+            operand
+            for operand in self.operands.all
+            if operand.path.startswith(path) and STARTING & {*operand.roles} and operand.bit is not None
+        ]
+
+    def seen(self, operand: Operand) -> Expression | None:
+        """The member for an operand in the request or the response; None where they do not have it."""
+        try:
+            return self.place(operand)[0]
+        except NoBlock:
+            return None
+
+    def place(self, operand: Operand) -> tuple[Expression, FieldLayout]:
+        """The member of the port for the field of an operand. Raises NoBlock where there is none."""
+        for name, record in ((_REQUEST, self.message.request), (_RESPONSE, self.message.response)):
+            for field in record.fields:
+                if field.field is operand.holder and field.value is not None:
+                    struct = self._member(name)
+                    kind = self.world.type_of(field.value)
+                    return Member(struct, self.world.member(record.name, field.name), kind), field
+        raise NoBlock(f"{operand.path} is not in {self.message.name}")
+
+    def bit(self, operand: Operand) -> RequestBit:
+        """The bit of the request for an operand. Raises NoBlock for what is no bit."""
+        if operand.bit is None:
+            raise NoBlock(f"{operand.path} is not a bit")
+        word, _ = self.place(operand)
+        return RequestBit(word, operand.bit.mask, frozenset(operand.roles))
+
+
+def cleared(bits: Sequence[RequestBit]) -> list[Statement]:
+    """The statements that clear bits, one for each word."""
+    words: dict[Expression, int] = {}
+    for bit in bits:
+        words[bit.word] = words.get(bit.word, 0) | bit.mask
+    return [masked(word, mask, False) for word, mask in words.items()]

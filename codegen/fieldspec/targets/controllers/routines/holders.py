@@ -1,0 +1,185 @@
+"""Where values lie: bytes, or words whose numbers a fieldbus or a serial driver has put together already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Protocol, TypeVar
+
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.targets.controllers.statements.expressions import (
+    BYTE,
+    WORD,
+    Element,
+    Expression,
+    Operation,
+    Whole,
+    converted,
+    joined,
+    part,
+    plus,
+)
+from fieldspec.targets.controllers.statements.routine import Assignment, Statement
+from fieldspec.targets.controllers.structs import places
+
+Self = TypeVar("Self", bound="Holder")
+
+
+class Holder(Protocol):
+    """An array, the index of one of its elements, and how many bytes behind that one a record begins."""
+
+    @property
+    def unit(self) -> int:
+        """The number of bytes in an element of the array."""
+        ...
+
+    def behind(self: Self, offset: int) -> Self:
+        """The same array from some bytes further on: the offset is added to that of the record."""
+        ...
+
+    def moved(self: Self, first: Expression) -> Self:
+        """The same array with a record that begins at another index."""
+        ...
+
+    def index(self) -> Expression | None:
+        """The index of the element where the record begins, None where that is within an element."""
+        ...
+
+    def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
+        """The bit string of a number of `size` bytes at an offset in the record."""
+        ...
+
+    def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
+        """The statements that store a bit string at an offset; `bits` is a variable or a literal."""
+        ...
+
+    def byte(self, offset: int) -> Expression:
+        """The byte at an offset in the record."""
+        ...
+
+    def byte_stored(self, offset: int, byte: Expression) -> Statement:
+        """The statement that stores a byte at an offset in the record."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Bytes:
+    """A holder whose array has bytes as elements."""
+
+    array: Expression
+    first: Expression
+    start: int = 0
+
+    @property
+    def unit(self) -> int:
+        """See `Holder`."""
+        return 1
+
+    def behind(self, offset: int) -> Bytes:
+        """See `Holder`."""
+        return replace(self, start=self.start + offset)
+
+    def moved(self, first: Expression) -> Bytes:
+        """See `Holder`."""
+        return Bytes(self.array, first)
+
+    def index(self) -> Expression:
+        """See `Holder`."""
+        return plus(self.first, self.start)
+
+    def byte(self, offset: int) -> Expression:
+        """See `Holder`."""
+        return Element(self.array, plus(self.first, self.start + offset), BYTE)
+
+    def byte_stored(self, offset: int, byte: Expression) -> Statement:
+        """See `Holder`."""
+        return Assignment(self.byte(offset), byte)
+
+    def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
+        """See `Holder`."""
+        parts = [(self.byte(offset + index), bits) for index, bits in enumerate(places(size, order, swapped))]
+        return joined(_highest_first(parts), size)
+
+    def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
+        """See `Holder`."""
+        steps = enumerate(places(size, order, swapped))
+        return [self.byte_stored(offset + index, _part(bits, moved, 1)) for index, moved in steps]
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """An array of words; `order` is that of the two bytes on the wire that each one was put together from."""
+
+    array: Expression
+    first: Expression
+    order: str
+    start: int = 0
+
+    @property
+    def unit(self) -> int:
+        """See `Holder`."""
+        return 2
+
+    def behind(self, offset: int) -> Words:
+        """See `Holder`."""
+        return replace(self, start=self.start + offset)
+
+    def moved(self, first: Expression) -> Words:
+        """See `Holder`."""
+        return Words(self.array, first, self.order)
+
+    def index(self) -> Expression | None:
+        """See `Holder`."""
+        return None if self.start % 2 else plus(self.first, self.start // 2)
+
+    def _word(self, offset: int) -> Expression:
+        return Element(self.array, plus(self.first, (self.start + offset) // 2), WORD)
+
+    def _above(self, offset: int) -> bool:
+        """Whether a byte is the more significant one of its word."""
+        return ((self.start + offset) % 2 == 0) == (self.order == "big")
+
+    def byte(self, offset: int) -> Expression:
+        """See `Holder`."""
+        return part(self._word(offset), 8 if self._above(offset) else 0, BYTE)
+
+    def byte_stored(self, offset: int, byte: Expression) -> Statement:
+        """See `Holder`. The other byte of the word stays as it is."""
+        word, above = self._word(offset), self._above(offset)
+        other_byte = Operation("AND", (word, Whole(0x00FF if above else 0xFF00, WORD)), WORD)
+        return Assignment(word, Operation("OR", (other_byte, joined([(byte, 8 if above else 0)], 2)), WORD))
+
+    def _steps(self, offset: int, size: int, order: str, swapped: bool) -> list[int] | None:
+        """By how many bits each word is moved, None where the value does not consist of whole words as they are."""
+        if size % 2 or (self.start + offset) % 2 or order != self.order:
+            return None
+        steps = [16 * index for index in range(size // 2)]
+        return steps if (order == "big") == swapped else steps[::-1]
+
+    def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
+        """See `Holder`."""
+        steps = self._steps(offset, size, order, swapped)
+        if steps is None:
+            parts = [(self.byte(offset + index), bits) for index, bits in enumerate(places(size, order, swapped))]
+        else:
+            parts = [(self._word(offset + 2 * index), bits) for index, bits in enumerate(steps)]
+        return joined(_highest_first(parts), size)
+
+    def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
+        """See `Holder`."""
+        steps = self._steps(offset, size, order, swapped)
+        if steps is None:
+            bytewise = enumerate(places(size, order, swapped))
+            return [self.byte_stored(offset + index, _part(bits, moved, 1)) for index, moved in bytewise]
+        return [Assignment(self._word(offset + 2 * index), _part(bits, moved, 2)) for index, moved in enumerate(steps)]
+
+
+def _highest_first(parts: Iterable[tuple[Expression, int]]) -> list[tuple[Expression, int]]:
+    return sorted(parts, key=lambda place: -place[1])
+
+
+def _part(bits: Expression, moved: int, size: int) -> Expression:
+    """A byte or a word of a bit string; of a literal, the literal."""
+    kind = BYTE if size == 1 else WORD
+    if isinstance(bits, Whole):
+        return Whole(bits.value >> moved & kind.high, kind)
+    return part(bits, moved, kind) if moved else converted(bits, kind)

@@ -1,0 +1,276 @@
+"""Register groups and record tables: words to structs and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
+from fieldspec.language.model.access import readable, writable
+from fieldspec.language.model.address_space import BIT as BIT_UNIT
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.registers import RegisterGroup, Table
+from fieldspec.targets.controllers.routines.bits import bit_routines, single_bit_routines
+from fieldspec.targets.controllers.routines.holders import Words
+from fieldspec.targets.controllers.routines.records import members_of, read_fields, write_fields
+from fieldspec.targets.controllers.routines.register_range import RegisterRange, answer_type
+from fieldspec.targets.controllers.routines.values import Wire, order_remark, read, word_order, write
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.statements.expressions import (
+    BOOL,
+    INT,
+    UDINT,
+    UINT,
+    Conversion,
+    Expression,
+    Operation,
+    Truth,
+    Variable,
+    Whole,
+    compared,
+    either,
+    every,
+    number,
+    plus,
+)
+from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Draft, Routine, Statement, when
+
+
+def table_routines(world: World) -> Iterator[Routine]:
+    """The functions of all records that tables hold, and those that give the address of an element."""
+    tables = list(world.layout.tables.values())
+    records = {table.record.name: table.record for table in tables}
+    for record in records.values():
+        yield _unpacked(world, record)
+        alike = [table for table in tables if table.record.name == record.name]
+        if any(table.writable for table in alike):
+            yield _packed(world, record, [table.name for table in alike if not table.writable])
+    for table in world.layout.tables.values():
+        yield _address(world, table)
+
+
+def table_order(record: RecordLayout) -> str:
+    """The order of words of a record, as the names of its functions say it."""
+    return word_order(wires(record))
+
+
+def _order_comment(world: World, record: RecordLayout) -> str:
+    return order_remark(world.layout, "words", bool(table_order(record)))
+
+
+def wires(record: RecordLayout) -> list[Wire]:
+    """The wire values of a record and of the records in it."""
+    values = []
+    for field in record.fields:
+        if field.record is not None:
+            values += wires(field.record)
+        elif field.value is not None:
+            values.append(Wire.of_field(field))
+    return values
+
+
+def _words(world: World, draft: Draft, record: RecordLayout, remark: str) -> tuple[Words, int]:
+    first = draft.declare("iFirst", INT, "input", "index of the first word in aWords")
+    array = draft.declare("aWords", world.words, "in_out", remark)
+    words = (record.size or 0) // 2
+    bounds = [compared(first, "<", number(0)), compared(first, ">", number(world.words.high + 1 - words))]
+    draft.refuse(either(bounds), "no_room")
+    return Words(array, first, world.layout.device.byte_order), words
+
+
+def _unpacked(world: World, record: RecordLayout) -> Routine:
+    words = (record.size or 0) // 2
+    draft = Draft(
+        world.routine("unpack", record.name, table_order(record)),
+        f"record {record.name}",
+        world.status,
+        f"Registers to struct: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
+    )
+    count = draft.declare("iCount", INT, "input", "how many words of aWords were read")
+    holder, words = _words(world, draft, record, "is read only")
+    assert isinstance(holder.first, Variable)
+    struct = draft.declare("stData", world.struct(record.name), "in_out", "receives the values")
+    draft.refuse(compared(plus(holder.first, words), ">", count), "incomplete")
+    draft.add(read_fields(draft, world, record, holder, members_of(world, record, struct)))
+    return draft.finished()
+
+
+def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine:
+    """The words of an element; `read_only` are the tables whose elements must not be written."""
+    words = (record.size or 0) // 2
+    draft = Draft(
+        world.routine("pack", record.name, table_order(record)),
+        f"record {record.name}",
+        world.status,
+        f"Struct to registers: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
+        "Where a value is refused, some of the words may have been changed: do not send them.",
+        *(f"The elements of {name} cannot be written." for name in read_only),
+    )
+    struct = draft.declare("stData", world.struct(record.name), "in_out", "is read only")
+    holder, _ = _words(world, draft, record, "receives the words")
+    draft.add(write_fields(draft, world, record, holder, members_of(world, record, struct)))
+    return draft.finished()
+
+
+def count_text(table: Table) -> str:
+    """The sentence about the number of elements that a device has, where a register has it."""
+    return f"The register {table.count_by} has how many there are. " if table.count_by else ""
+
+
+def _address(world: World, table_layout: TableLayout) -> Routine:
+
+    table = table_layout.table
+    draft = Draft(
+        world.routine(table.name, "address"),
+        f"table {table.name}",
+        world.status,
+        f"The address of an element of {table.name}: {table.index_from}..{table.index_from + table.count - 1}. "
+        f"{count_text(table)}{world.comment(table, None)}".strip(),
+    )
+    index = draft.declare("iNumber", INT, "input", "number of the element as the manual counts")
+    address = draft.declare("uiAddress", UINT, "output")
+    first, last = table.index_from, table.index_from + table.count - 1
+    draft.add([Assignment(address, Whole(0, UINT))])
+    draft.refuse(either([compared(index, "<", number(first)), compared(index, ">", number(last))]), "out_of_range")
+    steps = Operation("*", (Conversion(plus(index, -first), UINT), Whole(table.stride, UINT)), UINT)
+    draft.add([Assignment(address, Operation("+", (Whole(table.base, UINT), steps), UINT))])
+    return draft.finished()
+
+
+def group_routines(world: World) -> Iterator[Routine]:
+    """The functions that unpack and pack the registers of each group."""
+    device = world.layout.device
+    groups = [(group, registers_of(world.layout, group)) for group in device.groups]
+    if any(registers for _, registers in groups):
+        yield _holds(world)
+    if has_bits(device):
+        yield from single_bit_routines(world)
+    for group, registers in groups:
+        if device.space(group.space).unit == BIT_UNIT:
+            yield from bit_routines(world, group, registers)
+            continue
+        read_registers = [register for register in registers if readable(register.register.access)]
+        # Where no access is printed, writing is what a trigger is for.
+        writable_registers = [
+            register for register in registers if writable(register.register.access) or register.register.trigger
+        ]
+        if read_registers:
+            yield _words_to_group(world, group, read_registers)
+        if writable_registers:
+            yield _group_to_words(world, group, writable_registers)
+
+
+def has_bits(device: Device) -> bool:
+    """Whether the device has registers of single bits."""
+    return any(group.registers and device.space(group.space).unit == BIT_UNIT for group in device.groups)
+
+
+def registers_of(layout: DeviceLayout, group: RegisterGroup) -> list[RegisterLayout]:
+    """The registers of a group in the layout."""
+    own = {id(register) for register in group.registers}
+    return [register for register in layout.registers if id(register.register) in own]
+
+
+def _holds(world: World) -> Routine:
+    """Whether a register lies wholly in the words that begin at an address."""
+    address, words = Variable("uiAddress", UINT), Variable("iCount", INT)
+    register, size = Variable("uiRegister", UINT), Variable("uiSize", UINT)
+    name = world.routine("holds")
+    end = _sum(register, size)
+    is_within = every(
+        [
+            compared(register, ">=", address),
+            compared(end, "<=", Operation("+", (Conversion(address, UDINT), Conversion(words, UDINT)), UDINT)),
+        ]
+    )
+    return Routine(
+        name,
+        "registers",
+        BOOL,
+        (
+            Declared(address, "input", "address of the first word"),
+            Declared(words, "input", "how many words there are"),
+            Declared(register, "input", "address of the register"),
+            Declared(size, "input", "its words"),
+        ),
+        (
+            Assignment(Variable(name, BOOL), Truth(False)),
+            when(compared(words, ">", number(0)), [Assignment(Variable(name, BOOL), is_within)]),
+        ),
+        ("Whether all words of a register are among some words.",),
+    )
+
+
+def _sum(left: Expression, right: Expression) -> Expression:
+    return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
+
+
+def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> str:
+    first = min(register.address for register in registers)
+    last = max(register.register.end for register in registers) - 1
+    section = f" [{group.section}]" if group.section else ""
+    title = group.title or group.name.replace("_", " ")
+    return (
+        f"{title}{section}: addresses {first}..{last}. {order_remark(world.layout, 'words', bool(_order(registers)))}"
+    )
+
+
+def group_order(world: World, group: RegisterGroup) -> str:
+    """The order of words of a group, as the name of its function says it."""
+    return _order(registers_of(world.layout, group))
+
+
+def _order(registers: list[RegisterLayout]) -> str:
+    return word_order(Wire.of_register(register) for register in registers)
+
+
+def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
+    return RegisterRange(world, group, draft, Variable("aWords", world.words), world.words.high + 1, "word", remark)
+
+
+def _words_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    draft = Draft(
+        world.routine("unpack", group.name, _order(registers)),
+        f"registers {group.name}",
+        world.status,
+        f"Registers to struct: {_about(world, group, registers)}",
+        "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
+    )
+    words_range = _range(world, group, draft, "is read only")
+    struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
+    for register in registers:
+
+        def register_statements(
+            index: Expression, variable: Expression, register: RegisterLayout = register
+        ) -> list[Statement]:
+            words = Words(words_range.array, index, world.layout.device.byte_order)
+            return read(draft, world, Wire.of_answer(register), words, 0, variable)
+
+        draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
+    draft.refuse(compared(words_range.taken, "=", number(0)), "not_covered")
+    return draft.finished()
+
+
+def _group_to_words(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    draft = Draft(
+        world.routine("pack", group.name, _order(registers)),
+        f"registers {group.name}",
+        world.status,
+        f"Struct to registers: {_about(world, group, registers)}",
+        "All words that are asked for must belong to registers that may be written.",
+        "Where a value is refused, some of the words may have been changed: do not send them.",
+    )
+    struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
+    words_range = _range(world, group, draft, "receives the words")
+    for register in registers:
+
+        def register_statements(
+            index: Expression, variable: Expression, register: RegisterLayout = register
+        ) -> list[Statement]:
+            words = Words(words_range.array, index, world.layout.device.byte_order)
+            return write(draft, world, Wire.of_register(register), words, 0, variable)
+
+        draft.add(words_range.each(register, struct, None, register_statements))
+    wrong = [compared(words_range.count, "<=", number(0)), compared(words_range.taken, "<>", words_range.count)]
+    draft.refuse(either(wrong), "not_covered")
+    return draft.finished()

@@ -1,0 +1,304 @@
+"""Counts to quantities in their units and back, in LREAL, with everything refused that is out of range."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction as Ratio
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.value import Conversion as Share
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.controllers.routines.remarks import count_of
+from fieldspec.targets.controllers.routines.world import PREFIXES, World, every_record
+from fieldspec.targets.controllers.statements.expressions import (
+    BOOL,
+    LREAL,
+    SIGNED,
+    UNSIGNED,
+    Conversion,
+    Elementary,
+    Expression,
+    Fraction,
+    Negation,
+    Operation,
+    Whole,
+    compared,
+    either,
+    every,
+    outside,
+)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Routine
+
+# A double has no halves beyond this.
+_WHOLE_ONLY = 1 << 52
+
+_ZERO = Fraction("0.0")
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A value with another number in its unit, or with numbers that stand for states.
+
+    `owner` is what it belongs to, `fact` what states it.
+    """
+
+    owner: str
+    name: str
+    value: Value
+    fact: Fact
+
+    @property
+    def kind(self) -> Elementary:
+        """The type of the counts."""
+        return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """The facts in which two quantities of one name must be equal to share a function."""
+        value = self.value
+        sentinels = tuple((sentinel.value, sentinel.name) for sentinel in value.sentinels)
+        ranges = value.ranges, value.write_ranges
+        return value.type.name, value.scale, value.offset, value.unit, *ranges, sentinels
+
+
+def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
+    """The values that have a scale, by the names under which they get functions; those that share one are together."""
+    return by_name(quantity for quantity in every_value(layout) if _has_scale(quantity.value))
+
+
+def _has_scale(value: Value) -> bool:
+    return value.scaled and value.type.kind is Kind.INTEGER and bool(_intervals(value))
+
+
+def by_name(quantities: Iterable[Quantity]) -> dict[str, list[Quantity]]:
+    """Quantities by distinct names; those that have the same name and key are in one list."""
+    groups: dict[tuple[object, ...], list[Quantity]] = {}
+    for quantity in quantities:
+        groups.setdefault((quantity.name, *quantity.key), []).append(quantity)
+    by_distinct_name: dict[str, list[Quantity]] = {}
+    for same in groups.values():
+        first = same[0]
+        name = first.name if first.name not in by_distinct_name else f"{first.owner}_{first.name}"
+        number = 1
+        while name in by_distinct_name:
+            number += 1
+            name = f"{first.owner}_{first.name}_{number}"
+        by_distinct_name[name] = same
+    return by_distinct_name
+
+
+def every_value(layout: DeviceLayout) -> Iterator[Quantity]:
+    """The values of signals, registers, fields and parameters."""
+    device = layout.device
+    every_value: list[tuple[str, str, Value | None, Fact]] = [
+        (signal.name, signal.name, signal.value, signal) for signal in device.signals.values()
+    ]
+    every_value += [
+        (register.name, register.name, register.register.value, register.register) for register in layout.registers
+    ]
+    for record in every_record(layout):
+        every_value += [(record.name, field.name, field.value, field.field) for field in record.fields]
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
+            if not parameter.reserved:
+                every_value.append((parameter_set.name, parameter.name, parameter.value, parameter))
+            every_value += [
+                (parameter.name, inner.name, inner.value, inner) for inner in parameter.subindices if not inner.reserved
+            ]
+    for owner, name, value, fact in every_value:
+        if value is not None:
+            yield Quantity(owner, name, value, fact)
+
+
+def scaling_routines(world: World) -> Iterator[Routine]:
+    """The functions from counts to quantities and back, also of conversions by a reference."""
+    for name, same in quantities(world.layout).items():
+        yield _from_counts(world, name, same)
+        yield _to_counts(world, name, same)
+    for share in world.layout.device.conversions.values():
+        yield _share_from_counts(world, share)
+        yield _share_to_counts(world, share)
+
+
+def _digits(number: Ratio | int) -> Fraction:
+    """A whole number as a literal of LREAL."""
+    return Fraction(f"{int(number)}.0")
+
+
+def times(value: Expression, ratio: Ratio) -> Expression:
+    """A product with a ratio: multiplied and divided by whole numbers, which rounds less than a decimal factor."""
+    above, below = ratio.numerator, ratio.denominator
+    product = value if above == 1 else Operation("*", (value, _digits(above)), LREAL)
+    return product if below == 1 else Operation("/", (product, _digits(below)), LREAL)
+
+
+def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
+    first = same[0]
+    owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
+    ranges, write_ranges = first.value.ranges, first.value.write_ranges
+    return [
+        f"{direction}: 1 count = {count_of(first.value)}.",
+        f"Counts: {ranges.text()}." if ranges is not None else "",
+        f"Counts that may be written: {write_ranges.text()}." if write_ranges is not None else "",
+        f"Of {owners}. {world.comment(first.fact, None)}" if owners else world.comment(first.fact, None),
+        " ".join(f"{sentinel.value} is {sentinel.name}, no quantity." for sentinel in first.value.sentinels),
+    ]
+
+
+def _intervals(value: Value) -> list[tuple[int, int]]:
+    """The counts that are quantities: those in range that do not stand for something else."""
+    whole = [(value.type.low, value.type.high)]
+    intervals = list(value.ranges.intervals) if value.ranges is not None else whole
+    for sentinel in value.sentinels:
+        intervals = [
+            part
+            for low, high in intervals
+            for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
+            if part[0] <= part[1]
+        ]
+    return sorted(set(intervals))
+
+
+def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
+    first = same[0]
+    draft = Draft(
+        world.routine(name, "from_counts"), "scaling", world.status, *_about(world, same, "Counts to quantity")
+    )
+    counts = draft.declare(f"{PREFIXES[first.kind.name]}Counts", first.kind, "input")
+    value = draft.declare("lrValue", LREAL, "output", f"in {first.value.unit}" if first.value.unit else "")
+    draft.add([Assignment(value, _ZERO)])
+    wrong = outside(counts, _intervals(first.value), first.kind)
+    if wrong is not None:
+        draft.refuse(wrong, "out_of_range")
+    scaled = times(Conversion(counts, LREAL), Ratio(first.value.scale))
+    draft.add([Assignment(value, _plus(scaled, Ratio(first.value.offset)))])
+    return draft.finished()
+
+
+def _plus(value: Expression, term_value: Ratio) -> Expression:
+    """A sum with an exact number, which is divided where it is no whole number."""
+    if not term_value:
+        return value
+    whole = _digits(abs(term_value.numerator))
+    term = whole if term_value.denominator == 1 else Operation("/", (whole, _digits(term_value.denominator)), LREAL)
+    return Operation("+" if term_value > 0 else "-", (value, term), LREAL)
+
+
+def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
+    first = same[0]
+    draft = Draft(
+        world.routine(name, "to_counts"),
+        "scaling",
+        world.status,
+        *_about(world, same, "Quantity to the nearest count, of two equally near ones the even one"),
+    )
+    value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
+    shifted = _plus(value, -Ratio(first.value.offset))
+    _rounded(draft, times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.for_writing()))
+    return draft.finished()
+
+
+def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Iterable[tuple[int, int]]) -> None:
+    """Adds the statements that round a number to a count in the intervals, however the dialect converts."""
+    bounds = sorted(intervals)
+    low, high = bounds[0][0], bounds[-1][1]
+    counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "output")
+    exact, rest = draft.local("lrCount", LREAL), draft.local("lrRest", LREAL)
+    draft.add([Assignment(counts, Whole(0, kind)), Assignment(exact, count)])
+    above_low = compared(exact, ">=", _digits(low)) if -low > _WHOLE_ONLY else compared(exact, ">", _half(low, -1))
+    below_high = compared(exact, "<", _digits(high + 1)) if high > _WHOLE_ONLY else compared(exact, "<", _half(high, 1))
+    draft.refuse(Negation(every([above_low, below_high])), "out_of_range")
+    whole = draft.local(f"{PREFIXES[kind.name]}Whole", kind)
+    odd = compared(Operation("MOD", (whole, Whole(2, kind)), kind), "<>", Whole(0, kind))
+    half, less = Fraction("0.5"), Fraction("-0.5")
+    up = either([compared(rest, ">", half), every([compared(rest, "=", half), odd])])
+    down = either([compared(rest, "<", less), every([compared(rest, "=", less), odd])])
+    unit = Whole(1, kind)
+    draft.add(
+        [
+            Assignment(whole, Conversion(exact, kind)),
+            Assignment(rest, Operation("-", (exact, Conversion(whole, LREAL)), LREAL)),
+            Condition(
+                (
+                    (up, (Assignment(whole, Operation("+", (whole, unit), kind)),)),
+                    (down, (Assignment(whole, Operation("-", (whole, unit), kind)),)),
+                )
+            ),
+        ]
+    )
+    wrong = outside(whole, bounds, kind) if len(bounds) > 1 else None
+    if wrong is not None:
+        draft.refuse(wrong, "out_of_range")
+    draft.add([Assignment(counts, whole)])
+
+
+def _half(bound: int, sign: int) -> Fraction:
+    """A bound and half a count beyond it, as a literal."""
+    twice = 2 * bound + sign
+    minus = "-" if twice < 0 else ""
+    return Fraction(f"{minus}{abs(twice) // 2}.5")
+
+
+def _share_bounds(world: World, share: Share) -> tuple[int, int]:
+    """The least and the greatest count that one of a conversion's signals may have."""
+    ranges = [world.layout.device.signals[name].value.ranges for name in share.signals]
+    known = [ranges for ranges in ranges if ranges is not None]
+    if not known or len(known) < len(ranges):
+        return share.type.low, share.type.high
+    return max(share.type.low, min(ranges.low for ranges in known)), min(
+        share.type.high, max(ranges.high for ranges in known)
+    )
+
+
+def _share_about(world: World, share: Share) -> list[str]:
+    full = f"{share.full_scale}"
+    formula = f"reference * (1 - counts / {full})" if share.complement else f"reference * counts / {full}"
+    return [
+        f"{share.title or share.name} = {formula}. {world.comment(share, None)}".strip(),
+        f"Counts are those of {', '.join(share.signals)}." if share.signals else "",
+        f"The reference is {' or '.join(share.references)}." if share.references else "",
+    ]
+
+
+def _share_kind(share: Share) -> Elementary:
+    return (SIGNED if share.type.signed else UNSIGNED)[share.type.size]
+
+
+def _share_from_counts(world: World, share: Share) -> Routine:
+    kind = _share_kind(share)
+    draft = Draft(world.routine(share.name, "from_counts"), "scaling", world.status, *_share_about(world, share))
+    counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "input")
+    reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
+    value = draft.declare("lrValue", LREAL, "output")
+    draft.add([Assignment(value, _ZERO)])
+    wrong = outside(counts, [_share_bounds(world, share)], kind)
+    if wrong is not None:
+        draft.refuse(wrong, "out_of_range")
+    part: Expression = Operation("/", (Conversion(counts, LREAL), _digits(share.full_scale)), LREAL)
+    if share.complement:
+        part = Operation("-", (_digits(1), part), LREAL)
+    draft.add([Assignment(value, Operation("*", (reference, part), LREAL))])
+    return draft.finished()
+
+
+def _share_to_counts(world: World, share: Share) -> Routine:
+    kind = _share_kind(share)
+    draft = Draft(
+        world.routine(share.name, "to_counts"),
+        "scaling",
+        world.status,
+        *_share_about(world, share),
+        "The nearest count, of two equally near ones the even one; a reference of 0 is refused.",
+    )
+    value = draft.declare("lrValue", LREAL, "input")
+    reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
+    zero = [compared(reference, "<", _ZERO), compared(reference, ">", _ZERO)]
+    draft.refuse(Negation(Operation("OR", tuple(zero), BOOL)), "out_of_range")
+    part: Expression = Operation("/", (value, reference), LREAL)
+    if share.complement:
+        part = Operation("-", (_digits(1), part), LREAL)
+    exact = Operation("*", (part, _digits(share.full_scale)), LREAL)
+    _rounded(draft, exact, kind, [_share_bounds(world, share)])
+    return draft.finished()

@@ -1,0 +1,74 @@
+"""Process data: the functions that pack and unpack telegrams."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.targets.controllers.routines.holders import Bytes, Holder, Words
+from fieldspec.targets.controllers.routines.records import members_of, read_fields, write_fields
+from fieldspec.targets.controllers.routines.values import order_remark
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.routines.wrapping import framed
+from fieldspec.targets.controllers.statements.expressions import BYTE, WORD, number, sequence
+from fieldspec.targets.controllers.statements.routine import Draft, Routine
+
+
+def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
+    """The messages whose data are sent without header and trailer: process data."""
+    links = [link for link in layout.links.values() if not framed(link)]
+    messages = {message.name: message for link in links for message in link.messages.values()}
+    return list(messages.values())
+
+
+def telegram_routines(world: World) -> Iterator[Routine]:
+    """The functions of all telegrams, for each direction in which they have a fixed size."""
+    for message in telegrams(world.layout):
+        for data in message.bodies:
+            if not data.size:
+                continue
+            for unit in ("bytes", "words") if data.size % 2 == 0 else ("bytes",):
+                yield _packed(world, message, data, unit)
+                yield _unpacked(world, message, data, unit)
+
+
+def _holder(world: World, draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
+    if unit == "bytes":
+        return Bytes(draft.declare("aBytes", sequence(data.size or 0, BYTE), "in_out", remark), number(0))
+    array = draft.declare("aWords", sequence((data.size or 0) // 2, WORD), "in_out", remark)
+    return Words(array, number(0), world.layout.device.byte_order)
+
+
+def _about(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> str:
+    size = f"{data.size} bytes" if unit == "bytes" else f"{(data.size or 0) // 2} words"
+    title = message.message.title or message.name.replace("_", " ")
+    return f"{title}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
+
+
+def _packed(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
+    draft = Draft(
+        world.routine("pack", data.name, unit),
+        f"telegram {message.name}",
+        world.status,
+        f"Struct to process data: {_about(world, message, data, unit)}",
+    )
+    kind = world.struct(data.name)
+    struct = draft.declare("stData", kind, "in_out", "is read only")
+    holder = _holder(world, draft, data, unit, "receives the process data")
+    draft.add(write_fields(draft, world, data, holder, members_of(world, data, struct)))
+    return draft.finished()
+
+
+def _unpacked(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
+    draft = Draft(
+        world.routine("unpack", data.name, unit),
+        f"telegram {message.name}",
+        world.status,
+        f"Process data to struct: {_about(world, message, data, unit)}",
+    )
+    holder = _holder(world, draft, data, unit, "is read only")
+    struct = draft.declare("stData", world.struct(data.name), "in_out", "receives the values")
+    draft.add(read_fields(draft, world, data, holder, members_of(world, data, struct)))
+    return draft.finished()

@@ -1,0 +1,308 @@
+"""Single values, from bytes into a variable and back, and names of their byte orders."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.ranges import Ranges, bound_text
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.controllers.routines.holders import Holder
+from fieldspec.targets.controllers.routines.world import PREFIXES, World
+from fieldspec.targets.controllers.statements.expressions import (
+    BITS,
+    BYTE,
+    REAL,
+    SIGNED,
+    UNSIGNED,
+    ArrayType,
+    Element,
+    Elementary,
+    EnumType,
+    Expression,
+    Fraction,
+    Member,
+    Negation,
+    Operation,
+    Truth,
+    Variable,
+    Whole,
+    compared,
+    converted,
+    either,
+    every,
+    number,
+    outside,
+)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Loop, Statement, when
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """A value and the order of its bytes on the wire."""
+
+    value: Value
+    order: str
+    swapped: bool
+
+    @staticmethod
+    def of_field(field: FieldLayout) -> Wire:
+        """The wire value of a field that has a value."""
+        assert field.value is not None
+        return Wire(field.value, field.order, field.swapped)
+
+    @staticmethod
+    def of_register(register: RegisterLayout) -> Wire:
+        """The wire value of a register in a write."""
+        return Wire(register.register.value, register.order, register.swapped)
+
+    @staticmethod
+    def of_answer(register: RegisterLayout) -> Wire:
+        """The wire value of a register in a read, as the device answers it."""
+        return Wire(register.register.answer, register.order, register.swapped)
+
+    @property
+    def kind(self) -> Kind:
+        """The kind of the value."""
+        return self.value.type.kind
+
+    @property
+    def bits(self) -> Elementary:
+        """The type of the bit string that holds the value."""
+        return BITS[self.value.size]
+
+    @property
+    def whole(self) -> Elementary:
+        """The type of whole numbers that holds the value."""
+        return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
+
+    def literal(self, number_of: int) -> Whole:
+        """The literal of the bit string of a number."""
+        return Whole(number_of & ((1 << 8 * self.value.size) - 1), self.bits)
+
+    def number(self, bits: Expression) -> Expression:
+        """The whole number in a bit string; the sign is repeated in bits that its type has beyond."""
+        if not (self.value.type.is_odd and self.value.type.signed):
+            return converted(bits, self.whole)
+        sign = 1 << (8 * self.value.size - 1)
+        moved = Operation("XOR", (bits, Whole(sign, self.bits)), self.bits)
+        return Operation("-", (converted(moved, self.whole), Whole(sign, self.whole)), self.whole)
+
+
+def read(
+    draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
+) -> list[Statement]:
+    """The statements that read a value into a variable; without one, they refuse anything but the constant."""
+    value = wire.value
+    if wire.kind in (Kind.TEXT, Kind.BYTES):
+        return [] if target is None else _characters_read(draft, wire, holder, offset, target)
+    bits = holder.number(offset, value.size, wire.order, wire.swapped)
+    if value.const is not None:
+        return [draft.refusal(compared(bits, "<>", wire.literal(value.const)), "wrong_constant")]
+    if target is None:
+        return []
+    if wire.kind is Kind.FLOAT:
+        received = _received(draft, target, "rValue")
+        call = world.real_from_bits(bits, received)
+        refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
+        return [refusal, *_moved(target, received)]
+    if wire.kind is Kind.BOOLEAN:
+        raw = converted(bits, wire.whole)
+        return [
+            draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
+            Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
+        ]
+    if isinstance(target.type, EnumType):
+        received = _received(draft, target, f"e{Name.of(value.enum).pascal()}")
+        raw = converted(wire.number(bits), world.raw_type(value.enum))
+        refusal = draft.refusal(Negation(world.enum_from_raw(value.enum, raw, received)), "unknown_value")
+        return [refusal, *_moved(target, received)]
+    assert isinstance(target.type, Elementary)
+    read_number = bits if target.type == wire.bits else converted(wire.number(bits), target.type)
+    statements: list[Statement] = [Assignment(target, read_number)]
+    return [*statements, *_closed(draft, world, wire, target)]
+
+
+def _received(draft: Draft, target: Expression, name: str) -> Expression:
+    """Where a function puts its output: a local variable for an element of an array, and for what lies in one.
+
+    The compiler of Beremiz and OpenPLC makes wrong C of an output that goes there directly.
+    """
+    holder = target
+    while isinstance(holder, Member):
+        holder = holder.of
+    return draft.local(name, target.type) if isinstance(holder, Element) else target
+
+
+def _moved(target: Expression, received: Expression) -> list[Statement]:
+    """The assignment of a received output to its target; none where it is in the target already."""
+    return [] if received is target else [Assignment(target, received)]
+
+
+def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+    """The statements that refuse a value that must not be sent, and store any other."""
+    value = wire.value
+    if wire.kind in (Kind.TEXT, Kind.BYTES):
+        return _write_characters(draft, wire, holder, offset, source)
+    raw = draft.local(_RAW[wire.bits.name], wire.bits)
+    stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
+    if wire.kind is Kind.FLOAT:
+        call = world.bits_from_real(source, raw)
+        limits = [] if value.ranges is None else [draft.refusal(_outside_real(value, source), "out_of_range")]
+        return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+    if wire.kind is Kind.BOOLEAN:
+        true = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
+        zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
+        return [Condition(true.branches, tuple(zero))]
+    if isinstance(source.type, EnumType):
+        wide = world.raw_type(value.enum)
+        enum_number = draft.local(_RAW[wide.name], wide)
+        call = world.enum_to_raw(value.enum, source, enum_number)
+        return [
+            draft.refusal(Negation(call), "unknown_value"),
+            *_put(wire, holder, offset, raw, converted(enum_number, wire.whole)),
+        ]
+    statements = _closed(draft, world, wire, source)
+    if value.const is not None:
+        differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
+        statements.append(draft.refusal(differs, "wrong_constant"))
+    ranges = value.writable_ranges
+    if ranges is None and value.type.is_odd:
+        ranges = Ranges(((value.type.low, value.type.high),))
+    if ranges is not None:
+        sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
+        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
+        if wrong is not None:
+            statements.append(draft.refusal(wrong, "out_of_range"))
+    statements += _bounded_bits(draft, world, wire, source)
+    return [*statements, *_put(wire, holder, offset, raw, source)]
+
+
+def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) -> Iterator[Statement]:
+    """The statements that refuse a word with a bit field that is out of its range."""
+    word = world.layout.device.flags.get(wire.value.flags)
+    kind = UNSIGNED[wire.value.size]
+    for bit in word.bounded if word is not None else ():
+        masked = Operation("AND", (converted(source, wire.bits), Whole(bit.mask, wire.bits)), wire.bits)
+        wrong = outside(converted(masked, kind), bit.images, kind)
+        if wrong is not None:
+            yield draft.refusal(wrong, "out_of_range")
+
+
+def _outside_real(value: Value, tested: Expression) -> Expression:
+    """Whether a floating-point number is neither in range nor a sentinel."""
+    pairs = list(value.ranges.intervals) if value.ranges is not None else []
+    pairs += [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
+    intervals = [
+        every([compared(tested, ">=", Fraction(_real(low), REAL)), compared(tested, "<=", Fraction(_real(high), REAL))])
+        for low, high in sorted(pairs)
+    ]
+    return Negation(either(intervals))
+
+
+def _real(bound: float) -> str:
+    """The text of a bound with a decimal point."""
+    return f"{bound}.0" if isinstance(bound, int) else bound_text(bound)
+
+
+def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
+    """The statements that store a number, through a variable where it has several parts."""
+    value, bits = wire.value, converted(source, wire.bits)
+    direct = holder.stored(offset, value.size, wire.order, wire.swapped, bits)
+    if len(direct) == 1:
+        return direct
+    return [Assignment(raw, bits), *holder.stored(offset, value.size, wire.order, wire.swapped, raw)]
+
+
+def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[Statement]:
+    """The statements that write `count` times a number that users do not state: a constant or a default."""
+    default = wire.value.default if isinstance(wire.value.default, int) else 0
+    number_of = default if wire.value.const is None else wire.value.const
+    statements: list[Statement] = []
+    for index in range(count):
+        start = offset + index * wire.value.size
+        if wire.kind in (Kind.TEXT, Kind.BYTES):
+            statements += [holder.byte_stored(start + byte, Whole(0, BYTE)) for byte in range(wire.value.size)]
+        else:
+            statements += holder.stored(start, wire.value.size, wire.order, wire.swapped, wire.literal(number_of))
+    return statements
+
+
+_RAW = {name: f"{prefix}Raw" for name, prefix in PREFIXES.items()}
+
+
+def _closed(draft: Draft, world: World, wire: Wire, tested: Expression) -> list[Statement]:
+    """The statements that refuse a number that a closed enum does not list."""
+    name = wire.value.enum
+    if not name or world.layout.device.enums[name].open:
+        return []
+    members = world.layout.device.enums[name].members
+    known = {member.value for member in members if not member.unavailable}
+    known |= {sentinel.value for sentinel in wire.value.sentinels}
+    refused = outside(converted(tested, wire.whole), runs(known), wire.whole) if known else Truth(True)
+    return [] if refused is None else [draft.refusal(refused, "unknown_value")]
+
+
+def runs(values: Iterable[int]) -> list[tuple[int, int]]:
+    """The intervals of consecutive numbers among values."""
+    intervals: list[tuple[int, int]] = []
+    for value in sorted(values):
+        if intervals and intervals[-1][1] == value - 1:
+            intervals[-1] = (intervals[-1][0], value)
+        else:
+            intervals.append((value, value))
+    return intervals
+
+
+def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, target: Expression) -> list[Statement]:
+    assert isinstance(target.type, ArrayType)
+    statements: list[Statement] = []
+    for index in range(wire.value.size):
+        element = Element(target, number(index), BYTE)
+        statements.append(Assignment(element, holder.byte(offset + index)))
+    return [*statements, *_ascii(draft, wire, target)]
+
+
+def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+    statements = _ascii(draft, wire, source)
+    for index in range(wire.value.size):
+        statements.append(holder.byte_stored(offset + index, Element(source, number(index), BYTE)))
+    return statements
+
+
+def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
+    """The statements that refuse a text with characters beyond ASCII."""
+    if wire.kind is not Kind.TEXT:
+        return []
+    index = draft.local("iCharacter")
+    character = converted(Element(array, index, BYTE), UNSIGNED[1])
+    test = draft.refusal(compared(character, ">", Whole(127, UNSIGNED[1])), "unknown_value")
+    return [Loop(index, number(0), number(wire.value.size - 1), (test,))]
+
+
+_FIRST = {True: "high_word_first", False: "low_word_first"}
+
+
+def word_order(wires: Iterable[Wire]) -> str:
+    """`high_word_first` or `low_word_first` where values of several words have that order; else empty."""
+    orders = {
+        _FIRST[(wire.order == "big") != wire.swapped]
+        for wire in wires
+        if wire.kind in (Kind.INTEGER, Kind.FLOAT) and wire.value.size > 2
+    }
+    return orders.pop() if len(orders) == 1 else "both_word_orders" if orders else ""
+
+
+def order_remark(layout: DeviceLayout, unit: str, has_several: bool = True) -> str:
+    """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
+    if not has_several:
+        return ""
+    device = layout.device
+    byte = "high" if device.byte_order == "big" else "low"
+    word = "high" if device.word_order == "big" else "low"
+    if unit == "bytes":
+        return f"Of several bytes, the {byte} one comes first on the wire."
+    return f"Of several words, the {word} one comes first; a word is a number, whatever the order of bytes in memory."

@@ -1,0 +1,187 @@
+"""Marks and characters: what turns the bytes of a frame into what is sent on a link, and back."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.statements.expressions import (
+    BYTE,
+    INT,
+    USINT,
+    Conversion,
+    Element,
+    Expression,
+    Operation,
+    Variable,
+    Whole,
+    compared,
+    either,
+    number,
+    plus,
+    within,
+)
+from fieldspec.targets.controllers.statements.routine import (
+    Assignment,
+    Body,
+    Condition,
+    Draft,
+    Loop,
+    Routine,
+    Statement,
+    when,
+)
+
+LENGTH = "iLength"
+
+
+def framed(link: LinkLayout) -> bool:
+    """Whether frames of a link have more than a body: a header, a trailer, marks or characters."""
+    return bool(link.request.header or link.request.trailer or wrapped(link))
+
+
+def wrapped(link: LinkLayout) -> bool:
+    """Whether the bytes are written as characters, or stand between marks."""
+    shapes = (link.request, link.response)
+    return link.link.encoding == "hex_ascii" or any(shape.start or shape.end for shape in shapes)
+
+
+def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
+    """The words in names of routines that tell links apart."""
+    has_several = sum(framed(link) for link in world.layout.links.values()) > 1
+    return (link.name,) if has_several else ()
+
+
+def wrap_routine(world: World, link: LinkLayout) -> Routine:
+    """The function that turns the bytes of a frame into what is sent."""
+    start, end = link.request.start, link.request.end
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    draft = Draft(
+        world.routine("wrap", *link_words(world, link)),
+        f"frames of {link.name}",
+        world.status,
+        f"Writes bytes as they are sent on {link.name}: {_marks(link, link.request)}.",
+    )
+    count = draft.declare("iBytes", INT, "input", "how many bytes there are")
+    source = draft.declare("aBytes", world.frame, "in_out", "is read only")
+    frame = draft.declare("aFrame", world.frame, "in_out", "receives what is sent")
+    length = draft.declare(LENGTH, INT, "output", "how much of aFrame is sent")
+    draft.add([Assignment(length, number(0))])
+    draft.refuse(
+        either(
+            [
+                compared(count, "<", number(0)),
+                compared(count, ">", number((world.frame.high + 1 - len(start) - len(end)) // width)),
+            ]
+        ),
+        "no_room",
+    )
+    for position, byte in enumerate(start):
+        draft.add([Assignment(Element(frame, number(position), BYTE), Whole(byte, BYTE))])
+    index = draft.local("iAt")
+    frame_index = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
+    source_byte = Element(source, index, BYTE)
+    body: Body
+    if width == 2:
+        digit = draft.local("usiDigit", USINT)
+        body = (
+            *_write_digit(
+                draft,
+                digit,
+                Operation("/", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
+                frame,
+                frame_index,
+            ),
+            *_write_digit(
+                draft,
+                digit,
+                Operation("MOD", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
+                frame,
+                plus(frame_index, 1),
+            ),
+        )
+    else:
+        body = (Assignment(Element(frame, frame_index, BYTE), source_byte),)
+    draft.add([Loop(index, number(0), plus(count, -1), body)])
+    stop = plus(Operation("*", (count, number(width)), INT) if width > 1 else count, len(start))
+    for position, byte in enumerate(end):
+        draft.add([Assignment(Element(frame, plus(stop, position), BYTE), Whole(byte, BYTE))])
+    draft.add([Assignment(length, plus(stop, len(end)))])
+    return draft.finished()
+
+
+def _write_digit(
+    draft: Draft, digit: Variable, value: Expression, frame: Variable, position: Expression
+) -> tuple[Statement, ...]:
+    letter = Operation("+", (digit, Whole(ord("A") - 10, USINT)), USINT)
+    figure = Operation("+", (digit, Whole(ord("0"), USINT)), USINT)
+    return (
+        Assignment(digit, value),
+        when(compared(digit, ">", Whole(9, USINT)), [Assignment(digit, letter)], [Assignment(digit, figure)]),
+        Assignment(Element(frame, position, BYTE), Conversion(digit, BYTE)),
+    )
+
+
+def _marks(link: LinkLayout, shape: FrameLayout) -> str:
+    text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
+    before = f"16#{shape.start.hex(' ').upper()} before them" if shape.start else ""
+    end_mark = f"16#{shape.end.hex(' ').upper()} behind them" if shape.end else ""
+    return ", ".join(text for text in (text, before, end_mark) if text)
+
+
+def unwrap_routine(world: World, link: LinkLayout) -> Routine:
+    """The function that extracts the bytes of a frame from what is received."""
+    start, end = link.response.start, link.response.end
+    draft = Draft(
+        world.routine("unwrap", *link_words(world, link)),
+        f"frames of {link.name}",
+        world.status,
+        f"Takes bytes out of what is received on {link.name}: {_marks(link, link.response)}.",
+    )
+    length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
+    frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
+    target = draft.declare("aBytes", world.frame, "in_out", "receives the bytes")
+    count = draft.declare("iBytes", INT, "output", "how many bytes there are")
+    marks = len(start) + len(end)
+    draft.add([Assignment(count, number(0))])
+    draft.refuse(compared(length, "<", number(marks)), "wrong_mark")
+    draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
+    for position, byte in enumerate(start):
+        draft.refuse(compared(Element(frame, number(position), BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+    for position, byte in enumerate(end):
+        place = plus(length, position - len(end))
+        draft.refuse(compared(Element(frame, place, BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+    index = draft.local("iAt")
+    if link.link.encoding != "hex_ascii":
+        draft.add([Assignment(count, plus(length, -marks))])
+        moved = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
+        draft.add([Loop(index, number(0), plus(count, -1), (moved,))])
+        return draft.finished()
+    digit, high = draft.local("usiDigit", USINT), draft.local("usiHigh", USINT)
+    received_byte = Element(frame, plus(index, len(start)), BYTE)
+    odd = compared(Operation("MOD", (index, number(2)), INT), "<>", number(0))
+    whole = Operation("+", (Operation("*", (high, Whole(16, USINT)), USINT), digit), USINT)
+    place = Operation("/", (index, number(2)), INT)
+    body: Body = (
+        Assignment(digit, Conversion(received_byte, USINT)),
+        _digit_read(draft, digit),
+        when(
+            odd,
+            [Assignment(Element(target, place, BYTE), Conversion(whole, BYTE))],
+            [Assignment(high, digit)],
+        ),
+    )
+    draft.add([Loop(index, number(0), plus(length, -marks - 1), body)])
+    draft.refuse(compared(Operation("MOD", (plus(length, -marks), number(2)), INT), "<>", number(0)), "wrong_length")
+    draft.add([Assignment(count, Operation("/", (plus(length, -marks), number(2)), INT))])
+    return draft.finished()
+
+
+def _digit_read(draft: Draft, digit: Variable) -> Statement:
+    """The statement that makes a number of a hexadecimal character, a letter of either case included."""
+    ranges = (("0", "9", 48), ("A", "F", 55), ("a", "f", 87))
+    branches = []
+    for low, high, less in ranges:
+        test = within(digit, [(ord(low), ord(high))], USINT)
+        assert test is not None
+        branches.append((test, (Assignment(digit, Operation("-", (digit, Whole(less, USINT)), USINT)),)))
+    return Condition(tuple(branches), draft.status.give(draft.result, "not_hexadecimal"))

@@ -1,0 +1,1 @@
+"""Routines as trees: expressions, and the statements of a routine."""

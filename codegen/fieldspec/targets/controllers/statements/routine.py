@@ -1,0 +1,322 @@
+"""Routines with their variables, statements and status, and drafts of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TypeAlias
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.targets.controllers.statements.expressions import (
+    INT,
+    UINT,
+    Call,
+    Conversion,
+    Element,
+    EnumMemberExpression,
+    EnumType,
+    Expression,
+    Fraction,
+    Member,
+    Negation,
+    Operation,
+    Shift,
+    Truth,
+    Type,
+    Variable,
+    Whole,
+    compared,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """An assignment: `target := value;`"""
+
+    target: Expression
+    value: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """An IF statement with an ELSIF for each further branch; without `otherwise` it has no ELSE."""
+
+    branches: tuple[tuple[Expression, Body], ...]
+    otherwise: Body = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """FOR from `first` to `last`, both included; nothing is done where `last` is less."""
+
+    index: Variable
+    first: Expression
+    last: Expression
+    body: Body
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """CASE; each branch has the intervals of whole numbers, or the members of an enum, for which it is taken."""
+
+    of: Expression
+    branches: tuple[tuple[tuple[tuple[int, int] | EnumMemberExpression, ...], Body], ...]
+    otherwise: Body = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """A RETURN statement, which ends the routine."""
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """A line of comment. In front of a branch of a Selection it stands beside the label."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """A call of an on-delay timer: it runs while `running` holds, and its Q is true when `time` has passed."""
+
+    timer: Variable
+    running: Expression
+    time: Variable
+
+
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing | Remark
+Body: TypeAlias = tuple[Statement, ...]
+
+
+def when(test: Expression, body: Iterable[Statement], otherwise: Iterable[Statement] = ()) -> Condition:
+    """An IF statement with one test."""
+    return Condition(((test, tuple(body)),), tuple(otherwise))
+
+
+SECTIONS = {"input": "VAR_INPUT", "in_out": "VAR_IN_OUT", "output": "VAR_OUTPUT", "local": "VAR"}
+"""The roles of variables in the order in which they are declared, and the words for them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Declared:
+    """A parameter or a local variable: its role is input, in_out, output or local. `initial` is a literal, or empty."""
+
+    variable: Variable
+    role: str
+    remark: str = ""
+    initial: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Routine:
+    """A function. It changes nothing but its outputs and the variables that it is lent, and keeps nothing.
+
+    Where `returns` is None it is a function block, which keeps its variables from one call to the next. `group` is what
+    it is about, in a word or two; `remarks` are the paragraphs of its comment, `example` are lines of a program that
+    calls it.
+    """
+
+    name: str
+    group: str
+    returns: Type | None
+    declared: tuple[Declared, ...]
+    body: Body
+    remarks: tuple[str, ...]
+    example: tuple[str, ...] = ()
+
+    @property
+    def result(self) -> Variable:
+        """The variable of the routine's own name, to which its result is assigned."""
+        assert self.returns is not None
+        return Variable(self.name, self.returns)
+
+    def of_role(self, role: str) -> list[Declared]:
+        """The declared variables that have a role."""
+        return [declared for declared in self.declared if declared.role == role]
+
+    def called(self, **arguments: Expression) -> Call:
+        """A call with an expression for every parameter."""
+        assert self.returns is not None
+        outputs = {declared.variable.name for declared in self.of_role("output")}
+        expected = [declared.variable.name for declared in self.declared if declared.role != "local"]
+        assert sorted(arguments) == sorted(expected), (self.name, sorted(arguments), sorted(expected))
+        return Call(
+            self.name,
+            tuple((name, arguments[name]) for name in expected if name not in outputs),
+            tuple((name, arguments[name]) for name in expected if name in outputs),
+            self.returns,
+        )
+
+
+STATUSES = (
+    ("ok", "No error."),
+    ("incomplete", "Too few words or bytes."),
+    ("wrong_length", "The number of words, bytes or elements is wrong."),
+    ("wrong_mark", "The frame does not begin or end with its delimiter."),
+    ("not_hexadecimal", "A character is not a hexadecimal digit."),
+    ("wrong_check", "The checksum does not match."),
+    ("unknown_code", "The answer is to another message."),
+    ("unknown_value", "A value is not a member of its enum, or a boolean is neither 0 nor 1."),
+    ("wrong_constant", "A constant has the wrong value."),
+    ("wrong_measure", "A size field does not match what it measures."),
+    ("out_of_range", "A value is out of range."),
+    ("no_room", "The array is too small."),
+    ("refused", "The device refuses the request: the outputs say why."),
+    ("not_covered", "No register lies completely in the words, or a word belongs to no register."),
+    ("no_number", "A floating-point value is infinite or not a number."),
+)
+"""The names of the members, in the order of their numbers, and what they mean."""
+
+
+class Status:
+    """The enum of a device's statuses as expressions. `members` has the member of each name."""
+
+    def __init__(self, kind: EnumType, members: dict[str, str]) -> None:
+        self.type = kind
+        self._numbers = {name: number for number, (name, _) in enumerate(STATUSES)}
+        self._members = members
+
+    def of(self, name: str) -> EnumMemberExpression:
+        """The member of the enum for a status."""
+        return EnumMemberExpression(self._members[name], self._numbers[name], self.type)
+
+    def give(self, result: Variable, name: str) -> Body:
+        """The statements that return a status."""
+        return (Assignment(result, self.of(name)), Return())
+
+    def refuse(self, result: Variable, test: Expression, name: str) -> Statement:
+        """The statement that returns a status where a test holds."""
+        return Condition(((test, self.give(result, name)),))
+
+    def passed_on(self, result: Variable, status: Expression) -> Statement:
+        """The statement that returns the status of another routine unless it is ok."""
+        return when(compared(status, "<>", self.of("ok")), (Assignment(result, status), Return()))
+
+
+BASE = UINT
+
+
+# Most of what there is, beside variables.
+_LEAVES = frozenset({Whole, EnumMemberExpression, Fraction, Truth, Return, Remark})
+
+
+def called(routine: Routine) -> set[str]:
+    """The names of the routines that a routine calls."""
+    return _names(routine.body)[0]
+
+
+def used(body: Body) -> set[str]:
+    """The names of the variables in some statements."""
+    return _names(body)[1]
+
+
+def _names(body: Body) -> tuple[set[str], set[str]]:
+    """The names of the routines that some statements call, and those of their variables."""
+    routines: set[str] = set()
+    variables: set[str] = set()
+    left: list[Statement | Expression] = [*body]
+    while left:
+        node = left.pop()
+        if node.__class__ in _LEAVES:
+            continue
+        if isinstance(node, Variable):
+            variables.add(node.name)
+        elif isinstance(node, Assignment):
+            left += (node.target, node.value)
+        elif isinstance(node, Operation):
+            left += node.operands
+        elif isinstance(node, Member | Negation | Shift | Conversion):
+            left.append(node.of)
+        elif isinstance(node, Element):
+            left += (node.of, node.index)
+        elif isinstance(node, Condition):
+            for test, body in node.branches:
+                left.append(test)
+                left += body
+            left += node.otherwise
+        elif isinstance(node, Call):
+            routines.add(node.routine)
+            left += [argument for _, argument in (*node.inputs, *node.outputs)]
+        elif isinstance(node, Timing):
+            left += (node.timer, node.running, node.time)
+        elif isinstance(node, Loop):
+            left += (node.index, node.first, node.last, *node.body)
+        elif isinstance(node, Selection):
+            left.append(node.of)
+            for _, body in node.branches:
+                left += body
+            left += node.otherwise
+    return routines, variables
+
+
+class Variables:
+    """The variables of a routine while it is being made. Names are compared without their case, as all dialects do."""
+
+    def __init__(self, *reserved: str) -> None:
+        self.declared: list[Declared] = []
+        self._names = {name.lower() for name in reserved}
+        self._shared: dict[tuple[str, Type, str], Variable] = {}
+
+    def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
+        """A new variable; where its name is taken, a number stands behind it."""
+        number, tried = 1, name
+        while tried.lower() in self._names:
+            number += 1
+            tried = f"{name}{number}"
+        self._names.add(tried.lower())
+        variable = Variable(tried, kind)
+        self.declared.append(Declared(variable, role, remark, initial))
+        return variable
+
+    def declared_once(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
+        """A variable that is shared by all requests for its name, type and role; `declare` shares none."""
+        key = (name, kind, role)
+        if key not in self._shared:
+            self._shared[key] = self.declare(name, kind, role, remark, initial)
+        return self._shared[key]
+
+    def local(self, name: str, kind: Type = INT) -> Variable:
+        """A local variable that is shared by all requests for its name and type."""
+        return self.declared_once(name, kind, "local")
+
+    def needed(self, body: Body) -> tuple[Declared, ...]:
+        """The declared variables without the local ones that no statement uses: compilers warn of them."""
+        names = used(body)
+        return tuple(item for item in self.declared if item.role != "local" or item.variable.name in names)
+
+
+class Draft(Variables):
+    """A routine under construction, which returns a status."""
+
+    def __init__(self, name: str, group: str, status: Status, *remarks: str) -> None:
+        super().__init__(name)
+        self.name, self.group, self.status = name, group, status
+        self.remarks = [remark for remark in remarks if remark]
+        self.example: list[str] = []
+        self.result = Variable(name, status.type)
+        self.body: list[Statement] = []
+
+    def add(self, statements: Iterable[Statement]) -> None:
+        """Appends statements."""
+        self.body += statements
+
+    def refuse(self, test: Expression, status: str) -> None:
+        """Appends the statement that returns a status where a test holds."""
+        self.body.append(self.status.refuse(self.result, test, status))
+
+    def refusal(self, test: Expression, status: str) -> Statement:
+        """The statement that returns a status where a test holds."""
+        return self.status.refuse(self.result, test, status)
+
+    def finished(self, last: Expression | None = None) -> Routine:
+        """The finished routine, which returns the status in `last`, or ok."""
+        body = (*self.body, Assignment(self.result, self.status.of("ok") if last is None else last))
+        return Routine(
+            self.name,
+            self.group,
+            self.status.type,
+            self.needed(body),
+            body,
+            tuple(self.remarks),
+            tuple(self.example),
+        )

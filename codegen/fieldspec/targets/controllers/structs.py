@@ -1,0 +1,110 @@
+"""Structs: of the values that programs work with, and images of what lies on the wire."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.enums import Flags
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.controllers.statements.expressions import (
+    BITS,
+    BYTE,
+    REAL,
+    SIGNED,
+    UNSIGNED,
+    Elementary,
+    Type,
+    sequence,
+)
+
+
+def places(size: int, order: str, swapped: bool) -> list[int]:
+    """By how many bits each byte of a number is moved to the left, the byte at the lowest place first."""
+    steps = [8 * position for position in range(size)]
+    if (order == "big") != swapped:
+        steps.reverse()
+    return [steps[position ^ 1] for position in range(size)] if swapped else steps
+
+
+@dataclass(frozen=True, slots=True)
+class StructMember:
+    """A member of a struct. `remark` is what a comment says of it.
+
+    In an image, `at` is its place in bytes behind the begin of the record, and `order` and `swapped` are as in a
+    layout; `bit` is its place within the byte where it is a BOOL. Elsewhere `at` is None.
+    """
+
+    name: str
+    type: Type
+    remark: str
+    fact: Fact | None
+    value: Value | None = None
+    at: int | None = None
+    bit: int = 0
+    order: str = ""
+    swapped: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Struct:
+    """A declared struct. `key` is the name of the record, of the group of registers, or of the data of a message.
+
+    `kind` is record, registers, telegram, or bits for the bits of a word of flags. `size` is what it has on the wire
+    in bytes, None where it holds values, or where that is not fixed.
+    """
+
+    name: str
+    key: str
+    kind: str
+    title: str
+    members: tuple[StructMember, ...]
+    size: int | None = None
+    fact: Fact | None = None
+
+
+def wire_type(value: Value) -> Type:
+    """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits.
+
+    A number of a width that no type has is its bytes, and so is one that is sent as digits.
+    """
+    kind = value.type.kind
+    if kind in (Kind.TEXT, Kind.BYTES) or value.type.is_odd or value.digits:
+        return sequence(value.size, BYTE)
+    if kind is Kind.FLOAT:
+        return REAL
+    if value.flags or kind is Kind.BOOLEAN:
+        return BITS[value.size]
+    elementary: Elementary = (SIGNED if value.type.signed else UNSIGNED)[value.size]
+    return elementary
+
+
+def elements(field: FieldLayout) -> int:
+    """The most elements of a field."""
+    repeat = field.field.repeat
+    return repeat.high if repeat is not None else field.count or 1
+
+
+def bit_places(size: int, order: str, swapped: bool) -> Iterator[tuple[int, int, int]]:
+    """The bits of a word as they lie in its bytes: the byte, the bit in it, the bit of the word."""
+    for byte, moved in enumerate(places(size, order, swapped)):
+        for bit in range(8):
+            yield byte, bit, moved + bit
+
+
+def bit_names(flags: Flags) -> dict[int, tuple[str, Fact]]:
+    """The name of each bit of a word that has one, and what states it; bits of a field have their numbers behind it."""
+    names: dict[int, tuple[str, Fact]] = {}
+    for bit in flags.bits:
+        if bit.reserved:
+            continue
+        for number in range(bit.width):
+            names[bit.first + number] = (f"{bit.name}_{number}" if bit.width > 1 else bit.name, bit)
+    return names
+
+
+def fixed(record: RecordLayout) -> bool:
+    """Whether a record always has the same size and no field whose type another one decides."""
+    return record.size is not None and not any(field.cases for field in record.fields)

@@ -1,0 +1,161 @@
+"""A device as a program: all its objects in an order in which each stands behind those that it uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.names import Name
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.targets.controllers.cache import cached
+from fieldspec.targets.controllers.declarations import Declarations, declarations
+from fieldspec.targets.controllers.dialects import STRUCTURED, Dialect, Spelling
+from fieldspec.targets.controllers.layout.memory import Placed, placed
+from fieldspec.targets.controllers.routines.device import routines
+from fieldspec.targets.controllers.routines.printer import comment_text, declaration, implementation
+from fieldspec.targets.controllers.routines.remarks import left_out, without_block
+from fieldspec.targets.controllers.statements.routine import Routine
+from fieldspec.targets.controllers.structs import Struct
+from fieldspec.targets.controllers.structured.arrays import array_item, lent_arrays, named_arrays
+from fieldspec.targets.controllers.structured.examples import examples
+from fieldspec.targets.controllers.structured.objects import (
+    Item,
+    TextForm,
+    constants_item,
+    enum_item,
+    form_item,
+    sizes_item,
+    struct_item,
+    text_form,
+    texts_item,
+)
+from fieldspec.targets.controllers.structured.padding import PACKED, padded
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """What is declared, its structs with padding, in memory, and the routines. `texts` is None where there are none.
+
+    `spelling` names the arrays that routines are lent. `functions` are the routines as text, `items` all objects, those
+    of the functions the last. `missing` are the tasks without a block, with the reasons.
+    """
+
+    declared: Declarations
+    structs: tuple[Struct, ...]
+    placed: tuple[Placed, ...]
+    texts: TextForm | None
+    spelling: Spelling
+    routines: tuple[Routine, ...]
+    functions: tuple[Item, ...]
+    sizes: Item
+    items: tuple[Item, ...]
+    missing: tuple[tuple[str, str], ...]
+
+    @property
+    def texts_list(self) -> str:
+        """The name of the list with the texts of codes."""
+        return _texts_list(self.declared)
+
+    def about(self) -> list[str]:
+        """The lines at the head of a file."""
+        return about(self.declared)
+
+    def guide(self) -> list[str]:
+        """The lines that explain the use of the functions, for the head of a file with all objects."""
+        return [
+            "Each function returns a status. Unless that is Ok, its outputs and what it was to fill must not be used.",
+            "Arrays for arguments have types by name, because their bounds must be those of the parameter.",
+            "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the",
+            "wire, but the order of bytes may be another one: use the functions, and do not copy memory.",
+            *examples(self.declared.world, self.routines, self.spelling),
+            *without_block(self.missing),
+        ]
+
+
+def about(declared: Declarations) -> list[str]:
+    """The lines at the head of every file of a device."""
+    layout = declared.layout
+    device = layout.device
+    manual = f"{device.manual.title} {device.manual.edition}".strip()
+    return [
+        comment_text(f"{device.name} ({device.vendor}), version {device.version}"),
+        comment_text(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
+        f"Identity of the layout: {layout.identity}",
+        "Written by fieldspec. Do not edit: change the spec and build again.",
+        *left_out(declared.omissions),
+    ]
+
+
+def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
+    """What a dialect of Structured Text cannot have of a device: the same as any other, but each has its title."""
+    return list(declarations(layout, dialect).findings) if declared_in_text(layout).findings else []
+
+
+@cached
+def declared_in_text(layout: DeviceLayout) -> Declarations:
+    """The declarations of a device in Structured Text."""
+    return declarations(layout, STRUCTURED)
+
+
+@cached
+def program(layout: DeviceLayout) -> Program:
+    """The program of a device that has no findings, in Structured Text, whose dialects differ in their files alone."""
+    declared = declared_in_text(layout)
+    structs = padded(declared)
+    by_name = {struct.name: struct for struct in structs}
+    placed_structs = tuple(placed(struct, PACKED, by_name) for struct in structs)
+    device = _device(declared.layout)
+    texts = text_form(declared.texts, STRUCTURED.texts.format(device, "Code"))
+    sizes = {placed.struct.name: placed.size for placed in placed_structs if placed.struct.members}
+    item = sizes_item(f"F_{device}_SizesAreRight", sizes)
+    all_blocks = routines(declared.world)
+    device_routines = all_blocks.routines
+    array = STRUCTURED.spelling.array.format(device, "{}")
+    spelling = replace(STRUCTURED.spelling, array=array, named=lent_arrays(device_routines))
+    functions = tuple(_function(routine, spelling) for routine in device_routines)
+    items = (*_items(declared, placed_structs, texts, device_routines, spelling), item, *functions)
+    return Program(
+        declared, structs, placed_structs, texts, spelling, device_routines, functions, item, items, all_blocks.missing
+    )
+
+
+def _items(
+    declared: Declarations,
+    placed_structs: Sequence[Placed],
+    texts: TextForm | None,
+    routines_of_device: Sequence[Routine],
+    spelling: Spelling,
+) -> Iterator[Item]:
+    """All objects except the functions, those first that others use."""
+    yield from map(enum_item, declared.enums)
+    known: set[str] = set()
+    for placed_struct in placed_structs:
+        members = [member.type for member in placed_struct.struct.members]
+        yield from (array_item(kind, spelling) for kind in named_arrays(members, spelling, known))
+        yield struct_item(placed_struct.struct, placed_struct.size, spelling)
+    kinds = (item.variable.type for routine in routines_of_device for item in routine.declared)
+    yield from (array_item(kind, spelling) for kind in named_arrays(kinds, spelling, known))
+    if texts is not None:
+        yield form_item(texts)
+    yield from map(constants_item, declared.constants)
+    if texts is not None:
+        yield texts_item(_texts_list(declared), declared.texts, texts)
+
+
+def _function(routine: Routine, spelling: Spelling) -> Item:
+    lines = tuple(declaration(routine, spelling)), tuple(implementation(routine, spelling))
+    return Item(routine.name, "function" if routine.returns is not None else "block", routine.group, *lines)
+
+
+def _texts_list(declared: Declarations) -> str:
+    return declared.dialect.constants.format(_device(declared.layout), "CodeTexts")
+
+
+def newest(versions: Sequence[DeviceLayout]) -> DeviceLayout:
+    """The version that the program of a device is written for: the newest of those that are requested."""
+    return versions[-1]
+
+
+def _device(layout: DeviceLayout) -> str:
+    return Name.of(layout.device.id).pascal()

@@ -1,0 +1,175 @@
+"""How programs of controllers use what is generated: code for registers, fields of tables and telegrams, parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.access import readable, writable
+from fieldspec.language.model.address_space import WORD
+from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.declarations import Declarations
+from fieldspec.targets.controllers.routines.blocks.ports import AXIS
+from fieldspec.targets.controllers.routines.records import is_user_field
+from fieldspec.targets.controllers.routines.registers import registers_of
+from fieldspec.targets.controllers.routines.telegrams import telegrams
+from fieldspec.targets.controllers.routines.world import World
+
+_CALL = "{block}(Execute := {execute}, {arguments}, stAxis := {axis}, stData := {data});\n"
+
+
+class StructuredUsage(NamedTuple):
+    """Code that reads or writes a fact; `@0@`, `@1@` in the template are the arguments."""
+
+    fact: str
+    template: str
+    arguments: tuple[str, ...]
+
+
+def usages(declared: Declarations) -> Iterator[StructuredUsage]:
+    """The code for all facts of a device that a dialect has. What a block transfers is in its struct."""
+    uses = _Usages(declared, dict(_constants(declared)))
+    yield from uses.registers()
+    yield from uses.tables()
+    yield from uses.telegrams()
+    yield from uses.parameters()
+
+
+def _constants(declared: Declarations) -> Iterator[tuple[str, str]]:
+    """The constants of addresses and numbers of parameters by the paths of facts, as programs name them."""
+    for constants in declared.constants:
+        if constants.key in ("addresses", "parameters"):
+            for constant in reversed(constants.constants):
+                if constant.fact is not None:
+                    name = f"{constants.name}.{constant.name}" if declared.dialect.qualified else f'"{constant.name}"'
+                    yield constant.fact.place.path, name
+
+
+@dataclass(frozen=True, slots=True)
+class _Usages:
+    """The declarations of a device, and its constants by the paths of facts."""
+
+    declared: Declarations
+    constants: Mapping[str, str]
+
+    @property
+    def world(self) -> World:
+        """The names of the device's declarations."""
+        return self.declared.world
+
+    @property
+    def layout(self) -> DeviceLayout:
+        """The layout that the dialect declares."""
+        return self.declared.layout
+
+    def registers(self) -> Iterator[StructuredUsage]:
+        """The code for registers of the first space of words."""
+        for group in self._groups():
+            registers = registers_of(self.layout, group)
+            reads = any(readable(register.register.access) for register in registers)
+            for register in registers:
+                fact = register.register
+                constant = self.constants.get(fact.place.path)
+                if (
+                    constant is None
+                    or fact.reserved
+                    or register.count > 1
+                    or register.words > self.world.words.high + 1
+                ):
+                    continue
+                blocks = [("read", reads and readable(fact.access)), ("write", writable(fact.access) or fact.trigger)]
+                ways = [direction for direction, is_possible in blocks if is_possible]
+                if ways:
+                    arguments = f"uiAddress := {constant}, iCount := {register.words}"
+                    yield self._usage(fact.place.path, ways, group.name, group.name, arguments, register.name)
+
+    def tables(self) -> Iterator[StructuredUsage]:
+        """The code for the fields of one element of a table."""
+        device = self.layout.device
+        records = [table.record.name for table in self.layout.tables.values()]
+        if AXIS not in self.world.names.structs or device.space("").unit != WORD:
+            return
+        for table in self.layout.tables.values():
+            words = (table.record.size or 0) // 2
+            if device.space_name(table.table.space) != device.space_name("") or words > self.world.words.high + 1:
+                continue
+            record = table.record.name
+            name = record if records.count(record) == 1 else f"{table.name}_element"
+            for field in table.record.fields:
+                if is_user_field(field) and field.value is not None and not field.is_list:
+                    ways = ["read", *(["write"] if writable(table.access(field.field)) and table.writable else [])]
+                    arguments = f"iNumber := {table.table.index_from}"
+                    yield self._usage(field.field.place.path, ways, name, record, arguments, field.name)
+
+    def telegrams(self) -> Iterator[StructuredUsage]:
+        """The code for the fields of process data."""
+        spelling = self.declared.dialect.spelling
+        for message in telegrams(self.layout):
+            for record, deed in ((message.request, "pack"), (message.response, "unpack")):
+                if record.name not in self.world.names.structs:
+                    continue
+                function = spelling.routine.format(self.world.routine(deed, record.name, "bytes"))
+                variable = spelling.variable.format("stData")
+                kind = spelling.struct.format(self.world.struct(record.name).name)
+                for field in record.fields:
+                    if not is_user_field(field) or field.value is None or field.is_list:
+                        continue
+                    member = f"{variable}.@2@"
+                    if deed == "pack":
+                        text = f"// stData : @0@;\n{member} := value;\n// then @1@ makes the bytes that are sent\n"
+                    else:
+                        text = f"// stData : @0@; @1@ has filled it from the bytes received\nvalue := {member};\n"
+                    text = text.replace("value", spelling.variable.format("value"), 1)
+                    name = self.world.member(record.name, field.name)
+                    yield StructuredUsage(field.field.place.path, text, (kind, function, name))
+
+    def parameters(self) -> Iterator[StructuredUsage]:
+        """The code for the numbers of parameters."""
+        variable = self.declared.dialect.spelling.variable.format("uiNumber")
+        for parameter_set in self.layout.device.parameters.values():
+            for row in parameter_set.parameters:
+                constant = self.constants.get(row.place.path)
+                if constant is not None and not row.reserved:
+                    yield StructuredUsage(row.place.path, f"{variable} := @0@;\n", (constant,))
+
+    def _groups(self) -> Iterator[RegisterGroup]:
+        device = self.layout.device
+        if AXIS in self.world.names.structs and device.space("").unit == WORD:
+            for group in device.groups:
+                if device.space_name(group.space) == device.space_name(""):
+                    yield group
+
+    def _usage(
+        self, path: str, ways: list[str], block: str, struct: str, arguments: str, member: str
+    ) -> StructuredUsage:
+        """The calls of the blocks that read and write, and the member of the struct that they transfer."""
+        spelling, world = self.declared.dialect.spelling, self.world
+        data = spelling.variable.format("stData")
+        text = ""
+        names: list[str] = [
+            arguments,
+            world.member(struct, member),
+            spelling.struct.format(world.struct(AXIS).name),
+            spelling.struct.format(world.struct(struct).name),
+        ]
+        for direction in ways:
+            names.append(spelling.struct.format(world.block(direction, block)))
+            text += f"// fb{direction.title()} : @{len(names) - 1}@;\n"
+        text += "// stAxis : @2@; a client block serves it in each scan\n// stData : @3@;\n"
+        for direction in ways:
+            if direction == "write":
+                text += f"{data}.@1@ := {spelling.variable.format('value')};\n"
+            text += _CALL.format(
+                block=spelling.variable.format(f"fb{direction.title()}"),
+                execute=spelling.variable.format(f"x{direction.title()}"),
+                arguments="@0@",
+                axis=spelling.variable.format("stAxis"),
+                data=data,
+            )
+            if direction == "read":
+                done = spelling.variable.format("fbRead")
+                value = spelling.variable.format("value")
+                text += f"IF {done}.Done THEN\n    {value} := {data}.@1@;\nEND_IF;\n"
+        return StructuredUsage(path, text, tuple(names))

@@ -1,0 +1,30 @@
+"""The explainer as JavaScript: what it knows of a device as data, and the modules that read these."""
+
+SHARED = ("checksums", "error", "escapes", "encodings", "lists", "widths")
+"""The modules that generated codecs use too."""
+
+RUNTIME = (
+    "numbers",
+    "texts",
+    "device",
+    "digits",
+    "values",
+    "rows",
+    "frames",
+    "parameters",
+    "registers",
+    "body",
+    "explanation",
+    "readings",
+    "lines",
+    "log",
+    "entries",
+    "encoding",
+    "explainer",
+)
+"""The modules in an order in which each imports only earlier ones and those of `SHARED`. No name is declared twice."""
+
+
+def runtime_path(name: str) -> str:
+    """The file of a module, as a path in the package."""
+    return f"targets/explainer/runtime/{name}.js"

@@ -1,0 +1,163 @@
+"""Links and their frames as data of the explainer."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.exception_mark import ExceptionMark
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.repeated_parts import repeated_parts
+from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.escape import Escape
+from fieldspec.language.model.link import ExceptionResponse
+from fieldspec.targets.explainer.literals import Data
+from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
+
+DIRECTIONS = ("request", "response")
+
+
+def link_data(link: LinkLayout) -> dict[str, Data]:
+    """A link with the frames of both directions, and the names of the messages that each of these carries."""
+    own = link.link
+    addresses, exception, serial = own.unit_addresses, own.exception_response, own.serial
+    return {
+        **fact_data(own),
+        **stated(
+            {
+                "title": own.title,
+                "encoding": own.encoding,
+                "messageName": own.message_name,
+                "addresses": stated({"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast})
+                if addresses is not None
+                else None,
+                "exception": _exception(exception, link.mark) if exception is not None else None,
+                "serial": stated(
+                    {
+                        "baud": list(serial.baud),
+                        "default": serial.default_baud,
+                        "dataBits": list(serial.data_bits),
+                        "parity": list(serial.parity),
+                        "stopBits": list(serial.stop_bits),
+                    }
+                )
+                if serial is not None
+                else None,
+            }
+        ),
+        "delimiters": {direction: [mark.hex() for mark in own.delimiters(direction)] for direction in DIRECTIONS},
+        "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
+        **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
+        "directionNames": {"request": own.request_name, "response": own.response_name},
+        "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
+        "repeated": [[part.name, repetition.name] for part, repetition in repeated_parts(link)],
+        "request": _frame(link.request),
+        "response": _frame(link.response),
+    }
+
+
+def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> Data:
+    """The mark of exception responses and their record, as data of the explainer.
+
+    The mark is a flag, a code, a part that is not normal, or bytes at a place in the data.
+    """
+    return {
+        "record": exception.record,
+        "flag": exception.flag,
+        **stated({"code": exception.code, "part": exception.part, "normal": intervals(exception.normal)}),
+        **({"mark": {"offset": mark.offset, "bytes": list(mark.pattern)}} if mark is not None else {}),
+    }
+
+
+def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
+    """The subcodes of messages that share a code: the place in their data, and the messages by the numbers there."""
+    return [
+        {
+            "code": code,
+            "offset": shared.offset,
+            "size": shared.size,
+            "order": shared.order,
+            "messages": [[number, message.name] for number, message in shared.messages.items()],
+        }
+        for code, shared in link.subcodes(direction).items()
+    ]
+
+
+def _frame(frame: FrameLayout) -> dict[str, Data]:
+    return {
+        "headerSize": frame.header_size,
+        "trailerSize": frame.trailer_size,
+        "header": [_part(part) for part in frame.header],
+        "trailer": [_part(part) for part in frame.trailer],
+        "checksums": [part.name for part in frame.checksums],
+        **stated({"escape": _escape(frame.escape) if frame.escape is not None else None}),
+        "escapeStart": frame.escape_start,
+        "escapeStop": frame.escape_stop or 0,
+    }
+
+
+def _part(part: PartLayout) -> dict[str, Data]:
+    return {
+        **fact_data(part.part),
+        "role": part.role,
+        "offset": part.offset,
+        "size": part.size,
+        **stated(
+            {
+                "order": part.order,
+                "value": value_data(part.value, part.order) if part.value is not None else None,
+                "algorithm": _algorithm(part) if part.algorithm else None,
+                "digits": part.digits,
+                "start": part.start,
+                "stop": part.stop,
+                "unitSize": part.unit_size,
+                "base": part.base,
+                "constant": part.constant,
+                "reserved": part.reserved,
+                "escaped": part.escaped,
+                "beforeEscape": part.before_escape,
+                "sameAs": part.part.same_as,
+            }
+        ),
+    }
+
+
+def _algorithm(part: PartLayout) -> dict[str, Data]:
+    """The parameters of a checksum; numbers that may be wide are texts of digits."""
+    kind = checksum_named(part.algorithm)
+    suffix: dict[str, Data] = {"suffix": kind.suffix.hex()} if kind.suffix else {}
+    if kind.method == "crc":
+        return {
+            **suffix,
+            "method": "crc",
+            "width": kind.width,
+            "polynomial": str(kind.polynomial),
+            "initial": str(kind.initial),
+            "reflectIn": kind.reflect_in,
+            "reflectOut": kind.reflect_out,
+            "finalXor": str(kind.final_xor),
+        }
+    return {
+        **suffix,
+        "method": kind.method,
+        "width": kind.width,
+        "initial": str(kind.initial),
+        **({"modulus": str(kind.modulus)} if kind.modulus else {"complement": kind.complement}),
+        "unitSize": kind.unit_size,
+        "order": part.order,
+    }
+
+
+def _escape(escape: Escape) -> dict[str, Data]:
+    return stated(
+        {
+            "method": escape.method,
+            "pairs": [list(pair) for pair in escape.pairs],
+            "pattern": escape.pattern.hex(),
+            "inserted": escape.inserted,
+            **({"bits": escape.bits, "fields": _fields(escape)} if escape.method == "can" else {}),
+        }
+    )
+
+
+def _fields(escape: Escape) -> list[Data]:
+    """The parts of a CAN identifier: the size, whether the order is little, the first bit, and the bits of each."""
+    return [[size, order == "little", first, width] for size, order, first, width in escape.fields]

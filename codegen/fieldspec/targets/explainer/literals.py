@@ -1,0 +1,50 @@
+"""Data as literals of JavaScript, in ASCII, which also stand safely within HTML."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+
+from fieldspec.foundation.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+Data: TypeAlias = "bool | int | float | str | Sequence[Data] | Mapping[str, Data] | None"
+
+_EXACT = 2**53
+"""Whole numbers up to this one are exact as numbers of JavaScript; all others are bigints."""
+
+
+def literal(data: Data) -> str:
+    """The literal of some data, in one line. Whole numbers that a number does not hold exactly are bigints."""
+    if isinstance(data, str):
+        return json.dumps(data).replace("</", "<\\/").replace("<!--", "<\\u0021--")
+    if isinstance(data, Mapping):
+        return f"{{{', '.join(f'{_key(key)}: {literal(value)}' for key, value in data.items())}}}"
+    if isinstance(data, Sequence):
+        return f"[{', '.join(map(literal, data))}]"
+    if isinstance(data, int) and not isinstance(data, bool) and abs(data) > _EXACT:
+        return f"{data}n"
+    return json.dumps(data)
+
+
+def _key(name: str) -> str:
+    """A property; in brackets, so that no name sets the prototype of the object."""
+    return f'["{name}"]' if name == "__proto__" else literal(name)
+
+
+def lines(data: Mapping[str, Data], depth: int, indent: int = 0) -> str:
+    """The literal of some data with a line for each entry, down to a depth, so that versions of it compare well."""
+    margin = " " * (indent + 1)
+    rows = []
+    for key, value in data.items():
+        if depth > 1 and isinstance(value, Mapping) and value:
+            text = lines(value, depth - 1, indent + 1)
+        elif depth > 1 and isinstance(value, list) and value:
+            inner = "".join(f"{margin} {literal(item)},\n" for item in value)
+            text = f"[\n{inner}{margin}]"
+        else:
+            text = literal(value)
+        rows.append(f"{margin}{_key(key)}: {text},\n")
+    return f"{{\n{''.join(rows)}{' ' * indent}}}"

@@ -1,0 +1,112 @@
+"""Registers, tables, gaps and parameters as data of the explainer."""
+
+from __future__ import annotations
+
+from fieldspec.codec.explain.row import citations
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.nested_fields import nested_fields
+from fieldspec.codec.layout.record import RegisterLayout
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.registers import Parameter, ParameterSet
+from fieldspec.targets.explainer.literals import Data
+from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
+
+
+def register_data(device: Device, layout: RegisterLayout) -> dict[str, Data]:
+    """A register with all of its elements."""
+    register = layout.register
+    return {
+        **fact_data(register),
+        "name": layout.name,
+        "address": layout.address,
+        "words": layout.words,
+        "count": layout.count,
+        "stride": layout.stride,
+        "first": register.index_from,
+        "value": value_data(register.value, layout.order, layout.swapped),
+        **stated(
+            {
+                "space": device.space_name(register.space),
+                "access": register.access,
+                "atomic": register.atomic,
+                "trigger": register.trigger,
+                "elementSources": [citations([source]) for source in register.element_sources],
+            }
+        ),
+    }
+
+
+def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
+    """A table of records in registers as data of the explainer."""
+    table = layout.table
+    fields = {nested.name: nested for nested in nested_fields(layout.record)}
+    accesses = {path: nested.access(table.access) for path, nested in fields.items()}
+    return {
+        **fact_data(table),
+        "base": table.base,
+        "stride": table.stride,
+        "count": table.count,
+        "first": table.index_from,
+        "words": layout.words,
+        "record": layout.record.name,
+        "accesses": stated(accesses),
+        "atomic": [path for path, nested in fields.items() if nested.field.field.atomic],
+        **stated({"space": device.space_name(table.space), "countBy": table.count_by, "baseBy": table.base_by}),
+    }
+
+
+def gaps_data(layout: DeviceLayout) -> list[Data]:
+    """The addresses that the manual leaves out, with the reasons."""
+    device = layout.device
+    return [
+        {"space": device.space_name(group.space), "addresses": intervals(gap.addresses), "reason": gap.reason}
+        for group in device.groups
+        for gap in group.gaps
+    ]
+
+
+def set_data(words: ParameterSet) -> dict[str, Data]:
+    """A set of parameters as data of the explainer."""
+    return {
+        **fact_data(words),
+        "base": words.base,
+        **stated(
+            {"space": words.space, "numbers": intervals(words.numbers), "printedAs": words.printed_as.partition("{")[0]}
+        ),
+        **({"digits": _digits(words.printed_as)} if words.printed_as else {}),
+        "parameters": [_parameter(parameter) for parameter in words.parameters],
+    }
+
+
+def _digits(form: str) -> list[Data]:
+    """How a number is printed: the digits at least, their base, and the text behind them."""
+    inner, _, suffix = form.partition("{")[2].partition("}")
+    code = inner.partition(":")[2]
+    upper, base = code[-1:] == "X", 16 if code[-1:] in ("x", "X") else 10
+    return [int(code.rstrip("xXd") or "0"), base, upper, suffix]
+
+
+def _parameter(parameter: Parameter) -> dict[str, Data]:
+    return {
+        **fact_data(parameter),
+        "number": parameter.number,
+        "value": value_data(parameter.value),
+        **stated({"byteOrder": parameter.value.byte_order}),
+        **stated(
+            {
+                "count": parameter.count if parameter.count != 1 else None,
+                "elements": parameter.elements,
+                "trigger": parameter.trigger,
+                "reserved": parameter.reserved,
+                "subindices": [
+                    {
+                        **fact_data(subindex),
+                        "indices": intervals(subindex.indices),
+                        "value": value_data(subindex.value),
+                        **stated({"byteOrder": subindex.value.byte_order, "reserved": subindex.reserved}),
+                    }
+                    for subindex in parameter.subindices
+                ],
+            }
+        ),
+    }

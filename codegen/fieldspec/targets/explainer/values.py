@@ -1,0 +1,194 @@
+"""Facts, values, enums and words of bits as data of the explainer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from fieldspec.codec.explain.row import citations
+from fieldspec.codec.layout.needed_bits import needed_bits
+from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.digits import digits_text, has_sign, is_complement
+from fieldspec.language.model.enums import Bit, Enum, Flags, Member
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.text_form import encoding_title, text_form_title
+from fieldspec.language.model.value import Value
+from fieldspec.targets.explainer.literals import Data
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+
+def stated(data: Mapping[str, Data]) -> dict[str, Data]:
+    """Data without what is None, false, or empty, which the explainer takes for absent; 0 stays."""
+    return {key: value for key, value in data.items() if value or (value == 0 and value is not False)}
+
+
+def fact_data(fact: Fact) -> dict[str, Data]:
+    """The data of a fact that its row prints besides its value."""
+    return stated(
+        {
+            "name": fact.name,
+            "path": fact.place.path,
+            "printed": fact.printed_name,
+            "label": fact.label,
+            "doc": fact.doc,
+            "source": citations(fact.sources),
+            "notes": list(fact.notes),
+        }
+    )
+
+
+def intervals(ranges: Ranges | None) -> Data:
+    """Intervals as pairs; None without any."""
+    return None if ranges is None else [list(interval) for interval in ranges.intervals]
+
+
+def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
+    """A value with its place in a word order. Its keys are those of `Value`, where their meanings are the same."""
+    parameter = value.parameter
+    return stated(
+        {
+            "kind": value.type.kind.value,
+            "size": value.size,
+            "signed": value.type.signed,
+            "order": order if value.size > 1 and (value.type.is_number or value.text_form is not None) else "",
+            "swapped": swapped,
+            **_digits(value),
+            **_text_form(value),
+            "const": value.const,
+            "enum": value.enum,
+            "flags": value.flags,
+            "ranges": intervals(value.ranges),
+            "writeRanges": intervals(value.write_ranges),
+            "sentinels": [
+                stated({"value": sentinel.value, "name": sentinel.name, "doc": sentinel.doc, "nan": sentinel.is_nan})
+                for sentinel in value.sentinels
+            ],
+            "unit": value.unit,
+            "scaleBy": value.scale_by,
+            "quantityUnit": value.quantity_unit if value.scale_by else "",
+            **_scale(value.scale, value.offset),
+            "isShare": "/" in value.scale_text,
+            "parameter": [parameter.set, parameter.part, parameter.number] if parameter is not None else None,
+            "default": value.default,
+        }
+    )
+
+
+def _digits(value: Value) -> dict[str, Data]:
+    """The form of the digits that a number is sent as, what they are called, and their bounds."""
+    if not value.digits:
+        return {}
+    return {
+        "digits": value.digits,
+        "places": value.places,
+        "hasSign": has_sign(value),
+        "hasBlanks": value.has_blanks,
+        "bits": 8 * value.type.size if is_complement(value) else 0,
+        "digitsText": digits_text(value),
+        "low": value.low,
+        "high": value.high,
+    }
+
+
+def _text_form(value: Value) -> dict[str, Data]:
+    """The form of a text with its title, as data of the explainer; empty for the usual form."""
+    form = value.text_form
+    if form is None:
+        return {}
+    data: dict[str, Data] = {
+        "encoding": form.encoding,
+        "padding": form.padding,
+        "isRight": form.is_right,
+        "terminator": form.terminator,
+        "isTurned": form.is_turned,
+    }
+    return {"textForm": stated(data), "textFormTitle": text_form_title(value), "encodingTitle": encoding_title(value)}
+
+
+def _scale(scale: Decimal | Fraction, offset: Decimal) -> dict[str, Data]:
+    """The scale and the offset as texts with all their places, where a quantity differs from its count."""
+    if scale == 1 and offset == 0:
+        return {}
+    text = f"{scale:f}" if isinstance(scale, Decimal) else f"{scale.numerator}/{scale.denominator}"
+    return {"scale": text, "offset": f"{offset:f}"}
+
+
+def enum_data(enum: Enum) -> dict[str, Data]:
+    """An enum with its members as data of the explainer."""
+    return {
+        **stated({"name": enum.name, "path": enum.place.path, "open": enum.open}),
+        "members": [_member(member) for member in enum.members],
+    }
+
+
+def _member(member: Member) -> dict[str, Data]:
+    return {
+        "value": member.value,
+        **stated(
+            {
+                "name": member.name,
+                "path": member.place.path,
+                "label": member.label,
+                "problem": member.problem,
+                "doc": member.doc,
+                "notes": list(member.notes),
+                "unavailable": member.unavailable,
+                "aliases": list(member.aliases),
+            }
+        ),
+    }
+
+
+def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
+    """A word of flags with its bits and states as data of the explainer."""
+    return stated(
+        {
+            "name": word.name,
+            "path": word.place.path,
+            "size": word.type.size,
+            "countedFromMost": word.bit_0 == "most",
+            "bits": [_bit(bit) for bit in word.bits],
+            "needed": [
+                [required.bit.name, required.reason, list(required.names)] for required in needed_bits(word, enums)
+            ],
+            "states": [
+                stated(
+                    {
+                        "name": state.name,
+                        "label": state.label,
+                        "printed": state.printed_name,
+                        "mask": word.masked(state)[0],
+                        "value": word.masked(state)[1],
+                    }
+                )
+                for state in word.states
+            ],
+        }
+    )
+
+
+def _bit(bit: Bit) -> dict[str, Data]:
+    return {
+        "first": bit.first,
+        "width": bit.width,
+        **stated(
+            {
+                "name": bit.name,
+                "label": bit.label,
+                "one": bit.one,
+                "doc": bit.doc,
+                "enum": bit.enum,
+                "edge": bit.edge,
+                "reserved": bit.reserved,
+                "signed": bit.signed,
+                "default": bit.default,
+                "isNumber": bit.is_number,
+                "unit": bit.unit,
+                "ranges": intervals(bit.ranges if bit.is_bounded else None),
+                **_scale(bit.scale, bit.offset),
+            }
+        ),
+    }

@@ -1,0 +1,123 @@
+"""The files for Beremiz, OpenPLC and other compilers of IEC 61131-3."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.names import stem
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.targets.controllers.cache import cached
+from fieldspec.targets.controllers.constants import ConstantList
+from fieldspec.targets.controllers.declarations import Declarations, declarations
+from fieldspec.targets.controllers.dialects import IEC, Spelling
+from fieldspec.targets.controllers.routines.device import routines
+from fieldspec.targets.controllers.routines.printer import comment, comment_text, routine_text
+from fieldspec.targets.controllers.routines.remarks import without_block
+from fieldspec.targets.controllers.statements.expressions import ArrayType
+from fieldspec.targets.controllers.statements.routine import Routine
+from fieldspec.targets.controllers.structured.examples import examples
+from fieldspec.targets.controllers.structured.objects import number
+from fieldspec.targets.controllers.structured.program import about, newest
+from fieldspec.targets.iec.types import struct_lines, type_lines
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """The declarations and routines of a device, and the spelling of the compiler that they are for.
+
+    `missing` are the tasks without a block, with the reasons.
+    """
+
+    declared: Declarations
+    routines: tuple[Routine, ...]
+    spelling: Spelling
+    missing: tuple[tuple[str, str], ...]
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """Of a device's newest version the types and functions as one source, and the constants for a configuration."""
+    layout = newest(versions)
+    name = stem(layout.device.id, layout.device.version)
+    iec_source = source(layout)
+    return {f"{name}.st": text(iec_source), f"{name}_constants.st": constants(iec_source)}
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Names that a compiler does not take, or takes for one."""
+    return list(declarations(newest(versions), IEC).findings)
+
+
+def shared() -> dict[str, str]:
+    """No files: every file of this output belongs to one device."""
+    return {}
+
+
+@cached
+def source(layout: DeviceLayout) -> Source:
+    """The source of a device that has passed the checks."""
+    declared = declarations(layout, IEC)
+    spelling = replace(IEC.spelling, array=IEC.spelling.array.format(declared.world.names.device, "{}"))
+    all_blocks = routines(declared.world)
+    return Source(declared, all_blocks.routines, spelling, all_blocks.missing)
+
+
+def text(iec_source: Source) -> str:
+    """The text of types, each behind those that it uses, then of functions, each behind those that it calls."""
+    lines = _remarks([*about(iec_source.declared), "", *_guide(iec_source)])
+    declared: set[str] = set()
+    for struct in iec_source.declared.structs:
+        for member in struct.members:
+            lines += _arrays(member.type, iec_source.spelling, declared)
+        lines += ["", *struct_lines(struct, iec_source.spelling)]
+    for routine in iec_source.routines:
+        for parameter in routine.declared:
+            lines += _arrays(parameter.variable.type, iec_source.spelling, declared)
+    for routine in iec_source.routines:
+        lines += ["", *routine_text(routine, iec_source.spelling)]
+    return "\n".join(lines) + "\n"
+
+
+def _arrays(kind: object, spelling: Spelling, declared: set[str]) -> Iterator[str]:
+    """The types of an array and of the arrays in it, as far as they are not declared yet."""
+    if isinstance(kind, ArrayType):
+        yield from _arrays(kind.of, spelling, declared)
+        name, *lines = type_lines(kind, spelling)
+        if name not in declared:
+            declared.add(name)
+            yield from ("", *lines)
+
+
+def _guide(iec_source: Source) -> list[str]:
+    return [
+        "Each function returns a status, a number: see the constants. Unless that is 0, its outputs and what it was to",
+        "fill must not be used. Arrays have named types, because an argument must have the type of the parameter.",
+        *examples(iec_source.declared.world, iec_source.routines, iec_source.spelling),
+        *without_block(iec_source.missing),
+    ]
+
+
+def _remarks(lines: Sequence[str]) -> list[str]:
+    form = IEC.comment
+    return [form.format(line.replace("(*", "( *").replace("*)", "* )")).rstrip() for line in lines]
+
+
+def constants(iec_source: Source) -> str:
+    """All constants, for the configuration: a program names those that it uses in VAR_EXTERNAL CONSTANT."""
+    head = ["Put these lists into the CONFIGURATION. A program declares what it uses as VAR_EXTERNAL CONSTANT."]
+    lines = _remarks([*about(iec_source.declared), "", *head])
+    for constant_list in iec_source.declared.constants:
+        lines += ["", *_constants(constant_list)]
+    return "\n".join(lines) + "\n"
+
+
+def _constants(constant_list: ConstantList) -> Iterator[str]:
+    yield from comment(constant_list.title, form=IEC.comment)
+    yield "VAR_GLOBAL CONSTANT"
+    for constant in constant_list.constants:
+        remark = comment_text(constant.remark)
+        yield f"    {constant.name} : {constant.type.name} := {number(constant)};" + (
+            f" {IEC.comment.format(remark)}" if remark else ""
+        )
+    yield "END_VAR"

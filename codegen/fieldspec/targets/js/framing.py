@@ -1,0 +1,134 @@
+"""How the frames of a link are recognized in a stream of bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.codec.layout.first_bytes import first_bytes
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.frame_extents import BY_COUNT, DELIMITED, OPEN, FrameExtent, FrameExtents, frame_extents
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.language.model.link import LARGEST_SET
+from fieldspec.targets.js.declaration import Names
+from fieldspec.targets.js.text import flag, literal, object_of
+
+LONGEST = 0xFFFF
+"""The bytes of a body that nothing bounds."""
+
+
+def framer(
+    link: LinkLayout, direction: str, carried: list[MessageLayout], names: Names, frames: str, spoken: str
+) -> str | None:
+    """The call that makes a framer of `spoken`, the object of a link; None where nothing in a frame marks its end."""
+    frame = link.frame(direction)
+    refusal = link.link.exception_response if direction == "response" else None
+    bodies = [message.data(direction) for message in carried]
+    refused = names.layout.records[refusal.record] if refusal is not None else None
+    bodies += [refused] if refused is not None else []
+    if not bodies:
+        return None
+    rows = [
+        f"...{frames}",
+        f"parts: {frames}.{direction}",
+        *_bounds(link, frame, bodies),
+        _addresses(link, frame, direction),
+    ]
+    length, code = frame.role("length"), frame.role("code")
+    if frame.start and frame.end and link.link.encoding == "hex_ascii":
+        return f"delimiterFramer({{ {', '.join(rows)} }})"
+    if link.link.encoding != "binary":
+        return None
+    if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
+        if not frame.end:
+            return None
+        marks = len(frame.start) + len(frame.end)
+        longest = max(record.most if record.most is not None else LONGEST for record in bodies)
+        rows.append(f"most: {marks + frame.escape.most(frame.header_size + longest + frame.trailer_size)}")
+        return f"escapeFramer({{ {', '.join(rows)} }})"
+    if frame.escape is not None and (length is None or length.before_escape):
+        return None
+    if length is not None:
+        return f"lengthFramer({{ {', '.join([*rows, f'length: {_part_number(length)}'])} }})"
+    data = ((message.name, message.message.code_of(direction), message.data(direction)) for message in carried)
+    extents = frame_extents(link, direction, data if code is not None else (), refused)
+    if frame.end and (code is None or extents.has(OPEN)):
+        rows.append(f"decode: {spoken}.decode{direction.capitalize()}")
+        needs_messages = code is None or link.ambiguous_codes(direction)
+        messages = ", ".join(names.messages[message.name] for message in carried) if needs_messages else "undefined"
+        rows.append(f"messages: [{messages}]")
+        beginnings = (
+            f"[{place}, [{', '.join(map(str, known))}]]" for place, known in first_bytes(link, direction).items()
+        )
+        rows.append(f"begins: [{', '.join(beginnings)}]")
+        return f"endFramer({{ {', '.join(rows)} }})"
+    if code is None:
+        return None
+    rows += [f"code: {_part_number(code)}", f"extents: {_table(extents.by_code)}"]
+    rows += [f"subcodes: {_subcodes(extents, frame)}"] if extents.by_subcode else []
+    if extents.refusal is not None and refusal is not None:
+        rows += [f"flag: {refusal.flag}", f"refusal: {_extent_row(extents.refusal)}"]
+    else:
+        rows += ["flag: 0", "refusal: undefined"]
+    return f"codeFramer({{ {', '.join(rows)} }})"
+
+
+def _table(extents: Mapping[int, FrameExtent]) -> str:
+    """A JavaScript object with the extents of frames by their keys."""
+    return (
+        f"{{ __proto__: null, {', '.join(f'{number}: {_extent_row(extent)}' for number, extent in extents.items())} }}"
+    )
+
+
+def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
+    """An object of what tells messages apart, and of their extents."""
+    members = ", ".join(
+        f"{code}: {{ offset: {frame.header_size + shared.offset}, size: {shared.size}, order: {literal(shared.order)},"
+        f" signed: false, extents: {_table(own)} }}"
+        for code, (shared, own) in extents.by_subcode.items()
+    )
+    return f"{{ __proto__: null, {members} }}"
+
+
+def _extent_row(extent: FrameExtent) -> str:
+    """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
+    if extent.kind != BY_COUNT:
+        return f"{{ length: {extent.length}, size: { ({DELIMITED: -2, OPEN: -1}.get(extent.kind, 0)) } }}"
+    place = f'offset: {extent.offset}, size: {extent.size}, order: "{extent.order}", signed: false'
+    return f"{{ length: {extent.length}, {place}, unit: {extent.unit}{', isTurned: true' * extent.is_turned} }}"
+
+
+def _part_number(part: PartLayout) -> str:
+    row = {
+        "offset": str(part.offset),
+        "size": str(part.size),
+        "order": literal(part.order or "big"),
+        "signed": flag(bool(part.value and part.value.type.signed)),
+        "unitSize": str(part.unit_size),
+        "base": str(part.base),
+    }
+    return object_of(row | ({"digits": literal(part.form)} if part.form else {}))
+
+
+def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
+    smallest = min(record.least for record in bodies)
+    largest = max(record.most if record.most is not None else LONGEST for record in bodies)
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    parts_size = frame.header_size + frame.trailer_size
+    marks = len(frame.start) + len(frame.end)
+    shortest, longest = (marks + width * (parts_size + size) for size in (smallest, largest))
+    if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
+        longest = frame.escape.most(longest)
+    return [f"shortest: {shortest}", f"longest: {longest}"]
+
+
+def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
+    part, addresses = frame.role("unit_address"), link.link.unit_addresses
+    if part is None or addresses is None or addresses.ranges is None:
+        return "addresses: null"
+    intervals = addresses.intervals(direction)
+    if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
+        return f"address: {_part_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
+    numbers = [n for low, high in intervals for n in range(low, high + 1)]
+    return f"address: {_part_number(part)}, addresses: new Set({numbers})"

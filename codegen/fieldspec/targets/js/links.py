@@ -1,0 +1,277 @@
+"""Links: the frames of both directions, the messages that they carry, and the framers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.part import PartLayout
+from fieldspec.foundation.classes import replace
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.checksums import algorithm_name, checksum_named
+from fieldspec.language.model.link import ExceptionResponse
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.targets.fact_texts import described
+from fieldspec.targets.js.declaration import Declaration, Names
+from fieldspec.targets.js.framing import framer
+from fieldspec.targets.js.naming import property_scope
+from fieldspec.targets.js.text import PURE, comment, flag, literal, object_of
+
+SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
+"""The functions of `checksums.js` by the names of the algorithms that have one of their own."""
+
+WIDE = 6
+"""The bytes of a number up to which it is not a bigint."""
+
+
+def carries(link: LinkLayout, message: MessageLayout) -> bool:
+    """Whether a message is sent on a link: with its code where frames have one, or by being named."""
+    coded = link.request.role("code") is not None
+    if message.name not in link.messages:
+        return False
+    return (message.message.code is not None) == coded or (bool(message.message.links) and not coded)
+
+
+def declare_message(message: MessageLayout, names: Names) -> Declaration:
+    """The object of a message, whose request and response have been declared."""
+    name, own = names.messages[message.name], message.message
+    request = names.records[message.request.name] if own.is_requested else "null"
+    response = names.records[message.response.name] if own.is_answered else "null"
+    number = f", {own.number}" if own.number is not None else ""
+    if own.response_code is not None:
+        number = f"{number or ', undefined'}, 0x{own.response_code:02X}"
+    code = "null" if own.code is None else f"0x{own.code:02X}"
+    arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
+    request_type, response_type = (data if data != "null" else "never" for data in (request, response))
+    return Declaration(
+        [f"export const {name} = /* @__PURE__ */ message({arguments});", ""],
+        [
+            *comment(described(own.title or Name.of(message.name).title(), own)),
+            f"export declare const {name}: Message<{literal(message.name)}, {request_type}, {response_type}>;",
+            "",
+        ],
+    )
+
+
+def declare_link(link: LinkLayout, names: Names) -> Declaration:
+    """The object of a link, and its framers."""
+    name = names.scope.take(Name.of(link.name).camel(), f"{Name.of(link.name).camel()}Link")
+    pascal = Name.of(link.name).pascal()
+    carried = [message for message in names.layout.messages.values() if carries(link, message)]
+    exception = link.link.exception_response
+    addresses = link.link.unit_addresses
+    frames = f"framesOf{pascal}"
+    code = [f"const {frames} = /* @__PURE__ */ frames({{"]
+    code += [
+        f"  name: {literal(link.name)},",
+        f"  hex: {'true' if link.link.encoding == 'hex_ascii' else 'false'},",
+    ]
+    for direction in ("request", "response"):
+        frame = link.frame(direction)
+        order = [frame.parts.index(part) for part in frame.checksums]
+        code += [f"  {direction}: {{", *_parts("header", link, direction), *_parts("trailer", link, direction)]
+        escape_stop = "null" if frame.escape_stop is None else str(frame.escape_stop)
+        code += [
+            f"    start: {list(frame.start)},",
+            f"    end: {list(frame.end)},",
+            f"    checksums: {order},",
+            f"    escape: {_escape(frame)},",
+            f"    escapeStart: {frame.escape_start},",
+            f"    escapeStop: {escape_stop},",
+            "  },",
+        ]
+    ranges = _intervals(addresses.ranges) if addresses is not None else "null"
+    broadcast = "null" if addresses is None or addresses.broadcast is None else str(addresses.broadcast)
+    code.append(
+        f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
+    )
+    code += ["});", ""]
+    flag = "null" if exception is None else _exception(link, exception, names)
+    carried_names = ", ".join(names.messages[message.name] for message in carried)
+    unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
+    subcodes = _subcodes(link, names)
+    barred = [names.messages[message.name] for message in carried if message.name in link.barred_messages]
+    options = f", [{', '.join(unanswered)}]" if unanswered or subcodes or barred else ""
+    options += f", {subcodes or '{}'}" if subcodes or barred else ""
+    options += f", [{', '.join(barred)}]" if barred else ""
+    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{options});", ""]
+    headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
+    record = names.records[exception.record] if exception is not None else "never"
+    messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
+    types = [
+        *comment(described(link.link.title or Name.of(link.name).title(), link.link)),
+        f"export declare const {name}: Link<{headers['request']}, {headers['response']}, {messages}, {record}>;",
+        "",
+    ]
+    for direction in ("request", "response"):
+        sent_messages = [message for message in carried if message.name in link.carried(direction)]
+        row = framer(link, direction, sent_messages, names, frames, name)
+        if row is not None:
+            own = names.scope.take(f"{Name.of(link.name).camel()}{direction.capitalize()}Framer")
+            code += [f"export const {own} = () => {row};", ""]
+            types += [
+                *comment([f"A framer that finds the {direction}s of this link in a stream."]),
+                f"export declare function {own}(): Framer;",
+                "",
+            ]
+    return Declaration(code, types)
+
+
+def _subcodes(link: LinkLayout, names: Names) -> str:
+    """The subcodes of messages that share a code, by direction and code; empty where no two messages share one."""
+    directions = []
+    for direction in ("request", "response"):
+        rows = []
+        for code, shared in link.subcodes(direction).items() if link.frame(direction).role("code") is not None else ():
+            members = ", ".join(f"[{number}, {names.messages[own.name]}]" for number, own in shared.messages.items())
+            place = f"offset: {shared.offset}, size: {shared.size}, order: {literal(shared.order)}, signed: false"
+            rows.append(f"[{code}, {{ {place}, messages: {PURE} new Map([{members}]) }}]")
+        for code, messages in link.ambiguous_codes(direction).items():
+            rows.append(f"[{code}, {{ answers: [{', '.join(names.messages[own.name] for own in messages)}] }}]")
+        directions.append(f"{direction}: {PURE} new Map([{', '.join(rows)}])" if rows else "")
+    return f"{{ {', '.join(filter(None, directions))} }}" if any(directions) else ""
+
+
+def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
+    """The mark of exception responses and their record."""
+    row = {"flag": str(exception.flag), "record": names.records[exception.record]}
+    if link.mark is not None:
+        row["mark"] = f"{{ offset: {link.mark.offset}, bytes: {list(link.mark.pattern)} }}"
+    if exception.code is not None:
+        row["code"] = str(exception.code)
+    part = next((part for part in link.response.header if part.name == exception.part), None)
+    if part is not None and part.value is not None:
+        row["part"] = literal(part.name)
+        for name, is_exception in (("normal", False), ("marks", True)):
+            row[name] = _intervals(exception.permitted(part.value, is_exception), _is_wide(part))
+        row["all"] = _intervals(exception.normal, _is_wide(part))
+    return object_of(row)
+
+
+def _header_type(frame: FrameLayout) -> str:
+    rows = [
+        f"readonly {key}: {'bigint' if _is_wide(part) else 'number'}"
+        for key, part in zip(argument_keys(frame.header), frame.header, strict=True)
+        if key
+    ]
+    return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
+
+
+def _is_wide(part: PartLayout) -> bool:
+    """Whether the number of a part is a bigint."""
+    return (part.value.number_size(part.size) if part.value is not None else part.size) > WIDE
+
+
+def argument_keys(parts: Sequence[PartLayout]) -> list[str]:
+    """The properties of the parts that the caller supplies; empty for the others."""
+    scope = property_scope()
+    return [
+        scope.take("unitAddress" if part.role == "unit_address" else Name.of(part.name).camel())
+        if part.is_argument and not part.reserved
+        else ""
+        for part in parts
+    ]
+
+
+def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
+    frame = link.frame(direction)
+    parts = frame.header if place == "header" else frame.trailer
+    lines = [f"    {place}: ["]
+    for part, key in zip(parts, argument_keys(parts), strict=True):
+        wide = _is_wide(part) and part.role not in ("length", "code", "checksum")
+        low, high = (part.value.low, part.value.high) if part.value else (0, (1 << 8 * part.size) - 1)
+        row = {
+            "name": literal(part.name),
+            "role": literal(part.role),
+            "key": literal(key) if key else "null",
+            "offset": str(part.offset),
+            "size": str(part.size),
+            "order": literal(part.order or "big"),
+            "signed": flag(bool(part.value and part.value.type.signed)),
+            "wide": flag(wide),
+            "low": _integer_literal(low, wide),
+            "high": _integer_literal(high, wide),
+            "reserved": flag(part.reserved),
+            "unitSize": str(part.unit_size),
+            "base": str(part.base),
+            "start": str(part.start),
+            "stop": "null" if part.stop is None else str(part.stop),
+            "beforeEscape": flag(part.before_escape),
+            "constant": "null" if part.constant is None else _integer_literal(part.constant, wide),
+            "ranges": _intervals(part.value.ranges, wide) if part.value else "null",
+        }
+        if part.form:
+            row["digits"] = literal(part.form)
+        if part.role == "checksum":
+            row |= {"algorithm": checksum_function(part.algorithm, part.order), "digits": literal(part.digits)}
+        lines.append(f"      {object_of(row)},")
+    return [*lines, "    ],"]
+
+
+def _escape(frame: FrameLayout) -> str:
+    """The object that escapes bytes, or null."""
+    escape = frame.escape
+    if escape is None:
+        return "null"
+    if escape.method == "cobs":
+        return "cobs"
+    if escape.method == "can":
+        fields = [[size, int(order == "little"), first, width] for size, order, first, width in escape.fields]
+        return f"{PURE} canIdentifier({escape.bits}, {fields})"
+    if escape.method == "add":
+        return f"{PURE} adding({escape.inserted})"
+    if escape.method == "insert":
+        return f"{PURE} inserting({list(escape.pattern)}, {escape.inserted})"
+    return f"{PURE} replacing({[list(pair) for pair in escape.pairs]})"
+
+
+def checksum_function(algorithm: str, order: str) -> str:
+    """The function that computes a checksum; `order` is that of the numbers which a sum or an xor combines."""
+    short = SHORT.get(algorithm)
+    if short is not None:
+        return short
+    kind = checksum_named(algorithm)
+    if kind.suffix:
+        function = checksum_function(algorithm_name(replace(kind, suffix=b"")), order)
+        return f"{PURE} followedBy({function}, {list(kind.suffix)})"
+    if kind.method == "crc":
+        parameters = {
+            "width": str(kind.width),
+            "polynomial": f"0x{kind.polynomial:X}n",
+            "initial": f"0x{kind.initial:X}n",
+            "reflectIn": flag(kind.reflect_in),
+            "reflectOut": flag(kind.reflect_out),
+            "finalXor": f"0x{kind.final_xor:X}n",
+        }
+        return f"{PURE} crcOf({object_of(parameters)})"
+    if kind.method == "fletcher":
+        parameters = {
+            "width": str(kind.width),
+            "initial": f"{kind.initial}n",
+            "modulus": f"{kind.modulus}n",
+            "unitSize": str(kind.unit_size),
+            "order": literal(order),
+        }
+        return f"{PURE} fletcherOf({object_of(parameters)})"
+    parameters = {
+        "method": literal(kind.method),
+        "width": str(kind.width),
+        "initial": f"{kind.initial}n",
+        "complement": literal(kind.complement),
+        "unitSize": str(kind.unit_size),
+        "order": literal(order),
+    }
+    return f"{PURE} totalOf({object_of(parameters)})"
+
+
+def _integer_literal(number: int, wide: bool) -> str:
+    """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
+    return f"{number}n" if wide else str(number)
+
+
+def _intervals(ranges: Ranges | None, wide: bool = False) -> str:
+    if ranges is None:
+        return "null"
+    pairs = (f"[{_integer_literal(low, wide)}, {_integer_literal(high, wide)}]" for low, high in ranges.intervals)
+    return f"[{', '.join(pairs)}]"

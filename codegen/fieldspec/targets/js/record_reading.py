@@ -1,0 +1,185 @@
+"""The functions that read a record: `b` are the bytes, the record goes from `o` to `end`."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.inner_lists import InnerList
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.targets.js.bit_counts import bit_count_check
+from fieldspec.targets.js.declaration import Names
+from fieldspec.targets.js.members import Member, members_of, most_bytes, shapes_of, slot_of
+from fieldspec.targets.js.text import literal, plus
+from fieldspec.targets.js.values import place, throw_wrong_number
+
+CHOOSES_NOTHING = "which chooses nothing that may follow"
+
+
+def read_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The functions that read the layouts of a record, and the one that selects a layout where it has several."""
+    shapes = [(suffix, shape.image) for suffix, shape in shapes_of(record)]
+    lines = [line for suffix, shape in shapes for line in _read_fields(shape, f"read{name}{suffix}", names)]
+    return lines if record.selector is None else [*lines, *_select(record, name, names)]
+
+
+def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The function of a record that looks at the size, reads the fields, and compares what measures other fields."""
+    image = record.image if record.inner_lists is not None else record
+    lines = [f"checkSize({literal(record.name)}, {image.least}, {most_bytes(image)}, o, end);"]
+    if record.spans or record.inner_lists is not None:
+        measured = _measured_read(record.image, f"read{name}", names)
+        body = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
+        reader = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
+        lines = [f"return {reader}, image{name}, b, o, end);"]
+        return [
+            *(f"function image{name}(b, o, end) {{", *body, "}"),
+            *(f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"),
+        ]
+    if record.selector is not None:
+        lines.append(f"return select{name}(b, o, end);")
+    else:
+        lines += _measured_read(record, f"read{name}", names)
+    return [f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"]
+
+
+def choices_of(record: RecordLayout, name: str) -> list[str]:
+    """The table from the values of a selector to the number of the layout that each chooses."""
+    shapes = shapes_of(record)
+    rows = [
+        f"{number}: {index}"
+        for number, shape in record.chosen.items()
+        for index, (_, other) in enumerate(shapes)
+        if other is shape
+    ]
+    return [f"const choices{name} = {{ __proto__: null, {', '.join(rows)} }};"]
+
+
+def _read_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The function that reads the fields in order, so that the first wrong one is reported."""
+    lines: list[str] = []
+    properties: list[str] = []
+    for member in members_of(record):
+        statements, expression = _read_member(record, member, names)
+        lines += statements
+        if member.key:
+            properties.append(f"{member.key}: {expression},")
+    last = record.fields[-1] if record.fields else None
+    parameters = "b, o, end" if last is not None and last.count is None else "b, o"
+    if not lines and not properties:
+        return [f"function {name}() {{", "  return {};", "}"]
+    body = [*lines, "return {", *(f"  {row}" for row in properties), "};"]
+    return [f"function {name}({parameters}) {{", *(f"  {line}" for line in body), "}"]
+
+
+def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[list[str], str]:
+    """The statements that read and check a field, and the expression of its value."""
+    field = member.field
+    if field.field.reserved and not member.key:
+        return [], ""
+    if field.is_list:
+        return _read_list(record, member, names), member.variable
+    if field.record is not None:
+        inner = names.records[field.record.record.name]
+        return [f"const {member.variable} = read{inner}(b, {place('o', field.offset)});"], member.variable
+    reading = slot_of(field, names).read(member.variable, "o", field.offset)
+    if reading.throws and not reading.lines:
+        return [f"const {member.variable} = {reading.expression};"], member.variable
+    return list(reading.lines), reading.expression
+
+
+def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
+    field = member.field
+    start = place("o", field.offset)
+    count = str(field.count) if field.count is not None else f"Math.floor((end - ({start})) / {field.size})"
+    room = record.room_of(field)
+    if room is not None:
+        number = _count_number(record, room, names)
+        number = f"({plus(number, -room.plus)})" if room.plus else number
+        count = number if room.unit == room.element else f"{number} / {room.element}"
+    if field.record is not None:
+        element, checks = _element(record, field, names.records[field.record.record.name], names), []
+    else:
+        reading = slot_of(field, names).read("item", "at", 0)
+        element, checks = reading.expression, list(reading.lines)
+    push = [f"{member.variable}.push({element});"] if member.key else []
+    return [
+        *([f"const {member.variable} = [];"] if member.key else []),
+        f"for (let at = {start}, left = {count}; left > 0; left--, at += {field.size}) {{",
+        *(f"  {line}" for line in [*checks, *push]),
+        "}",
+    ]
+
+
+def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names) -> str:
+    """The expression of an element that is a record, with the bytes that it has where these differ."""
+    assert field.record is not None
+    if field.record.size is not None:
+        return f"read{name}(b, at)"
+    lists = [own.name for own in record.record.fields if own.repeat is not None]
+    tail = f"inner{names.records[record.name]}.lists[{lists.index(field.name)}].tail"
+    return f"check{name}(b, at, at + elementBytes({tail}, b.subarray(at, at + {field.size})))"
+
+
+def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:
+    """The statements that read the fields, and compare the sizes in them with those of the fields that they measure."""
+    lines = []
+    last = record.fields[-1] if record.fields else None
+    if last is not None and last.count is None and last.size > 1:
+        rest = f"end - o - {last.offset}"
+        lines.append(f"if (({rest}) % {last.size}) throw brokenList({literal(last.name)}, {rest}, end);")
+    checks = [line for field in record.fields for line in _measure_check(record, field, names)]
+    if not checks:
+        return [*lines, f"return {reader}(b, o, end);"]
+    return [*lines, f"const value = {reader}(b, o, end);", *checks, "return value;"]
+
+
+def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> list[str]:
+    packed = record.named(field.bits_of) if field.bits_of else None
+    if packed is not None:
+        return bit_count_check(field, names, f"(end - o - {packed.offset})", place("o", field.offset))
+    measure = field.field.measures
+    other = record.named(measure.field) if measure is not None else None
+    if measure is None or other is None:
+        return []
+    slot = slot_of(field, names)
+    number, position = slot.number("o", field.offset), place("o", field.offset)
+    if other.count is not None:
+        measured = str(measure.number(other.count if other.is_list else 1, other.size))
+    elif (room := record.room_of(other)) is not None:
+        if room.count == field.name:
+            return []
+        unit = room.unit if measure.of == "bytes" else room.unit / room.element
+        units = _count_number(record, room, names)
+        units = f"({plus(units, -room.plus)})" if room.plus else units
+        measured = units if unit == 1 else f"{units} * {room.unit}" if unit > 1 else f"{units} / {room.element}"
+        measured = plus(measured, measure.plus)
+    else:
+        left = f"(end - o - {other.offset})"
+        measured = left if measure.of == "bytes" or other.size == 1 else f"{left} / {other.size}"
+        measured = plus(measured, measure.plus)
+    expected = f"BigInt({measured})" if slot.wide else measured
+    detail = f"`but there are ${{{measured}}}`"
+    wrong = throw_wrong_number("wrong_measure", field.name, number, detail, position)
+    return [f"if ({number} !== {expected}) {wrong}"]
+
+
+def _count_number(record: RecordLayout, room: InnerList, names: Names) -> str:
+    """The expression of the number in an image that counts a list which has another one behind it."""
+    count = record.named(room.count)
+    assert count is not None
+    return slot_of(count, names).number("o", count.offset)
+
+
+def _select(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The function that chooses the layout of a record by the value of its selector."""
+    selector = record.selector
+    assert selector is not None
+    lines = [f"const number = {slot_of(selector, names).number('o', selector.offset)};"]
+    lines.append(f"switch (choices{name}[number]) {{")
+    for index, (suffix, shape) in enumerate(shapes_of(record)):
+        size = f"checkSize({literal(record.name)}, {shape.least}, {most_bytes(shape)}, o, end);"
+        body = [size, *_measured_read(shape, f"read{name}{suffix}", names)]
+        lines += [f"  case {index}: {{", *(f"    {line}" for line in body), "  }"]
+    wrong = throw_wrong_number(
+        "unknown_value", selector.name, "number", literal(CHOOSES_NOTHING), place("o", selector.offset)
+    )
+    lines += ["  default:", f"    {wrong}", "}"]
+    return [*choices_of(record, name), f"function select{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"]

@@ -1,0 +1,137 @@
+"""The functions that write a record, `value`, to the bytes `b` from `o` on, and count its bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.language.model.value import Kind
+from fieldspec.targets.js.bit_counts import bit_count_check
+from fieldspec.targets.js.declaration import Names
+from fieldspec.targets.js.inner_lists import write_lists
+from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
+from fieldspec.targets.js.record_reading import CHOOSES_NOTHING
+from fieldspec.targets.js.text import literal, plus
+from fieldspec.targets.js.values import place, throw_wrong_number
+from fieldspec.targets.js.widths import write_widths
+
+
+def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The functions that write the layouts of a record and count their bytes, and those that select a layout."""
+    lines: list[str] = []
+    if record.spans:
+        return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
+    if record.inner_lists is not None:
+        return [*_write_fields(record, f"writeImage{name}", names), *write_lists(record, name, names)]
+    for suffix, shape in shapes_of(record):
+        lines += _write_fields(shape, f"write{name}{suffix}", names)
+        if shape.size is None:
+            lines += _count_bytes(shape, f"size{name}{suffix}")
+    return lines if record.selector is None else [*lines, *_select(record, name, names)]
+
+
+def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The function that checks the fields of a value and writes them."""
+    lines: list[str] = []
+    members = members_of(record)
+    keys = {member.field.name: member.key for member in members}
+    for member in members:
+        field = member.field
+        if not member.key:
+            lines += _write_implied(record, member, names, keys)
+        elif field.is_list:
+            lines += _write_list(member, names)
+        elif field.record is not None:
+            inner = names.records[field.record.record.name]
+            lines.append(f"{inner}.check(value.{member.key});")
+            lines.append(f"write{inner}(value.{member.key}, b, {place('o', field.offset)});")
+        else:
+            lines.append(f"const {member.variable} = value.{member.key};")
+            lines += slot_of(field, names).write(member.variable, "o", field.offset)
+    for member in members:
+        lines += bit_count_check(member.field, names, f"value.{keys.get(member.field.bits_of, '')}.length", "null")
+    if not lines:
+        return [f"function {name}() {{}}"]
+    return [f"function {name}(value, b, o) {{", *(f"  {line}" for line in lines), "}"]
+
+
+def _write_list(member: Member, names: Names) -> list[str]:
+    field, items = member.field, f"value.{member.key}"
+    if field.record is not None:
+        inner = names.records[field.record.record.name]
+        ends = field.record.fields[-1] if field.record.size is None and not field.record.spans else None
+        # Of two mistakes in an element, the number of its own elements is named, as by other codecs.
+        size_checks = [f"size{inner}(item);"] if ends is not None and ends.field.repeat is not None else []
+        body = [f"{inner}.check(item);", *size_checks, f"write{inner}(item, b, at);"]
+    else:
+        body = slot_of(field, names).write("item", "at", 0)
+    checks = []
+    if field.count is not None:
+        checks.append(f"listLength({literal(field.name)}, {items}, {field.count}, {field.count});")
+    start = place("o", field.offset)
+    return [
+        *checks,
+        f"for (let at = {start}, index = 0; index < {items}.length; index++, at += {field.size}) {{",
+        f"  const item = {items}[index];",
+        *(f"  {line}" for line in body),
+        "}",
+    ]
+
+
+def _write_implied(record: RecordLayout, member: Member, names: Names, keys: Mapping[str, str]) -> list[str]:
+    """The statements that write a field that follows from others, or has a constant."""
+    field, slot = member.field, slot_of(member.field, names)
+    measure = field.field.measures
+    other = record.named(measure.field) if measure is not None else None
+    if measure is not None and other is not None:
+        unit = other.size if measure.of == "bytes" else 1
+        if other.count is not None:
+            return slot.constant(measure.number(other.count if other.is_list else 1, other.size), "o", field.offset)
+        length = f"value.{keys[other.name]}.length"
+        count = plus(length if unit == 1 else f"{length} * {unit}", measure.plus)
+        count = f"BigInt({count})" if slot.wide else count
+        return [f"const {member.variable} = {count};", *slot.write(member.variable, "o", field.offset)]
+    number = slot.value.const
+    if number is None:
+        number = slot.value.default if isinstance(slot.value.default, int) else 0
+    if slot.value.type.kind in (Kind.TEXT, Kind.BYTES) or not number:
+        return []
+    if slot.value.type.kind is Kind.FLOAT:
+        return [f"const {member.variable} = {number};", *slot.write(member.variable, "o", field.offset)]
+    elements = range(field.count or 1)
+    return [line for index in elements for line in slot.constant(number, "o", field.offset + index * field.size)]
+
+
+def _count_bytes(record: RecordLayout, name: str) -> list[str]:
+    """The function that counts the bytes of a value."""
+    member = members_of(record)[-1]
+    field: FieldLayout = member.field
+    repeat = field.field.repeat
+    assert repeat is not None
+    length = f"listLength({literal(field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
+    size = length if field.size == 1 else f"{length} * {field.size}"
+    return [f"function {name}(value) {{", f"  return {field.offset} + {size};", "}"]
+
+
+def _select(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The functions that choose how to write a record, and how many bytes it has, by the value of its selector.
+
+    A selector that may not be sent is refused before all other fields, as in the other codecs.
+    """
+    selector = record.selector
+    assert selector is not None
+    key = next(member.key for member in members_of(record) if member.field.name == selector.name)
+    wrong = throw_wrong_number("unknown_value", selector.name, f"value.{key}", literal(CHOOSES_NOTHING), "null")
+    slot = slot_of(selector, names)
+    is_sendable = all(any(low <= number <= high for low, high in slot.sendable) for number in record.chosen)
+    refusals = [] if is_sendable else [f"  {line}" for line in slot.refusals(f"value.{key}")]
+    choose = [*refusals, f"  const index = choices{name}[value.{key}];", f"  if (index === undefined) {wrong}"]
+    writers = ", ".join(f"write{name}{suffix}" for suffix, _ in shapes_of(record))
+    lines = [f"function write{name}(value, b, o) {{", *choose, f"  return [{writers}][index](value, b, o);", "}"]
+    if record.size is None:
+        sizes = ", ".join(
+            f"size{name}{suffix}" if shape.size is None else f"() => {shape.size}"
+            for suffix, shape in shapes_of(record)
+        )
+        lines += [f"function size{name}(value) {{", *choose, f"  return [{sizes}][index](value);", "}"]
+    return lines

@@ -1,0 +1,107 @@
+"""Quantities: counts with a scale and a unit, and shares of a reference."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.value import Conversion, Kind, Sentinel, Value
+from fieldspec.targets.js.declaration import Declaration, Names
+from fieldspec.targets.js.text import comment, literal
+
+POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
+"""The type of units with an exponent, which few modules need."""
+
+ABSENT_VALUES = 'import("../runtime/index.js").AbsentValues'
+"""The type of the values that stand for a state, by name."""
+
+
+def unit_of(value: Value, size: int) -> str:
+    """The call that makes the `Unit` of a value in `size` bytes; empty where its counts have neither scale nor unit."""
+    if value.type.kind is Kind.FLOAT:
+        return _real_unit(value) if value.sentinels else ""
+    if value.type.kind is not Kind.INTEGER or not (value.unit or value.scaled) or value.flags or value.enum:
+        return ""
+    scale, offset = Fraction(value.scale), Fraction(value.offset)
+    divisor = scale.denominator * offset.denominator // _common(scale.denominator, offset.denominator)
+    ranges = value.writable_ranges
+    intervals = ranges.intervals if ranges is not None else ((value.type.low, value.type.high),)
+    rows = [
+        f"unit: {literal(value.unit)}",
+        f"factor: {scale * divisor}n",
+        f"shift: {offset * divisor}n",
+        f"divisor: {divisor}n",
+        f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
+        f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
+        f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
+    ]
+    return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
+
+
+def _real_unit(value: Value) -> str:
+    """The call that makes the `Unit` of a floating-point number that may stand for a state."""
+    ranges = value.writable_ranges
+    rows = [
+        f"unit: {literal(value.unit)}",
+        f"absent: [{', '.join(_sentinel_number(value, sentinel) for sentinel in value.sentinels)}]",
+        f"ranges: {'null' if ranges is None else [list(interval) for interval in ranges.intervals]}",
+        f"size: {value.size}",
+    ]
+    return f"/* @__PURE__ */ realUnit({{ {', '.join(rows)} }})"
+
+
+def absent_of(value: Value, size: int) -> str:
+    """The call that makes the `AbsentValues` of a value in `size` bytes; empty where no value stands for a state."""
+    if not value.sentinels:
+        return ""
+    wide = value.type.kind is Kind.INTEGER and value.number_size(size) > 6
+    rows = [f"{s.name}: {_sentinel_number(value, s)}{'n' if wide else ''}" for s in value.sentinels]
+    return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }})"
+
+
+def _sentinel_number(value: Value, sentinel: Sentinel) -> str:
+    return "NaN" if sentinel.is_nan else str(sentinel.value)
+
+
+def power_unit_of(value: Value, exponent: Value, size: int) -> str:
+    """The call that makes the `PowerUnit` of a value in `size` bytes, by the value with the exponent of its scale."""
+    ranges = value.writable_ranges
+    intervals = ranges.intervals if ranges is not None else ((value.low, value.high),)
+    exponents = exponent.ranges.intervals if exponent.ranges is not None else ()
+    rows = [
+        f"unit: {literal(value.quantity_unit)}",
+        f"exponents: [{', '.join(f'[{low}, {high}]' for low, high in exponents)}]",
+        f"unknown: [{', '.join(str(sentinel.value) for sentinel in exponent.sentinels)}]",
+        f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
+        f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
+        f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
+    ]
+    return f"/* @__PURE__ */ powerUnit({{ {', '.join(rows)} }})"
+
+
+def _common(first: int, second: int) -> int:
+    while second:
+        first, second = second, first % second
+    return first
+
+
+def declare_conversion(conversion: Conversion, names: Names) -> Declaration:
+    """The object with the two directions of a conversion."""
+    name = names.scope.take(Name.of(conversion.name).camel(), f"{Name.of(conversion.name).camel()}Conversion")
+    device = names.layout.device
+    ranges = [device.signals[signal].value.ranges for signal in conversion.signals if signal in device.signals]
+    low, high = conversion.type.low, conversion.type.high
+    known = [intervals for intervals in ranges if intervals is not None]
+    if known and len(known) == len(ranges):
+        low, high = max(low, min(r.low for r in known)), min(high, max(r.high for r in known))
+    share = f"raw / {conversion.full_scale}"
+    formula = f"reference * (1 - {share})" if conversion.complement else f"reference * {share}"
+    code = [
+        f"export const {name} = /* @__PURE__ */ conversion({{ full: {conversion.full_scale}n,"
+        f" complement: {'true' if conversion.complement else 'false'}, low: {low}n, high: {high}n }});",
+        "",
+    ]
+    paragraphs = [f"{conversion.title or Name.of(conversion.name).title()} = {formula}.", conversion.doc]
+    if conversion.references:
+        paragraphs.append(f"Reference: {', '.join(conversion.references)}.")
+    return Declaration(code, [*comment(paragraphs), f"export declare const {name}: Conversion;", ""])

@@ -1,0 +1,107 @@
+"""The imports of a version's module: of the private names that its text uses, and of no others."""
+
+from __future__ import annotations
+
+import re
+
+from fieldspec.foundation.classes import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ImportsView:
+    """The lines that import from the standard library and from the shared modules, and those that define tables."""
+
+    standard: list[str]
+    shared: list[str]
+    tables: list[str]
+
+
+def imports_view(body: str) -> ImportsView:
+    """What the text of a module needs; the tables are defined from names that are imported too."""
+    used = _private_names(body)
+    tables = [line for names, line in _TABLES if not used.isdisjoint(names)]
+    used |= _private_names("\n".join(tables))
+    shared = [
+        f"from ..{module} import {name} as _{name}"
+        for module, names in _SHARED.items()
+        for name in sorted(names.split())
+        if f"_{name}" in used
+    ]
+    standard = [f"from {module} import {name} as {alias}" for alias, module, name in _STANDARD if alias in used]
+    return ImportsView(standard, shared, tables)
+
+
+def client_imports(body: str) -> list[str]:
+    """The lines that import what the text of a client needs from the shared modules."""
+    used = _private_names(body)
+    return [
+        f"from ..{module} import {name} as _{name}"
+        for module, names in _CLIENT.items()
+        for name in sorted(names.split())
+        if f"_{name}" in used
+    ]
+
+
+def _private_names(text: str) -> set[str]:
+    return set(re.findall(r"\b_[A-Za-z0-9]\w*", text))
+
+
+_STANDARD = (
+    ("_IntEnum", "enum", "IntEnum"),
+    ("_Struct", "struct", "Struct"),
+    ("_index", "operator", "index"),
+    ("_StructError", "struct", "error"),
+)
+_SHARED = {
+    "_absent": "LEFT_OUT LeftOut counts_or_absent real_or_absent state_of",
+    "_bits": "BitArray packed_bits single_bit unpacked_bits",
+    "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
+    "_checksums": "Crc Fletcher Followed Sum Xor",
+    "_choices": "Choice",
+    "_can": "CanFrame CanIdentifier",
+    "_codes": "by_number by_printed_name",
+    "_conversions": (
+        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of members new"
+        " packing text texts turned"
+    ),
+    "_digits": "digits",
+    "_end_framer": "EndFramer",
+    "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure",
+    "_escapes": "Add Cobs EscapeFramer EscapedFrames Insert Replace",
+    "_filled": "Filled",
+    "_flags": "BITS_OF Flags PresetFlags",
+    "_framers": "CodeFramer Intervals LengthFramer",
+    "_frames": "ErrorReply Frames Request RequestOf Response",
+    "_inner_lists": "InnerList InnerLists",
+    "_mark_framer": "MarkFramer",
+    "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
+    "_part_frames": "CountFramer PartFrames",
+    "_quantities": "Conversion PowerUnit",
+    "_reals": "Double Float",
+    "_record": "Record",
+    "_refusals": (
+        "refused_bits refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float"
+        " refused_list refused_number refused_record refused_text unfit"
+    ),
+    "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
+    "_subcodes": "Answers Subcodes",
+    "_texts": "FormedText text_form",
+    "_values": "Boolean Bytes Closed Constant Number Open Setting Text Trigger Word",
+    "_widths": "Widths",
+}
+_CLIENT = {
+    "_client": "Link Session",
+    "_client_async": "AsyncBaseClient AsyncMotion AsyncParameterClient AsyncRegisterClient",
+    "_client_cyclic": "CyclicWork",
+    "_client_registers": "Group ParameterAccess ParameterWork RegisterWork",
+    "_client_sync": "BlockingClient Motion ParameterClient RegisterClient",
+    "_client_tasks": "Condition DeviceWork Jog Target",
+    "_segments": "Place Segments",
+}
+_CRC = [f"_C{place}" for place in range(8)]
+_CRC_EXCHANGED = [f"_X{place}" for place in range(8)]
+_TABLES = (
+    (["_int_of"], "_int_of = int.from_bytes"),
+    (_CRC, f"{', '.join(_CRC)} = _CRC"),
+    (_CRC_EXCHANGED, f"{', '.join(_CRC_EXCHANGED)} = _CRC_EXCHANGED"),
+)

@@ -1,0 +1,270 @@
+"""Registers and tables as constants, and the expressions of their values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.record import RegisterLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.names import Name
+from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.registers import Table
+from fieldspec.language.model.text_form import text_form_title
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.fact_texts import described
+from fieldspec.targets.python.naming import Scope
+from fieldspec.targets.python.scaling import quantity, ratio
+from fieldspec.targets.python.slots import Words
+from fieldspec.targets.python.text import docstring, literal
+from fieldspec.targets.python.writing import bounded_bits, digits_letters, pairs, text_letters, tuple_of
+
+
+def register_value(value: Value, order: str, swapped: bool, words: Words, trigger: bool) -> str:
+    """The `Value` of a register or a parameter: every answer of the device is read.
+
+    Only writing is limited to a constant, or, where it starts an action, to the members of a closed enum.
+    """
+    return _value(value, order, swapped, words, value.as_answer(trigger) != value)
+
+
+def value_expression(value: Value, order: str, swapped: bool, words: Words) -> str:
+    """The `Value` of a value in a frame."""
+    return _value(value, order, swapped, words, False)
+
+
+def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
+    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+        if value.text_form is not None:
+            return f'_FormedText("{value.size}s", {value.size}, {literal(text_letters(value, order))})'
+        kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
+        return f'{kind}("{value.size}s", {value.size})'
+    letter = "H" if value.type.name == BIT else value.type.letter or value.type.name
+    letters = literal((">" if (order == "big") != swapped else "<") + letter)
+    if value.digits:
+        letters = literal(digits_letters(value, order, swapped))
+    arguments = ["swapped=True"] if swapped else []
+    if value.type.kind is Kind.BOOLEAN:
+        return _call("_Boolean", letters, arguments)
+    if value.type.kind is Kind.FLOAT:
+        arguments += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+        arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
+        arguments += (
+            [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
+        )
+        return _call("_Float" if value.size == 4 else "_Double", letters, arguments)
+    if value.const is not None:
+        if not any_answer:
+            return _call("_Constant", letters, [str(value.const), *arguments])
+        return _call("_Setting", letters, [str(value.const), *arguments])
+    ranges = _ranges(value)
+    if ranges is not None and value.flags:
+        special = [(sentinel.value, sentinel.value) for sentinel in value.sentinels]
+        ranges = Ranges((*ranges.intervals, *(pair for pair in special if pair[0] not in ranges)))
+    if ranges is not None:
+        arguments.append(f"ranges={pairs(ranges)}")
+    if value.flags:
+        arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
+        arguments += [f"bits={bits}" for bits in bounded_bits(words.bounded.get(value.flags, ()))]
+        return _call("_Word", letters, [words.flags[value.flags], *arguments])
+    if value.sentinels:
+        arguments.append(f"absent={absent_states(value)}")
+    if value.enum:
+        enum = words.enums[value.enum]
+        if any_answer and not enum.open:
+            return _call("_Trigger", letters, [literal(enum.title), enum.table, *arguments])
+        if not enum.open and value.sentinels:
+            arguments.append("closed=True")
+        return _call(
+            "_Open" if enum.open or value.sentinels else "_Closed",
+            letters,
+            [literal(enum.title), enum.table, *arguments],
+        )
+    if value.quantity_unit:
+        arguments.append(f"unit={literal(value.quantity_unit)}")
+    if value.scaled:
+        arguments.append(f"ratio={ratio(value)}")
+    return _call("_Number", letters, arguments)
+
+
+def absent_states(value: Value) -> str:
+    """The sentinels as a tuple of names and numbers: `(("not_measured", 65535),)`"""
+    return tuple_of(
+        f"({literal(sentinel.name)}, {'float(' + literal('nan') + ')' if sentinel.is_nan else sentinel.value})"
+        for sentinel in value.sentinels
+    )
+
+
+def _call(name: str, letters: str, arguments: list[str]) -> str:
+    return f"{name}({', '.join([letters, *arguments])})"
+
+
+def _ranges(value: Value) -> Ranges | None:
+    ranges = value.writable_ranges
+    return None if ranges is None or ranges.intervals == ((value.type.low, value.type.high),) else ranges
+
+
+def value_facts(value: Value) -> list[str]:
+    """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
+    facts = [digits_text(value)] if value.digits else []
+    facts += [text_form_title(value)] if value.text_form is not None else []
+    facts += [f"at most {value.width} bytes"] if value.width and not value.digits else []
+    facts += [quantity(value)] if quantity(value) else []
+    if value.ranges is not None:
+        facts.append(value.ranges.text())
+    if value.write_ranges is not None:
+        facts.append(f"{value.write_ranges.text()} when it is written")
+    facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
+    if value.default is not None:
+        facts.append(f"initially {value.default}")
+    return facts
+
+
+ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
+
+
+@dataclass(frozen=True, slots=True)
+class RegisterView:
+    """A register, or an array of them: its constant, the call that creates it, and its docstring."""
+
+    name: str
+    call: str
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class TableView:
+    """A table: its variable, its class, and the arguments of the class."""
+
+    name: str
+    type: str
+    record: str
+    arguments: str
+    doc: list[str]
+
+
+def register_views(
+    layout: DeviceLayout, words: Words, scope: Scope, space: Callable[[str], str]
+) -> tuple[list[RegisterView], list[RegisterView]]:
+    """The views of all registers in the order of the spec, and in the order in which a module can state them.
+
+    A register refers to the one with its exponent, which must therefore be stated before. `space` gives the name of the
+    space of a register.
+    """
+    names = {row.name: scope.take(Name.of(row.name).upper()) for row in layout.registers}
+    order = layout.device.byte_order
+    views = {row.name: register_view(row, words, order, names, space(row.register.space)) for row in layout.registers}
+    exponents = {row.register.value.scale_by for row in layout.registers}
+    stated = sorted(views, key=lambda name: name not in exponents)
+    return list(views.values()), [views[name] for name in stated]
+
+
+def register_view(
+    layout: RegisterLayout, words: Words, order: str, names: Mapping[str, str], space: str = ""
+) -> RegisterView:
+    """The view of a register, or of an array of registers.
+
+    `order` is the byte order of the device, `names` the constants of all registers by name, `space` the address space
+    where the device has several.
+    """
+    register = layout.register
+    name = names[layout.name]
+    is_bit = register.value.type.name == BIT
+    value = register_value(register.value, layout.order, layout.swapped, words, register.trigger)
+    if layout.size > register.value.size and not is_bit:
+        value = f"_Filled({value})"
+    arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
+    if layout.count > 1:
+        arguments += [f"count={layout.count}", f"first={register.index_from}", f"stride={layout.stride}"]
+    arguments += [
+        f"{key}=True" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set
+    ]
+    arguments += [f"number={register.number}"] if register.number is not None else []
+    arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
+    if register.unit_size == 1:
+        arguments.append("unit_size=1")
+    if register.value.scale_by:
+        arguments.append(f"scale_by={names[register.value.scale_by]}")
+    if order == "little":
+        arguments.append('order="<"')
+    if space:
+        arguments.append(f"space={literal(space)}")
+    unit = "word" if register.unit_size > 1 else "byte"
+    facts = [
+        f"0x{layout.address:04X}",
+        *([f"in {space}"] if space else []),
+        "1 bit" if is_bit else f"{layout.words} {unit}{'s' if layout.words > 1 else ''}",
+    ]
+    if register.access:
+        facts.append(ACCESS[register.access])
+    facts += [] if is_bit else [register.value.type.name]
+    facts += value_facts(register.value)
+    if register.restart:
+        facts.append("takes effect after a restart")
+    if register.atomic:
+        facts.append(f"all {unit}s in one request")
+    if register.trigger:
+        facts.append("writing starts an action")
+    if register.number is not None:
+        facts.append(f"number {register.number}")
+    if register.copy_of:
+        facts.append(f"a copy of {Name.of(register.copy_of).upper()}")
+    if register.same_as:
+        facts.append(f"the same as {Name.of(register.same_as).upper()}")
+    if layout.count > 1:
+        last = register.index_from + layout.count - 1
+        facts.append(f"{layout.count} of them, {register.index_from} to {last}")
+    doc = docstring(described(Name.of(layout.name).title(), register, f"{', '.join(facts)}."))
+    kind = "_Register" if layout.count == 1 else "_BitArray" if is_bit and layout.stride == 1 else "_RegisterArray"
+    return RegisterView(name, f"{kind}({', '.join(arguments)})", doc)
+
+
+def table_view(
+    layout: TableLayout, words: Words, order: str, scope: Scope, names: Mapping[str, str], space: str = ""
+) -> TableView:
+    """The view of a table of records. `names` are the constants of all registers by name."""
+    table = layout.table
+    record = words.records[table.record]
+    arguments = [
+        literal(layout.name),
+        record,
+        f"base=0x{table.base:04X}",
+        f"words={layout.words}",
+        f"stride={table.stride}",
+        f"count={table.count}",
+        f"first={table.index_from}",
+    ]
+    access = table.access if layout.writable else "ro"
+    if access:
+        arguments.append(f"access={literal(access)}")
+    if order == "little":
+        arguments.append('order="<"')
+    if space:
+        arguments.append(f"space={literal(space)}")
+    if table.count_by:
+        arguments.append(f"count_by={names[table.count_by]}")
+    if table.base_by:
+        arguments.append(f"base_by={names[table.base_by]}")
+    last = table.index_from + table.count - 1
+    count_text = f"up to {table.count}, as {names[table.count_by]} says," if table.count_by else str(table.count)
+    facts = [
+        f"{count_text} records of {layout.words} words, {table.index_from} to {last}",
+        f"the first {_base_text(table, names)}, each {table.stride} words behind the one before",
+    ]
+    if space:
+        facts.append(f"in {space}")
+    if table.access:
+        facts.append(ACCESS[table.access])
+    if layout.read_only:
+        facts.append(f"none as a whole, as these fields are read only: {', '.join(layout.read_only)}")
+    doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
+    name = scope.take(layout.name)
+    return TableView(name, scope.take(f"{Name.of(layout.name).pascal()}Table"), record, ", ".join(arguments), doc)
+
+
+def _base_text(table: Table, names: Mapping[str, str]) -> str:
+    """The address of the first element, or the register that has it."""
+    base = f"where {names[table.base_by]} says, usually " if table.base_by else ""
+    return f"{base}at 0x{table.base:04X}"

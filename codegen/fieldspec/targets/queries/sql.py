@@ -1,0 +1,303 @@
+"""Expressions of DuckDB's SQL."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from math import lcm
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
+
+_TYPES = {1: "TINYINT", 2: "SMALLINT", 4: "INTEGER", 8: "BIGINT"}
+_WINDOW = 8
+"""The bytes of a number from which the values in it are cut: one cast for several values."""
+
+
+def name(text: str) -> str:
+    """A name in double quotes, which no word of SQL is."""
+    return '"' + text.replace('"', '""') + '"'
+
+
+def literal(text: str) -> str:
+    """A text in single quotes."""
+    return "'" + text.replace("'", "''") + "'"
+
+
+def decimal_text(number: Decimal) -> str:
+    """A decimal number without an exponent."""
+    return format(number, "f")
+
+
+def type_of(size: int, signed: bool) -> str:
+    """The narrowest type of whole numbers with so many bytes."""
+    return ("" if signed else "U") + _TYPES[next(width for width in _TYPES if width >= size)]
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """Neighbouring bytes, at most eight, as a number without a sign in a column."""
+
+    column: str
+    start: int
+    end: int
+
+
+def windows_of(cuts: Sequence[int]) -> tuple[Window, ...]:
+    """The windows of a record. `cuts` are the places where values begin, and its size: windows begin and end there."""
+    windows: list[Window] = []
+    start, size = 0, cuts[-1] if cuts else 0
+    while start < size:
+        end = max((cut for cut in cuts if start < cut <= start + _WINDOW), default=min(start + _WINDOW, size))
+        windows.append(Window(name(f"fieldspec_number_{start}"), start, end))
+        start = end
+    return tuple(windows)
+
+
+@dataclass(frozen=True, slots=True)
+class Sql:
+    """The dialect. Numbers of `windowed`, the bytes of a record of fixed size, are cut from the columns of windows."""
+
+    windowed: str = ""
+    windows: tuple[Window, ...] = ()
+
+    def levels(self) -> Iterator[dict[str, str]]:
+        """The columns with the fixed windows of the payload as numbers, in two levels.
+
+        The first level has numbers of up to sixteen bytes, each with two neighbouring windows. The second level takes
+        the two windows of each apart. A level without columns is left out.
+        """
+        wide: dict[str, str] = {}
+        narrow: dict[str, str] = {}
+        for first, *following in (self.windows[index : index + 2] for index in range(0, len(self.windows), 2)):
+            source = f"{self.windowed}[{first.start + 1}:{(following or [first])[-1].end}]::BIT"
+            if not following:
+                wide[first.column] = f"{source}::UBIGINT"
+                continue
+            own, rest = name(f"fieldspec_wide_{first.start}"), 8 * (following[0].end - following[0].start)
+            wide[own] = f"{source}::UHUGEINT"
+            narrow[first.column] = f"({own} >> {rest})::UBIGINT"
+            narrow[following[0].column] = f"({own} & {(1 << rest) - 1})::UBIGINT"
+        yield from filter(None, (wide, narrow))
+
+    def whole(self, data: str, slot: Slot) -> str:
+        """The literal of a whole number."""
+        kind = type_of(slot.size, slot.signed)
+        if data != self.windowed and len(slot.runs) == 1 and slot.size in _TYPES:
+            return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
+        number = self._unsigned(data, slot)
+        if not slot.signed:
+            return f"{number}::{kind}"
+        if slot.size == _WINDOW:
+            return f"{number}::UBIGINT::BIT::BIGINT"
+        half = 1 << (8 * slot.size - 1)
+        return f"(xor({number}::BIGINT, {half}) - {half})::{kind}"
+
+    def _unsigned(self, data: str, slot: Slot) -> str:
+        terms, left = [], 8 * slot.size
+        for start, size in slot.runs:
+            left -= 8 * size
+            term = self._run(data, start, size)
+            terms.append(f"({term}::UBIGINT << {left})" if left else term)
+        return terms[0] if len(terms) == 1 else f"({' | '.join(f'{term}::UBIGINT' for term in terms)})"
+
+    def _run(self, data: str, start: int, size: int) -> str:
+        """Neighbouring bytes as a number without a sign."""
+        containing = (own for own in self.windows if own.start <= start and start + size <= own.end)
+        window = next(containing, None) if data == self.windowed else None
+        if window is None:
+            kind = type_of(size, False) if size in _TYPES else "UBIGINT"
+            return f"{self.piece(data, start, size)}::BIT::{kind}"
+        shift = 8 * (window.end - start - size)
+        shifted = f"({window.column} >> {shift})" if shift else window.column
+        return shifted if start == window.start else f"({shifted} & {(1 << 8 * size) - 1})"
+
+    def real(self, data: str, slot: Slot) -> str:
+        """A floating-point number of 4 or 8 bytes."""
+        kind = "FLOAT" if slot.size == 4 else "DOUBLE"
+        if len(slot.runs) == 1:
+            return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
+        return f"{self._unsigned(data, slot)}::{type_of(slot.size, False)}::BIT::{kind}"
+
+    def bits(self, word: str, first: int, width: int, signed: bool) -> str:
+        """The number in some bits of an unsigned number."""
+        number = f"(({word} >> {first}) & {(1 << width) - 1})"
+        size = (width + 7) // 8
+        if not signed:
+            return f"{number}::{type_of(size, False)}"
+        if width == 64:
+            return f"{number}::UBIGINT::BIT::BIGINT"
+        half = 1 << (width - 1)
+        return f"(xor({number}::BIGINT, {half}) - {half})::{type_of(size, True)}"
+
+    def bit(self, word: str, place: int) -> str:
+        """Whether a bit of an unsigned number is 1."""
+        return self.mask(word, 1 << place)
+
+    def mask(self, word: str, mask: int) -> str:
+        """Whether one of some bits of an unsigned number is 1."""
+        return f"({word} & {mask}) <> 0"
+
+    def piece(self, data: str, offset: int, size: int) -> str:
+        """The expression of `size` bytes of the data from an offset on."""
+        return f"{data}[{offset + 1}:{offset + size}]"
+
+    def text(self, data: str) -> str:
+        """ASCII without the zeros at its end; null for other bytes."""
+        return f"CASE WHEN regexp_full_match(hex({data}), '([0-7].)*') THEN rtrim(decode({data}), chr(0)) END"
+
+    def not_ascii(self, data: str) -> str:
+        """Whether some byte is not ASCII."""
+        return f"NOT regexp_full_match(hex({data}), '([0-7].)*')"
+
+    def truth(self, number: str) -> str:
+        """0 as false, 1 as true, other numbers as null."""
+        return f"CASE {number} WHEN 0 THEN false WHEN 1 THEN true END"
+
+    def member(self, number: str, enum: str) -> str:
+        """The name of a number by an enum; null where it has none."""
+        return f"{enum}({number})"
+
+    def cases(self, number: str, names: Mapping[int, str], nan: str = "") -> str:
+        """The names of some numbers, and of a NaN; null for others."""
+        rows = [f"WHEN {number} = {key} THEN {literal(text)}" for key, text in names.items()]
+        if nan:
+            rows.insert(0, f"WHEN isnan({number}) THEN {literal(nan)}")
+        return f"CASE {' '.join(rows)} END"
+
+    def absent(self, value: str, number: str, numbers: Sequence[int], nan: bool = False) -> str:
+        """A value that is null for some numbers, and for a NaN."""
+        tests = [f"isnan({number})"] if nan else []
+        if numbers:
+            tests.append(f"{number} IN ({', '.join(map(str, numbers))})")
+        return f"CASE WHEN NOT ({' OR '.join(tests)}) THEN {value} END"
+
+    def decimal(self, number: str, scale: DecimalScale) -> str:
+        """The expression of an exact quantity from a number in counts."""
+        # DuckDB multiplies decimals of at most 18 digits in 64 bits, also where the product has more.
+        factors = scale.digits + len(scale.scale.as_tuple().digits)
+        digits = scale.digits if max(factors, scale.precision) <= 18 else max(scale.digits, 19)
+        result = f"{number}::DECIMAL({digits}, 0)"
+        if scale.scale != 1:
+            result = f"{result} * {decimal_text(scale.scale)}"
+        if scale.offset:
+            result = f"{result} + ({decimal_text(scale.offset)})"
+        return f"({result})::DECIMAL({max(scale.precision, 1)}, {scale.places})"
+
+    def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
+        """number * scale + offset as a floating-point number."""
+        below = lcm(scale.denominator, offset.denominator)
+        above = f"{number}::DOUBLE * {float(int(scale * below))!r}"
+        if offset:
+            above = f"({above} + ({float(int(offset * below))!r}))"
+        return f"({above} / {float(below)!r})"
+
+    def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
+        """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
+        above, below = f"greatest({exponent}::DOUBLE, 0)", f"greatest(-{exponent}::DOUBLE, 0)"
+        quantity = f"{number}::DOUBLE * pow(10, {above}) / pow(10, {below})"
+        return f"CASE WHEN {self.is_in(exponent, intervals)} THEN {quantity} END"
+
+    def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
+        """Whether a number is in one of some intervals."""
+        own = f"{number}::DOUBLE" if floating else number
+        tests = [f"{own} BETWEEN {low} AND {high}" for low, high in intervals if low != high]
+        single = [str(low) for low, high in intervals if low == high]
+        if single:
+            tests.append(f"{own} IN ({', '.join(single)})")
+        return f"({' OR '.join(tests)})" if tests else "false"
+
+    def is_nan(self, number: str) -> str:
+        """Whether a floating-point number is no number."""
+        return f"isnan({number})"
+
+    def size(self, data: str) -> str:
+        """The expression of the number of bytes of the data."""
+        return f"octet_length({data})"
+
+    def compared(self, left: str, operator: str, right: str) -> str:
+        """A comparison: `<`, `>`, `=` or `<>`."""
+        return f"{left} {operator} {right}"
+
+    def both(self, *conditions: str) -> str:
+        """Whether all conditions are true."""
+        return f"({' AND '.join(conditions)})"
+
+    def either(self, *conditions: str) -> str:
+        """Whether a condition is true."""
+        return f"({' OR '.join(conditions)})"
+
+    def negated(self, condition: str) -> str:
+        """Whether a condition is false."""
+        return f"NOT {condition}"
+
+    def units(self, data: str, offset: int, unit: int) -> str:
+        """The whole units of bytes from an offset to the end."""
+        return f"((octet_length({data}) - {offset}) // {unit})" if unit > 1 else f"(octet_length({data}) - {offset})"
+
+    def each(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
+        """The list of what `body` says of each element; without a count, of all elements to the end."""
+        number = self.units(data, offset, size) if count is None else str(count)
+        element = f"{data}[{offset + 1} + {size} * i : {offset + size} + {size} * i]"
+        elements = f"list_transform(range({number}), lambda i: {body(element)})"
+        return f"CASE WHEN {data} IS NOT NULL THEN {elements} END"
+
+    def some(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
+        """Whether the condition of `body` is true for some element."""
+        return f"list_bool_or({self.each(data, offset, size, count, body)})"
+
+    def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
+        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
+        size = self.size(data)
+        tests = [f"{size} = {minimum}" if minimum == maximum else f"{size} >= {minimum}"]
+        if maximum is not None and maximum != minimum:
+            tests.append(f"{size} <= {maximum}")
+        if unit > 1:
+            tests.append(f"({size} - {offset}) % {unit} = 0")
+        return self.chosen(data, " AND ".join(tests))
+
+    def chosen(self, data: str, condition: str) -> str:
+        """The bytes where a condition is true, else null."""
+        return f"CASE WHEN {condition} THEN {data} END"
+
+    def first(self, *values: str) -> str:
+        """The first value that is not null."""
+        return f"coalesce({', '.join(values)})"
+
+    def first_of(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
+        """The first of what `body` says of each element that is not null."""
+        return f"list_filter({self.each(data, offset, size, count, body)}, lambda own: own IS NOT NULL)[1]"
+
+    def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
+        """The reason behind the first condition that is true; null where none is."""
+        rows = [f"WHEN {condition} THEN {literal(reason)}" for condition, reason in refusals]
+        return f"CASE {' '.join(rows)} END"
+
+    def words(self, address: str, size: int, unit: int = 2) -> str:
+        """The bytes at an address of the registers whose words, from the address `start` on, are the payload.
+
+        An address has `unit` bytes.
+        """
+        offset = f"{unit} * ({address} - start::BIGINT)"
+        condition = f"{address} >= start::BIGINT AND {offset} + {size} <= octet_length(payload)"
+        return f"CASE WHEN {condition} THEN payload[{offset} + 1 : {offset} + {size}] END"
+
+    def single_bit(self, address: int) -> str:
+        """The bit at an address where the payload has those from the address `start` on."""
+        offset = f"({address} - start::BIGINT)"
+        condition = f"{offset} >= 0 AND {offset} // 8 < octet_length(payload)"
+        byte = f"payload[{offset} // 8 + 1 : {offset} // 8 + 1]::BIT::UTINYINT"
+        return f"CASE WHEN {condition} THEN ({byte} >> ({offset} % 8)::UTINYINT) & 1 = 1 END"
+
+    def argument(self, name: str) -> str:
+        """An argument of the query that is a number."""
+        return f"{name}::BIGINT"
+
+    def step(self, name: str) -> str:
+        """The name of an intermediate result."""
+        return f'"fieldspec_{name}"'
+
+    def as_text(self, value: str) -> str:
+        """A number as a text."""
+        return f"({value})::VARCHAR"

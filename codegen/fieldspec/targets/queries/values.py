@@ -1,0 +1,260 @@
+"""The columns of a value, and what is wrong with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.targets.fact_texts import unit_word
+from fieldspec.targets.queries.dialect import DecimalScale, Dialect, Slot
+
+Reader = Callable[[str, int], str]
+"""The expression of something about the value at an offset of some bytes."""
+
+MOST_DIGITS = 38
+"""The digits of a decimal number in DuckDB and in Polars."""
+
+
+@dataclass(frozen=True, slots=True)
+class ValueColumn:
+    """A column of a value: the words behind the name of the value, and its expression."""
+
+    suffix: str
+    read: Reader
+
+
+@dataclass(frozen=True, slots=True)
+class ValueRule:
+    """Something that a value breaks: the reason, and the condition."""
+
+    reason: str
+    breaks: Reader
+
+
+@dataclass(frozen=True, slots=True)
+class ValueQuery:
+    """The expressions of a value with its orders. `enums` are the enums as the dialect refers to them.
+
+    `exponent` reads the exponent of a scale that is elsewhere, None where there is none; `exponents` are the numbers
+    that it may be.
+    """
+
+    device: Device
+    dialect: Dialect
+    enums: dict[str, str]
+    value: Value
+    order: str
+    swapped: bool
+    exponent: Reader | None = None
+    exponents: tuple[tuple[int, int], ...] = ()
+
+    def number(self, data: str, offset: int) -> str:
+        """The expression of the raw number at an offset of the data."""
+        kind = self.value.type.kind
+        slot = Slot(offset, self.value.size, self.order, self.swapped, kind is Kind.INTEGER and self.value.type.signed)
+        return self.dialect.real(data, slot) if kind is Kind.FLOAT else self.dialect.whole(data, slot)
+
+    def word(self, data: str, offset: int) -> str:
+        """The expression of the raw number as a word without a sign."""
+        return self.dialect.whole(data, Slot(offset, self.value.size, self.order, self.swapped))
+
+    def raw(self, data: str, offset: int) -> str:
+        """The raw number as a text; texts and bytes as they are."""
+        if self.value.type.is_number:
+            return self.dialect.as_text(self.number(data, offset))
+        return ""
+
+    def columns(self) -> Iterator[ValueColumn]:
+        """The columns: the value as people read it, the raw number where it differs, and the state of a sentinel."""
+        kind, value, dialect = self.value.type.kind, self.value, self.dialect
+        if kind is Kind.TEXT:
+            yield ValueColumn("", lambda data, offset: dialect.text(dialect.piece(data, offset, value.size)))
+        elif kind is Kind.BYTES:
+            yield ValueColumn("", lambda data, offset: dialect.piece(data, offset, value.size))
+        elif value.enum:
+            yield ValueColumn(
+                "", lambda data, offset: dialect.member(self.number(data, offset), self.enums[value.enum])
+            )
+            yield ValueColumn("raw", self.number)
+        elif kind is Kind.BOOLEAN:
+            yield ValueColumn("", lambda data, offset: dialect.truth(self.number(data, offset)))
+        elif value.flags:
+            yield ValueColumn("", self.word)
+            yield from self._bits()
+        elif kind is Kind.INTEGER and (value.scaled or self.exponent is not None):
+            yield ValueColumn(unit_word(value.quantity_unit), self._quantity)
+            yield ValueColumn("raw", self.number)
+        elif value.sentinels:
+            yield ValueColumn("", lambda data, offset: self._absent(self.number(data, offset), data, offset))
+            yield ValueColumn("raw", self.number)
+        else:
+            yield ValueColumn("", self.number)
+        if value.sentinels:
+            yield ValueColumn("state", self._state)
+
+    def faults(self) -> Iterator[ValueRule]:
+        """The reasons for which a codec refuses the value, in the order of its tests."""
+        kind, value, dialect = self.value.type.kind, self.value, self.dialect
+        if kind is Kind.BOOLEAN:
+            yield ValueRule(
+                "unknown_value",
+                lambda data, offset: dialect.negated(dialect.is_in(self.number(data, offset), [(0, 1)])),
+            )
+            return
+        if kind is Kind.TEXT:
+            yield ValueRule(
+                "unknown_value", lambda data, offset: dialect.not_ascii(dialect.piece(data, offset, value.size))
+            )
+        if not value.type.is_number:
+            return
+        const = value.const
+        if const is not None:
+            yield ValueRule(
+                "wrong_const", lambda data, offset: dialect.compared(self.number(data, offset), "<>", str(const))
+            )
+        enum = self.device.enums.get(value.enum)
+        if enum is not None and not enum.open:
+            yield ValueRule("unknown_value", lambda data, offset: dialect.negated(self._is_known(data, offset, False)))
+
+    def findings(self) -> Iterator[ValueRule]:
+        """What an audit reports of the value: what a codec refuses, and what it lets pass."""
+        yield from self.faults()
+        value, dialect = self.value, self.dialect
+        enum, flags = self.device.enums.get(value.enum), self.device.flags.get(value.flags)
+        if not value.type.is_number or value.type.kind is Kind.BOOLEAN:
+            return
+        if enum is not None and enum.open:
+            yield ValueRule("unlisted_value", lambda data, offset: dialect.negated(self._is_known(data, offset, True)))
+        if value.ranges is not None or (flags is not None and flags.bounded):
+            yield ValueRule("out_of_range", self._out_of_range)
+        if flags is not None:
+            used = sum(bit.mask for bit in flags.bits if not bit.reserved)
+            spare = ((1 << 8 * value.size) - 1) & ~used
+            if spare:
+                yield ValueRule("reserved_bits", lambda data, offset: dialect.mask(self.word(data, offset), spare))
+
+    def _out_of_range(self, data: str, offset: int) -> str:
+        """Whether a number that is no sentinel is in no range, or a field of its bits; empty where none can be."""
+        word = self.device.flags.get(self.value.flags)
+        conditions = [self._out_of_intervals(data, offset)] if self.value.ranges is not None else []
+        for bit in word.bounded if word is not None and self.value.const is None else ():
+            number = self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
+            intervals = bit.ranges.intervals if bit.ranges is not None else ()
+            conditions.append(self.dialect.negated(self.dialect.is_in(number, intervals)))
+        tests = [condition for condition in conditions if condition]
+        return self.dialect.either(*tests) if len(tests) > 1 else "".join(tests)
+
+    def _out_of_intervals(self, data: str, offset: int) -> str:
+        """Whether a number that is no sentinel is in no range of the value."""
+        value, dialect, number = self.value, self.dialect, self.number(data, offset)
+        floating = value.type.kind is Kind.FLOAT
+        assert value.ranges is not None
+        numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
+        intervals = [*value.ranges.intervals, *((number, number) for number in numbers)]
+        if value.type.kind is Kind.INTEGER and any(
+            low <= value.type.low and high >= value.type.high for low, high in intervals
+        ):
+            return ""
+        condition = dialect.negated(dialect.is_in(number, intervals, floating))
+        enum = self.device.enums.get(value.enum)
+        if enum is not None and not enum.open:
+            condition = dialect.both(self._is_known(data, offset, False), condition)
+        return dialect.both(dialect.negated(dialect.is_nan(number)), condition) if value.absent_nan else condition
+
+    def _is_known(self, data: str, offset: int, unavailable: bool) -> str:
+        """Whether an enum lists a number, or it is a sentinel."""
+        members = self.device.enums[self.value.enum].members
+        numbers = {member.value for member in members if unavailable or not member.unavailable}
+        numbers |= {sentinel.value for sentinel in self.value.sentinels}
+        return self.dialect.is_in(self.number(data, offset), runs_of(numbers))
+
+    def _absent(self, column: str, data: str, offset: int) -> str:
+        sentinels = self.value.sentinels
+        numbers = [sentinel.value for sentinel in sentinels if not sentinel.is_nan]
+        if not sentinels:
+            return column
+        return self.dialect.absent(column, self.number(data, offset), numbers, self.value.absent_nan)
+
+    def _state(self, data: str, offset: int) -> str:
+        names = {sentinel.value: sentinel.name for sentinel in self.value.sentinels if not sentinel.is_nan}
+        nan = next((sentinel.name for sentinel in self.value.sentinels if sentinel.is_nan), "")
+        return self.dialect.cases(self.number(data, offset), names, nan)
+
+    def _quantity(self, data: str, offset: int) -> str:
+        value, number = self.value, self.number(data, offset)
+        if self.exponent is not None:
+            return self._absent(self.dialect.power(number, self.exponent(data, offset), self.exponents), data, offset)
+        return self._absent(quantity(self.dialect, number, value, (value.type.low, value.type.high)), data, offset)
+
+    def _bits(self) -> Iterator[ValueColumn]:
+        for bit in self.device.flags[self.value.flags].bits:
+            if not bit.reserved:
+                yield from self._bit(bit)
+
+    def _bit(self, bit: Bit) -> Iterator[ValueColumn]:
+        def number(data: str, offset: int) -> str:
+            return self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
+
+        if bit.enum:
+            yield ValueColumn(
+                bit.name, lambda data, offset: self.dialect.member(number(data, offset), self.enums[bit.enum])
+            )
+            yield ValueColumn(f"{bit.name}_raw", number)
+        elif bit.scale != 1 or bit.offset != 0:
+            value = bit.as_value
+            bounds = (bit.low, bit.high)
+            yield ValueColumn(
+                f"{bit.name}_{unit_word(bit.unit)}",
+                lambda data, offset: quantity(self.dialect, number(data, offset), value, bounds),
+            )
+            yield ValueColumn(f"{bit.name}_raw", number)
+        elif bit.width == 1 and not bit.is_number:
+            yield ValueColumn(bit.name, lambda data, offset: self.dialect.bit(self.word(data, offset), bit.first))
+        else:
+            yield ValueColumn(bit.name, number)
+
+
+def quantity(dialect: Dialect, number: str, value: Value, bounds: tuple[int, int]) -> str:
+    """The quantity of a number between `bounds`: exact where it is a decimal number of at most 38 digits."""
+    scale = decimal_scale(value, bounds)
+    return (
+        dialect.ratio(number, Fraction(value.scale), Fraction(value.offset))
+        if scale is None
+        else dialect.decimal(number, scale)
+    )
+
+
+def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
+    """The scale of a value whose counts are between `bounds`; None where its quantities are no decimal numbers."""
+    if not isinstance(value.scale, Decimal):
+        return None
+    scale, offset = Fraction(value.scale), Fraction(value.offset)
+    places = next(
+        (n for n in range(MOST_DIGITS) if not (scale * 10**n).denominator > 1 and (offset * 10**n).denominator == 1),
+        None,
+    )
+    if places is None:
+        return None
+    digits = max(len(str(abs(bound))) for bound in bounds)
+    greatest = max(abs(bound * scale) + abs(offset) for bound in bounds)
+    precision = len(str(int(greatest))) + places
+    factor = max(len(str(int(abs(scale) * 10**places))), places)
+    if digits + factor + bool(offset) > MOST_DIGITS or precision > MOST_DIGITS:
+        return None
+    return DecimalScale(value.scale, value.offset, digits, places, precision)
+
+
+def runs_of(numbers: set[int]) -> Sequence[tuple[int, int]]:
+    """The intervals of some whole numbers: neighbours are in one interval."""
+    runs: list[tuple[int, int]] = []
+    for number in sorted(numbers):
+        if runs and runs[-1][1] == number - 1:
+            runs[-1] = (runs[-1][0], number)
+        else:
+            runs.append((number, number))
+    return runs

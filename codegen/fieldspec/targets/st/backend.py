@@ -1,0 +1,54 @@
+"""The files of the Structured Text output."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.names import stem
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.targets.controllers.dialects import DIALECTS
+from fieldspec.targets.controllers.structured.layout_table import layout_table
+from fieldspec.targets.controllers.structured.program import Program, newest, program
+from fieldspec.targets.controllers.structured.program import refusals as program_refusals
+from fieldspec.targets.st.usages import usages as usages
+
+_PARTS = {
+    "type": "Types: enums and structs",
+    "list": "Constants: each list is an object of its own, by the name above it",
+    "function": "Functions",
+    "block": "Function blocks",
+}
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """One text with everything of a device's newest version, and a table of where members of structs lie."""
+    layout = newest(versions)
+    name = stem(layout.device.id, layout.device.version)
+    st_program = program(layout)
+    return {f"{name}.st": text(st_program), f"{name}_layout.csv": layout_table(st_program)}
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Names that controllers do not take, or take for one."""
+    return program_refusals(newest(versions), DIALECTS["st"])
+
+
+def shared() -> dict[str, str]:
+    """No files: every file of this output belongs to one device."""
+    return {}
+
+
+def text(program: Program) -> str:
+    """All objects of a program in one text."""
+    lines = [f"// {line}".rstrip() for line in (*program.about(), "", *program.guide())]
+    part = ""
+    for item in program.items:
+        if item.kind != part:
+            part = item.kind
+            lines += ["", f"// ==== {_PARTS[part]} ===="]
+        lines.append("")
+        if item.kind == "list":
+            lines.append(f"// {item.name}")
+        lines += item.lines
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,309 @@
+"""Decodes one kind of value in many frames at once: raw values, quantities, names and verdicts as columns."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from fieldspec.codec.explain.values import decode_value, number_of
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.text_form import decoded_text
+from fieldspec.language.model.value import Kind, Value
+from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, number_at
+from fieldspec.tools.captures.verdicts import (
+    OK,
+    OUT_OF_RANGE,
+    UNKNOWN_VALUE,
+    UNLISTED_BITS,
+    UNLISTED_MEMBER,
+    VERDICT_NUMBERS,
+    WRONG_CONST,
+)
+
+UNSEEN = -2
+MOST_REMEMBERED = 1 << 16
+
+
+class TextList:
+    """Texts, each with its place in the list."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+        self._places: dict[str, int] = {}
+
+    def place(self, text: str) -> int:
+        """The place of a text, which is added where it is new."""
+        place = self._places.get(text)
+        if place is None:
+            place = self._places[text] = len(self.texts)
+            self.texts.append(text)
+        return place
+
+
+@dataclass(frozen=True, slots=True)
+class ValueColumns:
+    """Decoded values. `raw` and `quantity` count only where `has_raw` and `has_quantity` are true."""
+
+    raw: Numbers
+    has_raw: Mask
+    quantity: npt.NDArray[np.float64]
+    has_quantity: Mask
+    text: Texts
+    verdict: npt.NDArray[np.int8]
+
+    @staticmethod
+    def empty(rows: int) -> ValueColumns:
+        """Columns without any value yet."""
+        return ValueColumns(
+            np.zeros(rows, np.int64),
+            np.zeros(rows, np.bool_),
+            np.zeros(rows, np.float64),
+            np.zeros(rows, np.bool_),
+            np.full(rows, -1, np.int32),
+            np.zeros(rows, np.int8),
+        )
+
+    def put(self, rows: Numbers, own: ValueColumns) -> None:
+        """Writes decoded values into some rows."""
+        for name in ("raw", "has_raw", "quantity", "has_quantity", "text", "verdict"):
+            getattr(self, name)[rows] = getattr(own, name)
+
+
+class Decoder:
+    """Decodes the values of one definition. Equal definitions share a decoder, as their `key` is equal.
+
+    `is_lenient`: what starts something does not answer what was written, so no verdict applies.
+    """
+
+    def __init__(
+        self, device: Device, texts: TextList, value: Value, order: str, swapped: bool, reserved: bool, is_lenient: bool
+    ) -> None:
+        self.device, self.texts, self.value = device, texts, value
+        self.order, self.swapped, self.reserved, self.is_lenient = order, swapped, reserved, is_lenient
+        self.type = value.type
+        self.is_named = bool(value.enum or value.flags or self.type.kind is Kind.BOOLEAN) and not reserved
+        self.is_small = self.type.is_number and value.size <= 2 and not value.digits
+        self.has_table = self.is_small and not reserved and (self.is_named or bool(value.sentinels))
+        self.has_table = self.has_table or (self.is_small and value.const is not None and not reserved)
+        self.has_quantity = self.type.is_number and not value.enum and not value.flags
+        scale = value.scale.as_integer_ratio()
+        offset = value.offset.as_integer_ratio()
+        self.factor = scale[0] * offset[1]
+        self.summand = offset[0] * scale[1]
+        self.divisor = scale[1] * offset[1]
+        self._table: tuple[Texts, npt.NDArray[np.int8], Mask] | None = None
+        self._remembered: dict[bytes, tuple[int, int, bool]] = {}
+
+    def decode(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
+        """The values whose bytes begin at some places."""
+        kind = self.type.kind
+        if kind in (Kind.TEXT, Kind.BYTES):
+            return self._characters(buffer, offsets)
+        if kind is Kind.FLOAT:
+            return self._floats(buffer, offsets)
+        if self.value.digits:
+            return self._digits_of(buffer, offsets)
+        return self._integers(self._raw(buffer, offsets, self.type.signed))
+
+    def of_bits(self, bits: Numbers) -> ValueColumns:
+        """The values of single bits, which are 0 or 1."""
+        return self._integers(bits)
+
+    def _raw(self, buffer: Bytes, offsets: Numbers, signed: bool) -> Numbers:
+        return number_at(buffer, offsets, self.value.size, self.order, signed, self.swapped)
+
+    def _integers(self, raw: Numbers) -> ValueColumns:
+        result = ValueColumns.empty(len(raw))
+        result.raw[:] = raw
+        result.has_raw[:] = True
+        is_unsigned_high = (raw < 0) if self.type.size == 8 and not self.type.signed else None
+        wide = raw.view(np.uint64).astype(np.float64) if is_unsigned_high is not None else raw.astype(np.float64)
+        if self.has_quantity:
+            result.has_quantity[:] = True
+            result.quantity[:] = self._scaled(wide)
+        if is_unsigned_high is not None and is_unsigned_high.any():
+            result.has_raw[is_unsigned_high] = False
+        if self.has_table:
+            self._by_table(raw, result)
+        elif self.is_named:
+            self._by_memory(raw, result)
+        elif not self.reserved:
+            self._by_bounds(raw, result)
+        if is_unsigned_high is not None and is_unsigned_high.any():
+            nameless = is_unsigned_high & (result.text < 0)
+            result.text[nameless] = self._digits(raw[nameless])
+        if self.is_lenient:
+            result.verdict[:] = OK
+        return result
+
+    def _scaled(self, wide: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """The nearest number to raw * scale + offset, as the product is exact up to 2^53."""
+        if self.divisor == self.factor and not self.summand:
+            return wide
+        return np.asarray((wide * float(self.factor) + float(self.summand)) / float(self.divisor))
+
+    def _digits(self, raw: Numbers) -> Texts:
+        return np.array([self.texts.place(str(number)) for number in raw.view(np.uint64).tolist()], np.int32)
+
+    def _by_table(self, raw: Numbers, result: ValueColumns) -> None:
+        """Looks names and verdicts up by the raw value. The table is filled as values appear."""
+        if self._table is None:
+            size = 1 << 8 * self.value.size
+            self._table = np.full(size, UNSEEN, np.int32), np.zeros(size, np.int8), np.zeros(size, np.bool_)
+        texts, verdicts, quantities = self._table
+        places = raw & (len(texts) - 1)
+        numbers = texts[places]
+        if (numbers == UNSEEN).any():
+            for place in np.unique(places[numbers == UNSEEN]).tolist():
+                data = place.to_bytes(self.value.size, "big")
+                texts[place], verdicts[place], quantities[place] = self._meaning(data)
+            numbers = texts[places]
+        result.text[:] = numbers
+        result.verdict[:] = verdicts[places]
+        result.has_quantity[:] = quantities[places]
+
+    def _by_memory(self, raw: Numbers, result: ValueColumns) -> None:
+        """The same for wide values, each distinct one once."""
+        distinct, places = np.unique(raw, return_inverse=True)
+        rows = [self._recalled(number) for number in distinct.tolist()]
+        result.text[:] = np.array([row[0] for row in rows], np.int32)[places]
+        result.verdict[:] = np.array([row[1] for row in rows], np.int8)[places]
+        result.has_quantity[:] = np.array([row[2] for row in rows], np.bool_)[places]
+
+    def _recalled(self, number: int) -> tuple[int, int, bool]:
+        size = self.value.size
+        data = (
+            (number & (1 << 8 * size) - 1).to_bytes(size, "big") if not self.value.digits else self._digit_data(number)
+        )
+        if data not in self._remembered:
+            if len(self._remembered) > MOST_REMEMBERED:
+                self._remembered.clear()
+            self._remembered[data] = self._meaning(data)
+        return self._remembered[data]
+
+    def _digit_data(self, number: int) -> bytes:
+        """The digits of a number, the most significant one first."""
+        return digits_bytes(self.value, number % (1 << 64) if self.value.low == 0 else number)
+
+    def _meaning(self, data: bytes) -> tuple[int, int, bool]:
+        """The place of the text, the verdict, and whether there is a quantity, for the bytes of a value, big-endian."""
+        read = decode_value(self.device, self.value, data, "big", False)
+        number = read.number if isinstance(read.number, int) else 0
+        verdict = VERDICT_NUMBERS.get(read.reason, OK)
+        if self.value.const is None and self.value.sentinel(number) is not None:
+            return self.texts.place(read.meanings[0].name), verdict, False
+        if self.value.flags:
+            names = [meaning for meaning in read.meanings if meaning.kind != "state"]
+            if verdict == OK and any(not meaning.name for meaning in names):
+                verdict = UNLISTED_BITS
+            listing = "+".join(meaning.name or f"bit_{meaning.bits}" for meaning in names)
+            return self.texts.place(listing), verdict, False
+        if self.value.enum:
+            if verdict == OK and not read.meanings:
+                verdict = UNLISTED_MEMBER
+            return self.texts.place(read.meanings[0].name) if read.meanings else -1, verdict, False
+        return -1, verdict, True
+
+    def _by_bounds(self, raw: Numbers, result: ValueColumns) -> None:
+        """Verdicts of values without names, and the names of those that stand for a state."""
+        value = self.value
+        unsigned = raw.view(np.uint64) if self.type.size == 8 and not self.type.signed else None
+        numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64] = raw if unsigned is None else unsigned
+        if value.ranges is not None:
+            result.verdict[~within(numbers, value.ranges)] = OUT_OF_RANGE
+        for sentinel in value.sentinels:
+            is_sentinel = numbers == numbers.dtype.type(sentinel.value)
+            result.verdict[is_sentinel] = OK
+            result.text[is_sentinel] = self.texts.place(sentinel.name)
+            result.has_quantity[is_sentinel] = False
+        if value.const is not None:
+            result.verdict[:] = np.where(numbers == numbers.dtype.type(value.const), result.verdict, WRONG_CONST)
+
+    def _floats(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
+        bits = self._raw(buffer, offsets, False)
+        single = self.value.size == 4
+        with np.errstate(invalid="ignore"):  # a signalling NaN
+            exact = bits.astype(np.uint32).view(np.float32).astype(np.float64) if single else bits.view(np.float64)
+        result = ValueColumns.empty(len(bits))
+        result.quantity[:] = exact
+        result.has_quantity[:] = True
+        if self.reserved:
+            return result
+        value = self.value
+        if value.ranges is not None:
+            is_within = np.zeros(len(exact), np.bool_)
+            for low, high in value.ranges.intervals:
+                is_within |= (exact >= low) & (exact <= high)
+            result.verdict[~is_within] = OUT_OF_RANGE
+        for sentinel in value.sentinels:
+            is_sentinel = np.isnan(exact) if sentinel.is_nan else exact == sentinel.value
+            result.verdict[is_sentinel] = OK
+            result.text[is_sentinel] = self.texts.place(sentinel.name)
+            result.has_quantity[is_sentinel] = False
+        if self.is_lenient:
+            result.verdict[:] = OK
+        return result
+
+    def _digits_of(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
+        """The values of digits: the bytes that are none are a text with a verdict."""
+        table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
+        pieces = [row.tobytes() for row in table]
+        numbers = {piece: number_of(self.value, piece, self.order, self.swapped) for piece in set(pieces)}
+        raw = [number if isinstance(number := numbers[piece], int) else 0 for piece in pieces]
+        result = self._integers(
+            np.array(raw, np.uint64).view(np.int64) if self.value.low == 0 else np.array(raw, np.int64)
+        )
+        for row, piece in enumerate(pieces):
+            if not isinstance(numbers[piece], int):
+                result.has_raw[row] = result.has_quantity[row] = False
+                result.text[row] = self.texts.place(piece.hex(" ").upper())
+                result.verdict[row] = OK if self.reserved else UNKNOWN_VALUE
+        return result
+
+    def _characters(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
+        result = ValueColumns.empty(len(offsets))
+        table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
+        for row, data in enumerate(table):
+            result.text[row], result.verdict[row] = self._character_text(data.tobytes())
+        return result
+
+    def _character_text(self, data: bytes) -> tuple[int, int]:
+        if self.type.kind is Kind.BYTES or self.reserved:
+            return self.texts.place(data.hex(" ").upper()), OK
+        text = decoded_text(self.value, self.order, data)
+        if text is None:
+            return self.texts.place(data.hex(" ").upper()), UNKNOWN_VALUE
+        return self.texts.place(text), OK
+
+
+def within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:
+    """Whether numbers are in any interval. Bounds that the type of the column cannot have are those of the type."""
+    limits = np.iinfo(numbers.dtype)
+    is_within = np.zeros(len(numbers), np.bool_)
+    for low, high in ranges.intervals:
+        if high < limits.min or low > limits.max:
+            continue
+        bounds = numbers.dtype.type(max(low, limits.min)), numbers.dtype.type(min(high, limits.max))
+        is_within |= (numbers >= bounds[0]) & (numbers <= bounds[1])
+    return is_within
+
+
+class Decoders:
+    """The decoders of a device, one for each definition, with their places."""
+
+    def __init__(self, device: Device, texts: TextList) -> None:
+        self.device, self.texts = device, texts
+        self.items: list[Decoder] = []
+        self._places: dict[object, int] = {}
+
+    def place(self, value: Value, order: str, swapped: bool, reserved: bool = False, is_lenient: bool = False) -> int:
+        """The place of the decoder of a definition."""
+        bare = replace(value, default=None, unit="", scale_text="")
+        key = (repr(bare), order, swapped, reserved, is_lenient)
+        if key not in self._places:
+            self._places[key] = len(self.items)
+            self.items.append(Decoder(self.device, self.texts, value, order, swapped, reserved, is_lenient))
+        return self._places[key]

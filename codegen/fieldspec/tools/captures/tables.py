@@ -1,0 +1,139 @@
+"""The tables of frames and values as Arrow record batches. See docs/captures.md for the columns."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+
+from fieldspec.tools.captures.columns import NO_TIME, Numbers, Texts
+from fieldspec.tools.captures.decoding import Batch
+from fieldspec.tools.captures.pairing import NONE
+from fieldspec.tools.captures.verdicts import VERDICTS
+
+TEXT = pa.dictionary(pa.int32(), pa.string())
+TIME = pa.timestamp("ns", "UTC")
+
+FRAMES = pa.schema(
+    [
+        ("source", TEXT),
+        ("frame", pa.int64()),
+        ("packet", pa.int64()),
+        ("time", TIME),
+        ("stream", TEXT),
+        ("device", TEXT),
+        ("link", TEXT),
+        ("direction", TEXT),
+        ("message", TEXT),
+        ("exception", TEXT),
+        ("unit_address", pa.int64()),
+        ("space", TEXT),
+        ("address", pa.int64()),
+        ("count", pa.int64()),
+        ("request", pa.int64()),
+        ("delay", pa.int64()),
+        ("verdict", TEXT),
+        ("bytes", pa.binary()),
+        ("data", pa.binary()),
+    ]
+)
+
+VALUES = pa.schema(
+    [
+        ("source", TEXT),
+        ("frame", pa.int64()),
+        ("time", TIME),
+        ("device", TEXT),
+        ("unit_address", pa.int64()),
+        ("operation", TEXT),
+        ("space", TEXT),
+        ("address", pa.int64()),
+        ("register", TEXT),
+        ("raw", pa.int64()),
+        ("value", pa.float64()),
+        ("text", TEXT),
+        ("unit", TEXT),
+        ("verdict", TEXT),
+    ]
+)
+
+SCHEMAS = {"frames": FRAMES, "values": VALUES}
+VERDICT_TEXTS = pa.array(VERDICTS)
+
+
+def record_batches(batch: Batch, texts: list[str], source: str, device: str) -> dict[str, Any]:
+    """A batch as record batches, by the name of the table. `texts` are those of the columns of texts."""
+    words = pa.array(texts, pa.string())
+    frames, values = batch.frames, batch.values
+    rows, value_rows = len(frames.number), len(values.frame)
+    frame_columns = [
+        _same(source, rows),
+        pa.array(frames.number),
+        pa.array(frames.packet),
+        _times(frames.time),
+        _texts(frames.stream, words),
+        _same(device, rows),
+        _texts(frames.link, words),
+        _texts(frames.direction, words),
+        _texts(frames.message, words),
+        _texts(frames.exception, words),
+        _numbers(frames.unit_address),
+        _texts(frames.space, words),
+        _numbers(frames.address),
+        _numbers(frames.count),
+        _numbers(frames.request),
+        _numbers(frames.delay),
+        pa.DictionaryArray.from_arrays(pa.array(frames.verdict.astype(np.int32)), VERDICT_TEXTS),
+        _binary(*frames.bytes),
+        _binary(*frames.data, frames.has_data),
+    ]
+    own = values.values
+    value_columns = [
+        _same(source, value_rows),
+        pa.array(frames.number[values.frame]),
+        _times(frames.time[values.frame]),
+        _same(device, value_rows),
+        _numbers(frames.unit_address[values.frame]),
+        _texts(values.operation, words),
+        _texts(values.space, words),
+        _numbers(values.address),
+        _texts(values.register, words),
+        pa.array(own.raw, mask=_mask(~own.has_raw)),
+        pa.array(own.quantity, mask=_mask(~own.has_quantity)),
+        _texts(own.text, words),
+        _texts(values.unit, words),
+        pa.DictionaryArray.from_arrays(pa.array(own.verdict.astype(np.int32)), VERDICT_TEXTS),
+    ]
+    return {
+        "frames": pa.RecordBatch.from_arrays(frame_columns, schema=FRAMES),
+        "values": pa.RecordBatch.from_arrays(value_columns, schema=VALUES),
+    }
+
+
+def _mask(mask: Any) -> Any:
+    return mask if mask.any() else None
+
+
+def _same(text: str, rows: int) -> Any:
+    return pa.DictionaryArray.from_arrays(pa.array(np.zeros(rows, np.int32)), pa.array([text]))
+
+
+def _times(times: Numbers) -> Any:
+    return pa.array(times, mask=_mask(times == NO_TIME)).cast(TIME)
+
+
+def _numbers(numbers: Numbers) -> Any:
+    return pa.array(numbers, mask=_mask(numbers == NONE))
+
+
+def _texts(places: Texts, words: Any) -> Any:
+    return pa.DictionaryArray.from_arrays(pa.array(places.astype(np.int32), mask=_mask(places < 0)), words)
+
+
+def _binary(data: Any, offsets: Numbers, present: Any = None) -> Any:
+    """A column of bytes over one buffer."""
+    rows = len(offsets) - 1
+    places = pa.py_buffer(np.ascontiguousarray(offsets.astype(np.int32)))
+    valid = None if present is None else pa.array(present).buffers()[1]
+    return pa.Array.from_buffers(pa.binary(), rows, [valid, places, pa.py_buffer(np.ascontiguousarray(data))])

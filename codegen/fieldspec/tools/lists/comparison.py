@@ -1,0 +1,291 @@
+"""Compares a device with a list: what agrees, what differs, and what only one of them has."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Sequence
+from decimal import Decimal
+
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.language.model.value import exact_scale
+from fieldspec.tools.lists.cells import BASES
+from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.item import REGISTERS, Item
+from fieldspec.tools.lists.listing import Listing, ListRow, moved
+
+ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "const", "count", "stride")
+"""What is compared if both state it."""
+
+_OFFSETS = (0, 1, -1)
+_ENOUGH = 0.25
+
+Place = tuple[str, int]
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """An aspect in which the device and the list differ, as each writes it."""
+
+    aspect: str
+    ours: str
+    theirs: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """An item and the row about it, with their differences."""
+
+    item: Item
+    row: ListRow
+    differences: tuple[Difference, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """An item that the list does not have, or its elements with the numbers from `first` to `last`."""
+
+    item: Item
+    first: int
+    last: int
+
+    @property
+    def address(self) -> int:
+        """The first address that is missing."""
+        return self.item.address + (self.first - self.item.first) * self.item.stride
+
+
+@dataclass(frozen=True, slots=True)
+class Extra:
+    """A row that the device does not have. `remark` says what the device has there, if anything."""
+
+    row: ListRow
+    remark: str
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """The result. The addresses of the list are higher by `offset`; `guessed` if the user has not said so."""
+
+    base: str
+    offset: int
+    guessed: bool
+    pairs: tuple[Pair, ...]
+    extras: tuple[Extra, ...]
+    missing: tuple[Missing, ...]
+
+    @property
+    def agreeing(self) -> list[Pair]:
+        """The pairs without differences."""
+        return [pair for pair in self.pairs if not pair.differences]
+
+    @property
+    def differing(self) -> list[Pair]:
+        """The pairs with differences."""
+        return [pair for pair in self.pairs if pair.differences]
+
+    @property
+    def shifted(self) -> bool:
+        """Whether all addresses of the list are shifted, and the user has not said so."""
+        return self.guessed and self.offset != 0
+
+    @property
+    def same(self) -> bool:
+        """Whether the device and the list agree in everything."""
+        return not (self.shifted or self.differing or self.extras or self.missing)
+
+
+class _Known:
+    """The items by the address of each element, and by every further word."""
+
+    def __init__(self, items: Sequence[Item]) -> None:
+        self.spaces = {folded(item.space): item.space for item in items}
+        self.starts: dict[Place, list[Item]] = defaultdict(list)
+        self.inside: dict[Place, Item] = {}
+        for item in items:
+            for address in item.addresses():
+                self.starts[item.space, address].append(item)
+                for word in range(1, item.words or 1):
+                    self.inside[item.space, address + word] = item
+
+    def space(self, row: ListRow) -> str:
+        """The space of a row: the one that it names, else the registers, else the first one."""
+        space_name = folded(row.texts.get("space", ""))
+        if space_name in self.spaces:
+            return self.spaces[space_name]
+        return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
+
+    def at(self, row: ListRow) -> Sequence[Item]:
+        """The items that begin at the address of a row."""
+        return self.starts.get((self.space(row), row.address), ())
+
+
+def compared(
+    items: Sequence[Item], listing: Listing, offset: int | None = None, ignored: Collection[str] = ()
+) -> Compared:
+    """Compares a device with a list. Without `offset`, an offset of 1 of the whole list is recognised."""
+    known = _Known(items)
+    aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
+    ways = [
+        (base, shift, list(moved(listing.rows(base), shift)))
+        for shift in ((offset,) if offset is not None else _OFFSETS)
+        for base in sorted(listing.bases, key=lambda base: listing.bases.index(base))
+    ]
+    base, best, rows = _likeliest(known, ways, aspects)
+    assert base in BASES
+    pairs, extras, covered = _paired(known, rows, aspects)
+    missing = tuple(gap for item in items for gap in _gaps(item, covered[id(item)]))
+    return Compared(base, best, offset is None, tuple(pairs), tuple(extras), missing)
+
+
+def _likeliest(
+    known: _Known, ways: Sequence[tuple[str, int, list[ListRow]]], aspects: Collection[str]
+) -> tuple[str, int, list[ListRow]]:
+    """The way to read addresses with which most rows fit. An offset must explain clearly more than none."""
+    best, best_total = ways[0], -1.0
+    for reading in ways:
+        rows = reading[2]
+        fits = [max((_fit(item, row, aspects) for item in known.at(row)), default=0.0) for row in rows]
+        total = sum(fits)
+        if reading[1] == best[1] or best_total < 0:
+            better = total > best_total
+        else:
+            better = total > best_total and (all(fits) or total - best_total >= _ENOUGH * len(rows))
+        if better:
+            best, best_total = reading, total
+    return best
+
+
+def _fit(item: Item, row: ListRow, aspects: Collection[str]) -> float:
+    """How well a row fits an item: 1 for the address, more for the name, less for differences."""
+    names = "name" in aspects and _names(item) & {folded(name) for name in row.names}
+    wrong = sum(difference.aspect in ("type", "access", "words") for difference in _differences(item, row, aspects))
+    return max(1 + (3 if names else 0) - 0.2 * wrong, 0.1)
+
+
+def _paired(
+    known: _Known, rows: Sequence[ListRow], aspects: Collection[str]
+) -> tuple[list[Pair], list[Extra], dict[int, set[int]]]:
+    pairs: list[Pair] = []
+    extras: list[Extra] = []
+    covered: dict[int, set[int]] = defaultdict(set)
+    paired_rows: dict[tuple[int, int], int] = {}
+    for row in rows:
+        candidates = known.at(row)
+        if not candidates:
+            holder = known.inside.get((known.space(row), row.address))
+            extras.append(Extra(row, f"inside {holder.name}" if holder else ""))
+            continue
+        fresh = [item for item in candidates if (id(item), row.address) not in paired_rows]
+        item = max(fresh or candidates, key=lambda item: _fit(item, row, aspects))
+        if not fresh:
+            extras.append(Extra(row, f"listed before in row {paired_rows[id(item), row.address]}"))
+            continue
+        paired_rows[id(item), row.address] = row.row
+        first = (row.address - item.address) // item.stride if item.stride else 0
+        covered[id(item)].update(range(first, min(first + row.count, item.count) if item.stride else item.count))
+        following = _following_items(known, item, row)
+        for next_item in following:
+            covered[id(next_item)].add(0)
+        differences = _differences(item, row, aspects)
+        whole = len(following) == row.count - 1 > 0
+        pairs.append(
+            Pair(
+                item,
+                row,
+                tuple(difference for difference in differences if not (whole and difference.aspect == "count")),
+            )
+        )
+    return pairs, extras, covered
+
+
+def _following_items(known: _Known, item: Item, row: ListRow) -> list[Item]:
+    """The further items that a row with a count stands for, which are equal registers."""
+    step = row.stride or row.words or item.words or 1
+    if item.count > 1:
+        return []
+    places = ((item.space, row.address + number * step) for number in range(1, min(row.count, len(known.starts) + 1)))
+    items = [other for place in places for other in known.starts.get(place, ())[:1]]
+    return [other for other in items if (other.type, other.words) == (item.type, item.words)]
+
+
+def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:
+    """The runs of elements of an item that no row is about."""
+    start: int | None = None
+    for number in range(item.count + 1):
+        absent = number < item.count and number not in covered
+        if absent and start is None:
+            start = number
+        elif not absent and start is not None:
+            yield Missing(item, item.first + start, item.first + number - 1)
+            start = None
+
+
+def _names(item: Item) -> set[str]:
+    names = (item.name, item.name.rpartition(".")[2], item.printed_name, item.label)
+    return {folded(name) for name in names} - {""}
+
+
+def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
+    texts, value = row.texts, item.value
+    if "name" in aspects and row.names and _names(item).isdisjoint(map(folded, row.names)):
+        yield Difference("name", item.name, row.names[0])
+    if "type" in aspects and "type" in texts and not (row.type and row.type.fits(item.type)):
+        yield Difference("type", item.type, texts["type"])
+    if "access" in aspects and "access" in texts and item.access and row.access != item.access:
+        yield Difference("access", item.access, texts["access"])
+    if "words" in aspects and row.words is not None and item.words is not None and row.words != item.words:
+        yield Difference("words", str(item.words), str(row.words))
+    if "count" in aspects and "count" in texts and row.count != item.count:
+        yield Difference("count", str(item.count), texts["count"])
+    if "stride" in aspects and row.stride and item.stride and row.stride != item.stride:
+        yield Difference("stride", str(item.stride), texts["stride"])
+    if value is None:
+        return
+    unit = value.quantity_unit
+    if "unit" in aspects and "unit" in texts and unit and not _same_unit(unit, texts["unit"]):
+        yield Difference("unit", unit, texts["unit"])
+    scale = _scale(texts.get("scale", "")) if "scale" in aspects else None
+    if scale is not None and (scale != value.scale or value.scale_by):
+        exact = f"10^{value.scale_by}" if value.scale_by else value.scale_number
+        yield Difference("scale", exact if isinstance(exact, str) else f"{exact:f}", texts["scale"])
+    default = value.default if value.const is None else value.const  # what never changes begins as it is
+    ranges = value.writable_ranges
+    bounds = (
+        ("min", ranges.low if ranges else None, row.low),
+        ("max", ranges.high if ranges else None, row.high),
+        ("default", default if isinstance(default, int) else None, row.default),
+        ("const", value.const, row.const),
+    )
+    for aspect, ours, theirs in bounds:
+        if aspect in aspects and ours is not None and theirs is not None and not _is_same_value(item, ours, theirs):
+            yield Difference(aspect, str(ours), f"{theirs:f}")
+
+
+def _is_same_value(item: Item, ours: int, theirs: Decimal) -> bool:
+    """Whether a number of a list is the raw value, or the quantity that it stands for."""
+    return theirs == ours or (item.value is not None and item.value.in_unit(ours) == theirs)
+
+
+def _same_unit(ours: str, theirs: str) -> bool:
+    return ours.replace(" ", "").casefold() == theirs.replace(" ", "").casefold()
+
+
+def _fraction(text: str) -> Decimal | Fraction | None:
+    """A scale such as `100/255`; None for other texts."""
+    try:
+        return exact_scale(text)
+    except ValueError:
+        return None
+
+
+def _scale(text: str) -> Decimal | Fraction | None:
+    if "/" in text:
+        return _fraction(text)
+    try:
+        number = Decimal(text)
+    except ArithmeticError:
+        return None
+    return number if number.is_finite() else None

@@ -1,0 +1,64 @@
+"""The rows of a list whose scale is a power of ten, and the rows with the exponents: `10^power_sf`, or `W_SF`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+
+from fieldspec.language.model.value import MOST_PLACES, PRIMITIVES, Kind
+from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.listing import ListRow
+
+USUAL = (Decimal(-10), Decimal(10))
+"""The exponents of SunSpec, whose lists do not say them."""
+
+_POWER = re.compile(r"\s*10\s*(?:\^|\*\*)\s*\(?")
+
+
+def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
+    """The places of the rows with exponents, by the places of the rows that they scale.
+
+    A row names another one that is the only one of its name. What cannot have an exponent, or be one, is left out.
+    """
+    places: dict[str, list[int]] = {}
+    for place, row in enumerate(rows):
+        for name in {folded(text) for text in row.names} - {""}:
+            places.setdefault(name, []).append(place)
+    return {
+        place: other
+        for place, row in enumerate(rows)
+        if (other := _named(row, places)) is not None
+        and other != place
+        and PRIMITIVES[types[place]].kind is Kind.INTEGER
+        and _named(rows[other], places) is None
+        and is_exponent(rows[other], types[other])
+    }
+
+
+def _named(row: ListRow, places: Mapping[str, Sequence[int]]) -> int | None:
+    """The place of the row that the scale of a row names."""
+    places_of_name = places.get(folded(_POWER.sub("", row.texts.get("scale", ""))), ())
+    return places_of_name[0] if len(places_of_name) == 1 else None
+
+
+def is_exponent(row: ListRow, type_name: str) -> bool:
+    """Whether a row may have exponents: a single whole number that can be read, within the usual bounds."""
+    kind = PRIMITIVES[type_name]
+    if kind.kind is not Kind.INTEGER or row.count > 1 or row.access not in ("ro", "rw"):
+        return False
+    if row.texts.get("scale", "1") != "1":
+        return False
+    low, high = bounds(row)
+    is_default = row.default is None or low <= row.default <= high
+    return -MOST_PLACES <= low <= high <= MOST_PLACES and kind.low <= low and high <= kind.high and is_default
+
+
+def bounds(row: ListRow) -> tuple[Decimal, Decimal]:
+    """The least and the greatest exponent of a row; the usual ones where the list says none."""
+    return (row.low, row.high) if row.low is not None and row.high is not None else USUAL
+
+
+def is_open(row: ListRow) -> bool:
+    """Whether the list states no bounds for a row."""
+    return row.low is None or row.high is None

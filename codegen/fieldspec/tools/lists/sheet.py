@@ -1,0 +1,65 @@
+"""A sheet of cells from a file, whatever its columns mean."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import dataclass
+
+MOST_BYTES = 32 << 20
+MOST_ROWS = 100_000
+MOST_COLUMNS = 1_000
+MOST_CELLS = 500_000
+"""The most cells in the rectangle around the used ones; all of them are in memory at a time."""
+
+
+class ListError(Exception):
+    """A list that cannot be used. The message, behind the name of the file, says what is wrong and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """Merged cells: rows and columns, counted from 1, both ends included."""
+
+    first_row: int
+    first_column: int
+    last_row: int
+    last_column: int
+
+    def text(self) -> str:
+        """The range as a spreadsheet writes it: `C5:C9`."""
+        first, last = f"{letters(self.first_column)}{self.first_row}", f"{letters(self.last_column)}{self.last_row}"
+        return f"{first}:{last}"
+
+
+@dataclass(frozen=True, slots=True)
+class SheetRow:
+    """The cells of a row as texts, and its number in the file, counted from 1."""
+
+    number: int
+    cells: tuple[str, ...]
+
+    def cell(self, column: int) -> str:
+        """The cell in a column, which is counted from 0; empty behind the last one."""
+        return self.cells[column] if column < len(self.cells) else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """The rows that are not empty. `formulas` are the cells with formulas, as row and column from 1.
+
+    `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file.
+    """
+
+    rows: tuple[SheetRow, ...]
+    lines: int
+    name: str = ""
+    formulas: frozenset[tuple[int, int]] = frozenset()
+    merged: tuple[Region, ...] = ()
+
+
+def letters(column: int) -> str:
+    """The letters of a column, counted from 1: `A`, `Z`, `AA`."""
+    text = ""
+    while column:
+        column, left = divmod(column - 1, 26)
+        text = chr(ord("A") + left) + text
+    return text

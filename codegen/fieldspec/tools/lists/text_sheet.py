@@ -1,0 +1,144 @@
+"""Reads lists from text: CSV with any usual separator, tables with bars, and JSON."""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import io
+import json
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from fieldspec.foundation.spreadsheet import clean
+from fieldspec.tools.lists.json_text import json_data
+from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
+
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+_KNOWN_BINARIES = (
+    (b"\xd0\xcf\x11\xe0", "an old workbook of Excel; save it as .xlsx"),
+    (b"%PDF", "a PDF; save its table as CSV"),
+    (b"\x1f\x8b", "compressed; unpack it first"),
+    (b"{\\rtf", "a document; save its table as CSV"),
+)
+_SEPARATORS = ("\t", ";", ",", "|")
+_LOOKED_AT = 60
+_LONGEST_ROW = 1 << 20
+_RULE = re.compile(r"[|+:=\s-]+")
+
+
+def text_sheet(content: bytes, encoding: str = "") -> Sheet:
+    """The sheet in a text file. The default encoding is that of the byte order mark, else UTF-8. Raises ListError."""
+    text = decoded(content, encoding)
+    if not text.strip():
+        raise ListError("is empty")
+    if text.lstrip()[0] == "[":
+        return _of_json(text)
+    separator = _separator([line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)])
+    bars = separator == "|"
+    rows = []
+    size = [0]
+    reader = csv.reader(
+        _bounded_lines(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
+    )
+    number = 0
+    try:
+        for cells in reader:
+            number += 1
+            size[0] = 0
+            if number > MOST_ROWS:
+                raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
+            if len(cells) > MOST_COLUMNS:
+                raise ListError(f"has a row {number} with more than {MOST_COLUMNS} cells")
+            if bars and _RULE.fullmatch(separator.join(cells)):
+                continue
+            if bars and cells and not cells[0].strip():
+                cells = cells[1:]
+            row = tuple(clean(cell) for cell in cells)
+            if any(row):
+                rows.append(SheetRow(number, row))
+    except csv.Error as error:
+        raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
+    return Sheet(tuple(rows), number)
+
+
+def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:
+    """The lines of a text. `size` counts the characters of a row, which may have several lines, and is bounded."""
+    for line in io.StringIO(text, newline=""):
+        size[0] += len(line)
+        if size[0] > _LONGEST_ROW:
+            raise ListError(f"has a row with more than {_LONGEST_ROW} characters; a list of registers has shorter ones")
+        yield line
+
+
+def decoded(content: bytes, encoding: str = "") -> str:
+    """The text of a file. Raises ListError if it is none."""
+    for mark, kind in _KNOWN_BINARIES:
+        if content.startswith(mark):
+            raise ListError(f"is {kind}")
+    marked = next((name for mark, name in _MARKS if content.startswith(mark)), "")
+    encoding_name = encoding or marked
+    try:
+        if encoding_name:
+            codec = codecs.lookup(encoding_name)
+            if not getattr(codec, "_is_text_encoding", True):
+                raise LookupError
+        text = content.decode(encoding_name or "utf-8")
+    except LookupError:
+        raise ListError(
+            f"cannot be read: there is no encoding {encoding_name}; some are gbk, big5, utf-16, cp1252"
+        ) from None
+    except UnicodeError:
+        if encoding_name:
+            raise ListError(f"is not in the encoding {encoding_name}; use another --encoding") from None
+        if b"\0" in content:
+            raise ListError("is binary: use a CSV or XLSX file, or add --encoding utf-16-le") from None
+        raise ListError("is not UTF-8; state its encoding, such as --encoding gbk or --encoding big5") from None
+    if "\0" in text:
+        hint = "use a CSV or XLSX file" if encoding_name else "use a CSV or XLSX file, or add --encoding utf-16-le"
+        raise ListError(f"is binary: {hint}")
+    return text.removeprefix("\ufeff")
+
+
+def _separator(lines: list[str]) -> str:
+    """The separator that gives the most rows of equal length; bars for a table with bars around it."""
+    looked_at = [line for line in lines if line.strip()]
+    if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
+        return "|"
+    best, best_score = ",", (0, 0)
+    for separator in _SEPARATORS:
+        try:
+            widths = Counter(len(row) for row in csv.reader(looked_at, delimiter=separator) if len(row) > 1)
+        except csv.Error:
+            continue
+        width, count = max(widths.items(), key=lambda pair: (pair[1], pair[0]), default=(0, 0))
+        if (count, width) > best_score:
+            best, best_score = separator, (count, width)
+    return best
+
+
+def _of_json(text: str) -> Sheet:
+    """The sheet of a JSON list of objects. Its columns are their keys."""
+    data = json_data(text)
+    if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
+        raise ListError("is JSON but not a list of objects")
+    if len(data) > MOST_ROWS:
+        raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
+    heads = list(dict.fromkeys(key for item in data for key in item))
+    if len(heads) > MOST_COLUMNS:
+        raise ListError(f"has more than {MOST_COLUMNS} columns")
+    rows = [SheetRow(1, tuple(map(clean, heads)))]
+    rows += [SheetRow(n, tuple(_json_cell(item.get(head)) for head in heads)) for n, item in enumerate(data, 2)]
+    return Sheet(tuple(row for row in rows if any(row.cells)), len(data) + 1)
+
+
+def _json_cell(value: object) -> str:
+    if value is None:
+        return ""
+    return clean(value if isinstance(value, str) else json.dumps(value, ensure_ascii=False))

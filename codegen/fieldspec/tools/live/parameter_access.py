@@ -1,0 +1,173 @@
+"""Parameters, and values in answers, of a device without registers as values by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from fieldspec.codec.explain.hazards import reads_state, roles_of
+from fieldspec.language.model.access import writable
+from fieldspec.tools.live.access import DumpRow, clears_on_read, role_masks
+from fieldspec.tools.live.left_out import ADVICE, reason_unread, remarks
+from fieldspec.tools.live.messages import (
+    ParameterAssignment,
+    Signal,
+    SignalReading,
+    named_signals,
+    parameter_assignment,
+    parameter_message,
+    parameter_request,
+    read_signals,
+    signal_reading,
+    signals,
+    write_parameter,
+    writes_elements,
+)
+from fieldspec.tools.live.value_lists import COMMANDS
+
+if TYPE_CHECKING:
+    from fieldspec.codec.layout.device import DeviceLayout
+    from fieldspec.codec.layout.frame import LinkLayout
+    from fieldspec.language.model.fact import Fact
+    from fieldspec.tools.live.client import Client
+
+
+class ParameterAccess:
+    """What the messages of a link read and write by name. An item is a signal."""
+
+    what, heading = "value", "number"
+
+    def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
+        self.layout, self.link = layout, link
+        self._items = list(signals(layout, link))
+
+    def number(self, value: SignalReading) -> int | None:
+        """The number of a parameter on the wire; None for a value in a response."""
+        return value.signal.wire_number
+
+    def number_text(self, number: int | None) -> str:
+        """The number of a parameter as people write it."""
+        return "" if number is None else str(number)
+
+    def dump_rows(self, items: Sequence[Signal], values: Sequence[SignalReading]) -> list[DumpRow]:
+        """A row for each parameter that was read, with the counts of its elements.
+
+        Texts and fractions have no counts, and elements behind one that was refused have no place.
+        """
+        counts: dict[tuple[str, int], list[int]] = {}
+        for value in values:
+            signal, number = value.signal, value.decoded.number if value.decoded is not None else None
+            if signal.parameter_set is None or signal.wire_number is None or not isinstance(number, int):
+                continue
+            own = counts.setdefault((signal.parameter_set.space, signal.wire_number), [])
+            if len(own) == (signal.index or 0):
+                own.append(int(number))
+        return [DumpRow(*key, " ".join(map(str, own))) for key, own in sorted(counts.items()) if own]
+
+    def items(self) -> Sequence[Signal]:
+        """All values that messages read."""
+        return self._items
+
+    def path(self, item: Signal) -> str:
+        """The path of an item."""
+        return item.path
+
+    def fact(self, item: Signal) -> Fact:
+        """The fact that describes an item."""
+        return item.fact
+
+    def named(self, name: str) -> list[Signal]:
+        """The signals with a path, all fields of a message, a parameter by its printed name, a role."""
+        return named_signals(self.layout, self._items, name)
+
+    def harmless(self) -> list[Signal]:
+        """Parameters, and what messages answer that only read, as far as the spec shows it."""
+        messages = self.layout.messages
+        return [
+            item
+            for item in self._items
+            if (reads_state(self.layout, messages[item.query]) if item.query else not clears_on_read(item.fact))
+        ]
+
+    def reason_unread(self, name: str) -> str:
+        """Why what a name means is not read; empty where it means nothing."""
+        reason = reason_unread(self.link, name)
+        return f"{reason}: {ADVICE}" if reason else ""
+
+    def remarks(self, names: Sequence[str]) -> list[str]:
+        """What is not read with some names, or without any, though the device has it."""
+        return list(remarks(self.layout, self.link, names))
+
+    def objection(self, item: Signal) -> str:
+        """Why an item is in no list that is written to a device; empty where it may be.
+
+        Where a set states the access of none of its parameters, the messages that read and write them do.
+        """
+        fact = item.parameter
+        if item.parameter_set is None or fact is None:
+            return "is part of a response"
+        message = parameter_message(self.link, item.parameter_set, "write", item.value.size)
+        if item.index is not None and not (message is not None and writes_elements(message)):
+            return "is an element, not written by itself"
+        if fact.trigger or COMMANDS.intersection(roles_of(self.layout.device, item.fact, item.value)):
+            return "commands the device; write it by its name, with the verb write"
+        stated = any(row.access for row in item.parameter_set.parameters)
+        if not writable(item.access) and (item.access or stated):
+            return "can only be read" if item.access else "is not stated to be writable"
+        if item.access == "wo" or fact.handling.clears_on_read:
+            return "cannot be read back, so that nothing could be verified; write it by its name, with the verb write"
+        if message is None:
+            return "has no message that writes it by itself"
+        return ""
+
+    def assignment(self, item: Signal, text: str) -> ParameterAssignment:
+        """The assignment of a value as people write it. Raises WriteError."""
+        return parameter_assignment(self.layout, self.link, item, text)
+
+    def together(self, chosen: Sequence[ParameterAssignment]) -> tuple[list[ParameterAssignment], dict[str, str]]:
+        """The same assignments: no value shares a request with another one."""
+        return list(chosen), {}
+
+    def intended(self, chosen: ParameterAssignment) -> SignalReading:
+        """What would be read once a value is written."""
+        return signal_reading(self.layout, chosen.signal, chosen.raw)
+
+    def size(self, items: Iterable[Signal]) -> int:
+        """The number of values."""
+        return len(list(items))
+
+    def read(
+        self, client: Client, items: Sequence[Signal], done: Callable[[int], None] | None = None
+    ) -> Iterator[SignalReading]:
+        """Reads items; one request serves all values of a response. Raises NoAnswerError and CarrierError."""
+        for value in read_signals(client, items):
+            if done is not None:
+                done(1)
+            yield value
+
+    def frame(self, client: Client, chosen: ParameterAssignment) -> bytes:
+        """The request that writes a value. Raises WriteError."""
+        return parameter_request(client, chosen)[2]
+
+    def write(self, client: Client, chosen: ParameterAssignment) -> None:
+        """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
+        write_parameter(client, chosen)
+
+    def read_back(self, client: Client, chosen: ParameterAssignment) -> SignalReading | None:
+        """What the device holds after a write. Raises NoAnswerError and CarrierError."""
+        fact = chosen.signal.parameter
+        if fact is not None and (fact.trigger or chosen.signal.access == "wo"):
+            return None
+        return next(read_signals(client, [chosen.signal]))
+
+    def signals(self, item: Signal, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
+        """The roles of a value or of its bits, each with its mask; -1 for all bits."""
+        yield from role_masks(self.layout.device, item.fact, item.value, roles)
+
+    def item(self, chosen: ParameterAssignment) -> Signal:
+        """The item to which a value is assigned."""
+        return chosen.signal
+
+    def words_of(self, value: SignalReading, text: str) -> tuple[int, ...]:
+        """What a text means for a value that was read. Raises WriteError."""
+        return self.assignment(value.signal, text).words

@@ -1,0 +1,300 @@
+"""Finds out which addresses of a device answer. It only reads, and leaves out what a read changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from fieldspec.codec.explain.registers import Occupant, count_of_occupant, element_number
+from fieldspec.codec.layout.bases import at_bases, moving_tables
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.read_plan import read_plan
+from fieldspec.codec.layout.record import FieldLayout, Orders
+from fieldspec.codec.layout.segments import SegmentsLayout, segments_of
+from fieldspec.codec.reference.parameters import stated_bytes, value_of_bytes, value_of_data
+from fieldspec.codec.reference.records import CodecError
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
+from fieldspec.language.model.registers import ParameterSet
+from fieldspec.language.model.value import Kind
+from fieldspec.tools.live.bases import known_bases
+from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
+from fieldspec.tools.live.messages import parameter_message
+from fieldspec.tools.live.reading import all_occupants, message_for, read_words, reading
+from fieldspec.tools.live.segments import read_pieces
+from fieldspec.tools.simulator.memory import element_value
+from fieldspec.tools.simulator.parameters import count_field, part_of
+
+if TYPE_CHECKING:
+    from typing import Any
+
+_PAGE = 0x100
+
+
+@dataclass(frozen=True, slots=True)
+class ScannedItem:
+    """A value that a version has at some addresses. `spared` values are not read by a scan.
+
+    `occupant` is what is there; None for a parameter.
+    """
+
+    path: str
+    addresses: range
+    readable: bool
+    spared: bool
+    occupant: Occupant | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ScanSpace:
+    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is behind
+    the last one, and one request reads `most` of them."""
+
+    name: str
+    end: int
+    most: int
+    parameters: ParameterSet | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Scan:
+    """The addresses that were asked for, those that answer with their counts, and those that were left out.
+
+    `bases` are the addresses of the tables of which the device says where they begin, by their names.
+    """
+
+    space: ScanSpace
+    asked: frozenset[int]
+    words: Mapping[int, tuple[int, ...]]
+    left_out: frozenset[int]
+    bases: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def refused(self) -> list[int]:
+        """The addresses that do not answer."""
+        return sorted(self.asked - self.words.keys())
+
+
+@dataclass(frozen=True, slots=True)
+class ScanComparison:
+    """A scan compared with a version: intervals that answer and are unknown, and names of values that do not answer."""
+
+    unknown: tuple[tuple[int, int], ...]
+    silent: tuple[str, ...]
+
+    @property
+    def differences(self) -> int:
+        """The number of addresses and values that differ."""
+        return sum(last - first + 1 for first, last in self.unknown) + len(self.silent)
+
+
+def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
+    """Everything that messages of a link can read by an address or a number."""
+    device, plan = layout.device, read_plan(layout)
+    result = []
+    for name in dict.fromkeys([*device.spaces, device.space_name("")]):
+        limit = plan.limit(name) or plan.limit("")
+        maximum = limit.words if limit is not None and limit.words is not None else 1
+        message = message_for(layout, "read", name, maximum) or message_for(layout, "read", name, 1)
+        if message is not None and message.name in link.carried("response"):
+            result.append(ScanSpace(name, 0x10000, maximum))
+    spaces: dict[str, ParameterSet] = {}
+    for parameter_set in device.parameters.values():
+        message_layout = parameter_message(link, parameter_set, "read")
+        number = part_of(message_layout.request, "number") if message_layout is not None else None
+        if number is not None and number.value is not None and parameter_set.space not in spaces:
+            spaces[parameter_set.space] = parameter_set
+            maximum = number.value.ranges.high if number.value.ranges is not None else number.value.type.high
+            result.append(ScanSpace(parameter_set.space, int(maximum) + 1, 1, parameter_set))
+    return result
+
+
+def scanned_items(layout: DeviceLayout, space: ScanSpace) -> Iterator[ScannedItem]:
+    """The items that a version of the device has in a space."""
+    if space.parameters is None:
+        for name, occupant in all_occupants(layout):
+            if name == space.name:
+                addresses = range(occupant.address, occupant.address + occupant.words)
+                readable = occupant.access != "wo" and not occupant.reserved
+                yield ScannedItem(occupant.path, addresses, readable, occupant.clears_on_read, occupant)
+        return
+    for parameter_set in layout.device.sets(space.name):
+        for row in parameter_set.parameters:
+            first = parameter_set.base + row.number
+            readable = row.access != "wo" and not row.reserved
+            yield ScannedItem(row.name, range(first, first + row.count), readable, row.handling.clears_on_read)
+
+
+def usual_ranges(layout: DeviceLayout, space: ScanSpace) -> list[range]:
+    """The pages of 256 addresses that have something."""
+    pages = sorted({address // _PAGE for item in scanned_items(layout, space) for address in item.addresses})
+    return [range(page * _PAGE, min((page + 1) * _PAGE, space.end)) for page in pages]
+
+
+def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callable[[int], None] | None = None) -> Scan:
+    """Reads all addresses of some ranges, in large requests where the device answers them.
+
+    What is cleared by reading is left out. A device may be silent at an address that it does not have, as long as it
+    still answers one that it has. Raises NoAnswerError and CarrierError.
+    """
+    bases = known_bases(client, client.layout)
+    items = list(scanned_items(at_bases(client.layout, bases), space))
+    known = [item.addresses.start for item in items if item.readable and not item.spared]
+    spared = {address for item in items if item.spared for address in item.addresses}
+    words: dict[int, tuple[int, ...]] = {}
+    scanned: set[int] = set()
+    for addresses in ranges:
+        for run in _runs(addresses, spared):
+            for start in range(run.start, run.stop, space.most):
+                part = range(start, min(start + space.most, run.stop))
+                scanned.update(part)
+                _scan_part(client, space, part, words, known)
+                if done is not None:
+                    done(len(part))
+    return Scan(space, frozenset(scanned), words, frozenset(spared), bases)
+
+
+def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
+    """The parts of a range without the addresses that are left out."""
+    start = addresses.start
+    for address in sorted(address for address in spared if address in addresses):
+        if address > start:
+            yield range(start, address)
+        start = address + 1
+    if start < addresses.stop:
+        yield range(start, addresses.stop)
+
+
+def _scan_part(
+    client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]], known: Sequence[int]
+) -> None:
+    """Reads a part, and divides it where the device refuses it, or is silent but answers another address."""
+    try:
+        words.update(_counts(client, space, part))
+        return
+    except RefusedError:
+        pass
+    except NoAnswerError:
+        if not _is_answering(client, space, [next(reversed(words))] if words else known[:2]):
+            raise
+    if len(part) > 1:
+        middle = part.start + len(part) // 2
+        _scan_part(client, space, range(part.start, middle), words, known)
+        _scan_part(client, space, range(middle, part.stop), words, known)
+
+
+def _is_answering(client: Client, space: ScanSpace, addresses: Sequence[int]) -> bool:
+    """Whether the device answers at one of some addresses, be it with a refusal. Raises CarrierError."""
+    for address in addresses:
+        try:
+            _counts(client, space, range(address, address + 1))
+        except RefusedError:
+            return True
+        except NoAnswerError:
+            continue
+        return True
+    return False
+
+
+def _counts(client: Client, space: ScanSpace, part: range) -> dict[int, tuple[int, ...]]:
+    """The counts by address. Raises RefusedError, NoAnswerError and CarrierError."""
+    if space.parameters is not None:
+        return {part.start: _parameter_counts(client, space.parameters, part.start)}
+    counts = read_words(client, space.name, part.start, len(part))
+    return {address: (count,) for address, count in zip(part, counts, strict=True)}
+
+
+def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) -> tuple[int, ...]:
+    """The counts of the parameter with a number. Raises RefusedError, NoAnswerError and CarrierError."""
+    message = parameter_message(client.frames.link, parameter_set, "read")
+    assert message is not None
+    numbered, indexed = part_of(message.request, "number"), part_of(message.request, "subindex")
+    assert numbered is not None
+    values = {numbered.name: number}
+    if indexed is not None:
+        values[indexed.name] = 0
+        amount = count_field(message.request)
+        if amount is not None:
+            values[amount.name] = 0
+    carried = part_of(message.response, "value")
+    assert carried is not None
+    answer = client.ask(message.name, values).values
+    pieces = segments_of(client.layout, message)
+    if pieces is not None and pieces.follows(answer):
+        return _count_in_pieces(client, pieces, parameter_set, values, number, answer)
+    if carried.carries_bytes:
+        return (_count_of_bytes(client, carried, parameter_set, number, answer),)
+    content = answer[carried.name]
+    own = content if isinstance(content, list) else [content]
+    return tuple(int(count) for count in own if isinstance(count, int))
+
+
+def _count_in_pieces(
+    client: Client,
+    pieces: SegmentsLayout,
+    parameter_set: ParameterSet,
+    first: Mapping[str, Any],
+    number: int,
+    values: Mapping[str, Any],
+) -> tuple[int, ...]:
+    """The count of a value that follows in pieces; none for what is no number, and where the spec has none of it."""
+    parameter = parameter_set.numbered(number - parameter_set.base)
+    value = element_value(parameter, 0) if parameter is not None else None
+    if value is None or value.type.kind is not Kind.INTEGER:
+        return ()
+    try:
+        data = read_pieces(client, pieces, first, values, value.size)
+        raw = value_of_data(value, data, *Orders(pieces.data.order, client.layout.device.word_order).of(value))
+    except (UnfitAnswerError, CodecError):
+        return ()
+    return (int(raw),) if isinstance(raw, int) else ()
+
+
+def _count_of_bytes(
+    client: Client, carried: FieldLayout, parameter_set: ParameterSet, number: int, values: Mapping[str, Any]
+) -> int:
+    """The count in a field of bytes: that of the parameter, or the bytes as a number where the spec has none of it."""
+    data = stated_bytes(carried, values)
+    parameter = parameter_set.numbered(number - parameter_set.base)
+    value = element_value(parameter, 0) if parameter is not None else None
+    if value is not None and value.size == len(data):
+        raw = value_of_bytes(client.layout.device, carried, value, values)
+        if isinstance(raw, int):
+            return int(raw)
+    return int.from_bytes(data, "big" if carried.order == "big" else "little")
+
+
+def compared(layout: DeviceLayout, result: Scan) -> ScanComparison:
+    """A scan compared with the spec of a version."""
+    moving = moving_tables(layout)
+    layout = at_bases(layout, {name: base for name, base in result.bases.items() if name in moving})
+    known: set[int] = set()
+    silent = []
+    for item in scanned_items(layout, result.space):
+        known.update(item.addresses)
+        lacking = any(address not in result.words for address in item.addresses)
+        if (
+            item.readable
+            and result.asked.issuperset(item.addresses)
+            and lacking
+            and not _is_absent(layout, result, item)
+        ):
+            silent.append(item.path)
+    unknown: list[tuple[int, int]] = []
+    for address in sorted(address for address in result.words if address not in known):
+        if unknown and unknown[-1][1] == address - 1:
+            unknown[-1] = (unknown[-1][0], address)
+        else:
+            unknown.append((address, address))
+    return ScanComparison(tuple(unknown), tuple(silent))
+
+
+def _is_absent(layout: DeviceLayout, result: Scan, item: ScannedItem) -> bool:
+    """Whether an item is in an element of a table that the device has not got, as the count says that it answered."""
+    count = count_of_occupant(layout, item.occupant) if item.occupant is not None else None
+    if item.occupant is None or count is None:
+        return False
+    addresses = range(count.address, count.address + count.words)
+    words = [word for address in addresses for word in result.words.get(address, ())]
+    decoded = reading(layout, result.space.name, count, words).decoded if len(words) == count.words else None
+    number = decoded.number if decoded is not None else None
+    return isinstance(number, int) and element_number(item.occupant) >= number

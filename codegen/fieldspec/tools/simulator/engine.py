@@ -1,0 +1,180 @@
+"""Carries out a behaviour: events, rules, states, the motion of the axis, and what signals show."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Iterable
+from math import inf
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.behaviour.part import Behaviour, Part
+from fieldspec.tools.simulator.actions import ACTIONS
+from fieldspec.tools.simulator.axis import LEAST_SECONDS
+from fieldspec.tools.simulator.operation import Operation
+from fieldspec.tools.simulator.refusal import Refusal
+from fieldspec.tools.simulator.reported_version import reported_version
+
+if TYPE_CHECKING:
+    from fieldspec.codec.layout.values import Raw
+
+_DEEPEST = 16
+"""How many events may raise each other at one moment."""
+_MOST_ROUNDS = 64
+"""How often rules without an event may follow each other before the rest waits for the next event."""
+
+
+class Engine(Operation):
+    """A device in operation. `message` is the cyclic message in use, or empty.
+
+    Nothing here knows the time: the caller says what it is, and `advance` brings everything up to it.
+    """
+
+    def __init__(self, layout: DeviceLayout, behaviour: Behaviour, message: str = "") -> None:
+        super().__init__(layout, behaviour, message)
+        self._queue: list[tuple[float, int, str]] = []
+        self._count = 0
+        self._depth = 0
+        self._held: dict[str, bool] = {}
+        self._old: dict[str, int] = {}
+        self._rules = behaviour.of_kind("rule")
+        self._levels = [rule for rule in self._rules if rule.get("when") is None]
+        self._edges = [rule for rule in self._rules if {"rises", "falls"} & (rule.get("when") or {}).keys()]
+        self._shows = behaviour.of_kind("show")
+        self.overridden: dict[str, Raw] = {}
+        """Values that a person or a fault holds fast, by the path of their cells."""
+        self.reported_version = reported_version(layout, behaviour)
+        """What the device tells of its version; None where the spec or a behaviour leaves it to other values."""
+        self._deliver()
+        self.power_on()
+        self.refresh()
+
+    def _deliver(self) -> None:
+        if self.reported_version is not None:
+            for cell in self.cells.of(self.reported_version.fact):
+                cell.write(self.reported_version.raw)
+        for part in self.behaviour.of_kind("initial"):
+            for cell in self.cells.of(part.subject):
+                cell.write(self.raw(cell, part["value"]))
+        self.saved = dict(self.memory.words)
+        self.saved_elements = dict(self.memory.elements)
+        self.delivered_fields = dict(self.memory.fields)
+
+    def power_on(self) -> None:
+        """Begins with what outlasts the power."""
+        self.memory.words = dict(self.saved)
+        self.memory.elements = dict(self.saved_elements)
+        self.memory.fields = dict(self.delivered_fields)
+        self.memory.transfers.clear()
+        self.axis.halt(self.now)
+        self.axis.homed = False
+        self.states = {part.name: part.subject[0] for part in self.behaviour.of_kind("machine")}
+        self._queue.clear()
+        self._held.clear()
+        self.element.clear()
+        self._old = {rule.name: self._bit(rule) for rule in self._edges}
+        self.raise_event("power_on")
+
+    def advance(self, now: float) -> None:
+        """Lets everything happen that is due until a time."""
+        while (due := min(self.axis.end, self._queue[0][0] if self._queue else inf)) <= now:
+            self.now = max(self.now, due)
+            if self.axis.end <= due:
+                self.raise_event(self.axis.settle())
+            else:
+                self.raise_event(heapq.heappop(self._queue)[2])
+        self.now = max(self.now, now)
+        self.refresh()
+
+    # Events
+
+    def raise_event(self, name: str, seconds: float = 0.0) -> None:
+        """Raises an event, now or later. Of events that raise each other without end, the rest comes later.
+
+        A rule of an event that cannot go on, as with a record that does not exist, ends there: nobody is refused.
+        """
+        if seconds > 0 or self._depth >= _DEEPEST:
+            self._count += 1
+            heapq.heappush(self._queue, (self.now + max(seconds, LEAST_SECONDS), self._count, name))
+            return
+        self.tell("event", name)
+        self._depth += 1
+        try:
+            self.run(rule for rule in self._rules if (rule.get("when") or {}).get("event") == name)
+        except Refusal as refusal:
+            self.tell("event", f"{name} ends: {refusal}")
+        finally:
+            self._depth -= 1
+
+    def follow_message(self, message: str, path: str, roles: Iterable[str]) -> None:
+        """A request with a message has come; its fields are in memory."""
+        names = {path, *roles, f"messages/{message}"}
+        self.run(rule for rule in self._rules if (rule.get("when") or {}).get("receive") in names)
+        self.follow()
+
+    def follow_write(self, paths: Iterable[str]) -> None:
+        """A request has written the values of some operands. Raises Refusal, before any other rule has acted."""
+        rules = [rule for path in paths for rule in self._rules if self._writes(rule, path)]
+        guards = [rule for rule in rules if rule.subject[0].kind == "refuse"]
+        self.run(guards)
+        self.run(rule for rule in rules if rule not in guards)
+        self.follow()
+
+    def _writes(self, rule: Part, path: str) -> bool:
+        name = (rule.get("when") or {}).get("write")
+        return name is not None and any(cell.path == path for cell in self.cells.of(name))
+
+    def follow(self) -> None:
+        """Carries out the rules of bits that have changed, then those without an event whose condition is new."""
+        for rule in self._edges:
+            new, old = self._bit(rule), self._old.get(rule.name, 0)
+            self._old[rule.name] = new
+            if new != old and bool(new) == ("rises" in rule["when"]):
+                self.run([rule])
+        self._settle()
+
+    def _settle(self) -> None:
+        for _ in range(_MOST_ROUNDS):
+            acted = False
+            for rule in self._levels:
+                holds = self.holds(rule.get("if") or {})
+                if holds and not self._held.get(rule.name):
+                    self._held[rule.name] = True
+                    acted = True
+                    for action in rule.subject:
+                        ACTIONS[action.kind](self, action)
+                elif not holds:
+                    self._held[rule.name] = False
+            if not acted:
+                return
+
+    def _bit(self, rule: Part) -> int:
+        name = next(iter(rule["when"].values()))
+        return max((int(bool(cell.read())) for cell in self.cells.of(name, "request")), default=0)
+
+    def run(self, rules: Iterable[Part]) -> None:
+        """Carries out the rules whose conditions hold, in the order of the spec. Raises Refusal."""
+        for rule in list(rules):
+            if self.holds(rule.get("if") or {}):
+                for action in rule.subject:
+                    if action.kind == "refuse":
+                        raise Refusal(action.subject)
+                    ACTIONS[action.kind](self, action)
+        self._settle()
+
+    def refresh(self) -> None:
+        """Writes what signals show."""
+        for part in self._shows:
+            for cell in self.cells.of(part.subject, "response"):
+                cell.write(self.raw(cell, self._displayed(part)))
+        for path, raw in self.overridden.items():
+            for cell in self.cells.of(path):
+                cell.write(raw)
+
+    def _displayed(self, part: Part) -> object:
+        condition = part.get("if")
+        if condition is None:
+            return part.get("value", 0)
+        if self.holds(condition):
+            return part.get("value", 1)
+        return part.get("otherwise", 0)

@@ -1,0 +1,95 @@
+"""Raw values in the type of a field, and the type that a selector chooses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Kind
+from fieldspec.tools.simulator.memory import default_raw
+
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:
+    """The type that the selector of a record chooses; None where it has no selector."""
+    if record.selector is None:
+        return None
+    number = values.get(record.selector.name)
+    for field in record.fields:
+        for case in field.cases:
+            if number in case.numbers:
+                return case.value.type.name
+    return ""
+
+
+def number_of_kind(record: RecordLayout, kind: str) -> int | None:
+    """The number of the selector that chooses a type."""
+    for field in record.fields:
+        for case in field.cases:
+            if case.value.type.name == kind or (kind.startswith("bool") and case.value.type.name.startswith("bool")):
+                return min(case.numbers)
+    return None
+
+
+def initial_value(device: Device, field: FieldLayout) -> Any:
+    """The value of a field of a response where nothing else states it.
+
+    A list of any length has the least number of records that it can have, and of values the same, but one at least.
+    """
+    repeat = field.field.repeat
+    minimum = field.count or (repeat.low if repeat is not None else 0)
+    if field.record is not None:
+        if not field.is_list:
+            return initial_values(device, field.record)
+        return [initial_values(device, field.record) for _ in range(minimum)]
+    raw = in_type(default_raw(device, field.value), field) if field.value is not None else 0
+    return [raw] * max(minimum, 1) if field.is_list else raw
+
+
+def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
+    """The values of a record within a response where nothing else states them."""
+    values: dict[str, Any] = {}
+    for field in decided_fields(record, values):
+        if field.field.measures is None:
+            values[field.name] = initial_value(device, field)
+    return values
+
+
+def decided_fields(record: RecordLayout, values: Mapping[str, Any]) -> Iterator[FieldLayout]:
+    """The fields of a record, of which each has its values in `values` before the next one is asked for.
+
+    A field with cases has the type that the value of the selector decides.
+    """
+    for field in record.fields:
+        number = values.get(record.selector.name) if field.cases and record.selector is not None else None
+        chosen = record.chosen.get(number) if isinstance(number, int) else None
+        yield field if chosen is None else chosen.fields[-1]
+
+
+def signed(raw: Any, size: int, is_signed: bool) -> Any:
+    """A number of a field, read as the type of a parameter has it."""
+    if not isinstance(raw, int) or isinstance(raw, bool):
+        return raw
+    whole = raw & ((1 << 8 * size) - 1)
+    return whole - (1 << 8 * size) if is_signed and whole >> (8 * size - 1) else whole
+
+
+def in_type(raw: Any, field: FieldLayout) -> Any:
+    """A raw value as the type of a field has it."""
+    if (value := field.value) is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f", "d"):
+        return raw
+    if value.type.name.startswith("bool"):
+        return bool(raw)
+    if raw < 0 and not value.type.signed:
+        raw = signed(round(raw), value.size, False)
+    return min(max(round(raw), value.low), value.high)
+
+
+def in_case(device: Device, raw: Any, field: FieldLayout) -> Any:
+    """A raw value in the type of a field; what the field has at first where it is a value of another case."""
+    is_text = field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES)
+    return in_type(raw, field) if isinstance(raw, str | bytes) == is_text else initial_value(device, field)
