@@ -99,11 +99,11 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
 
     The numbers of parts and conversions are not split: whoever calls a function gives them as a whole.
     """
-    found_facts: set[int] = set()
+    unknown_facts: set[int] = set()
     for fact, value in stated_values(layout):
         is_wide = value.type.is_odd and value.type.container > dialect.widest
-        if (is_wide or value.type.name == "f64") and id(fact) not in found_facts:
-            found_facts.add(id(fact))
+        if (is_wide or value.type.name == "f64") and id(fact) not in unknown_facts:
+            unknown_facts.add(id(fact))
             yield fact, value.type
     parts = [part for link in layout.links.values() for part in (*link.request.parts, *link.response.parts)]
     wholes: list[tuple[Fact, Primitive]] = [
@@ -111,8 +111,8 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
         *((conversion, conversion.type) for conversion in layout.device.conversions.values()),
     ]
     for fact, kind in wholes:
-        if kind.container > dialect.widest and id(fact) not in found_facts:
-            found_facts.add(id(fact))
+        if kind.container > dialect.widest and id(fact) not in unknown_facts:
+            unknown_facts.add(id(fact))
             yield fact, kind
 
 

@@ -139,11 +139,11 @@ def judged(
         if theirs is None or ours is None:
             continue
         if isinstance(theirs.type, ArrayType | StructType):
-            sides = (
+            lists = (
                 (response_field, theirs, answers.fields, response_values),
                 (request_field, ours, asks.fields, request_values),
             )
-            received_count, requested_count = (_elements(*side) for side in sides)
+            received_count, requested_count = (_elements(*arguments) for arguments in lists)
             unlike = comparison.unlike(flag, (theirs, response_field), (ours, request_field), received_count)
             if (
                 received_count is not None
@@ -247,12 +247,8 @@ class _Comparison:
         assert isinstance(left.type, Elementary)
         assert isinstance(right.type, Elementary)
         real = "real" in (left.type.family, right.type.family)
-        kinds = (left.type, right.type)
-        kind = (
-            LREAL
-            if real
-            else narrowest(min(side_kind.low for side_kind in kinds), max(side_kind.high for side_kind in kinds))
-        )
+        low, high = min(left.type.low, right.type.low), max(left.type.high, right.type.high)
+        kind = LREAL if real else narrowest(low, high)
         return compared(converted(left, kind), "<>", converted(right, kind))
 
     def _members(self, kind: EnumType) -> list[EnumMemberExpression]:

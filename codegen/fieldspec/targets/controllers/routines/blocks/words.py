@@ -216,8 +216,8 @@ class WordTask(LineTask):
         for register in sorted(registers.values(), key=lambda register: register.address):
             first = runs[-1][0] if runs else register
             end = register.address + register.words
-            is_one_block = any(run.start <= first.address and end <= run.stop for run in self.helpers.runs)
-            if runs and is_one_block and end - first.address <= limit:
+            is_contiguous = any(run.start <= first.address and end <= run.stop for run in self.helpers.runs)
+            if runs and is_contiguous and end - first.address <= limit:
                 runs[-1].append(register)
             else:
                 runs.append([register])
