@@ -42,11 +42,6 @@ def bare_words() -> frozenset[str]:
 FORBIDDEN = forbidden()
 EXEMPT = exempt()
 BARE = bare_words()
-WITH_BARE_WORDS = {
-    *("audit", "captures", "changes", "checks", "commands", "evidence", "facts", "lists", "live", "plc"),
-    *("proofs", "render", "simulator"),
-}
-"""The folders of the compiler whose functions have such names still."""
 
 
 def words(name: str) -> set[str]:
@@ -179,16 +174,11 @@ def bare_names(name: str) -> list[str]:
 COMPILER = sorted(name for name in FILES if any(PACKAGE in path.parents for path in FILES[name]))
 
 
-@pytest.mark.parametrize("name", [name for name in COMPILER if name not in WITH_BARE_WORDS])
+@pytest.mark.parametrize("name", COMPILER)
 def test_names_inside_functions_say_what_they_are(name: str) -> None:
     assert {"at", "most", "should"} <= BARE
     wrong = bare_names(name)
     assert wrong == [], "\n".join(wrong)
-
-
-@pytest.mark.parametrize("name", sorted(WITH_BARE_WORDS))
-def test_a_folder_is_on_the_list_of_those_with_bare_words_only_as_long_as_it_has_some(name: str) -> None:
-    assert bare_names(name) != []
 
 
 def keys(schema: object) -> Iterator[str]:

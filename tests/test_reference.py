@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
+from pathlib import Path
+
 import construct
 import pytest
 from pymodbus.framer import FramerAscii, FramerRTU
 from pymodbus.pdu import DecodePDU
 from pymodbus.pdu.other_message import ReportDeviceIdResponse
 
+import fieldspec.reference
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import raw_values
 from fieldspec.model.texts import Example
@@ -169,3 +173,22 @@ def test_a_message_of_another_link_is_unknown() -> None:
     with pytest.raises(CodecError) as caught:
         codec(GLIDER).links["channel"].encode("request", "telegram_3", {})
     assert caught.value.reason == "unknown_code"
+
+
+DECODING = {
+    *("decoded_text", "digits_bytes", "digits_number", "in_unit"),
+    *("number_in", "sentinel", "text_bytes", "text_fault"),
+}
+"""What other decoders have of digits, texts, quantities, special values and numbers."""
+
+
+def test_the_reference_shares_no_code_that_decodes() -> None:
+    folder = Path(fieldspec.reference.__file__).parent
+    trees = [ast.parse(path.read_text("utf-8")) for path in folder.glob("*.py")]
+    nodes = [node for tree in trees for node in ast.walk(tree)]
+    modules = {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}
+    rooms = {module.split(".")[1] for module in modules if module.startswith("fieldspec.")}
+    assert rooms <= {"classes", "layout", "model", "reference"}
+    names = {name.name for node in nodes if isinstance(node, ast.ImportFrom) for name in node.names}
+    names |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+    assert names & DECODING == set()

@@ -18,8 +18,11 @@ USED_ELSEWHERE = {
     "add_mcp": "cli.py joins the name of each verb behind `add_`",
     "add_redact": "cli.py joins the name of each verb behind `add_`",
     "add_simulate": "cli.py joins the name of each verb behind `add_`",
+    **dict.fromkeys(
+        ("Framing", "count_of_quantity", "printed_number", "special_number"),
+        "the judges of random devices ask the reference",
+    ),
     "changes_page": "a test writes docs/changes.md with it and keeps it fresh",
-    "ManualClock": "tests of other projects set the time of a simulated device by it, see docs/simulate.md",
 }
 
 

@@ -73,9 +73,9 @@ def _joined(words: list[str]) -> str:
     return text
 
 
-def free_name(taken: Container[str], *names: str) -> str:
+def free_name(occupied: Container[str], *names: str) -> str:
     """The first of some names that is not taken; where each is, the last one with underscores appended."""
-    name = next((name for name in names if name not in taken), names[-1])
-    while name in taken:
+    name = next((name for name in names if name not in occupied), names[-1])
+    while name in occupied:
         name += "_"
     return name

@@ -1345,6 +1345,14 @@ function forWriting(value) {
   return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
 }
 
+/** The meaning of the bytes of a value that is read: a constant binds only what is written. */
+function decodeAnswer(device, value, ...rest) {
+  const read = decodeValue(device, value, ...rest);
+  if (read.reason !== "wrong_const") return read;
+  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
+  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+}
+
 /** The meaning of all bytes of a value. Never throws. */
 function decodeValue(device, value, bytes, order, swapped, reserved) {
   const number = numberOfBytes(value, bytes, order, swapped);
@@ -1972,7 +1980,8 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
-  let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);
+  const value = isRequest ? forWriting(fact.value) : fact.value;
+  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, ...again, fact.reserved);
   // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
@@ -2237,7 +2246,8 @@ function registerRow(device, span, occupant, spot, operation) {
   if (piece) {
     const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
-    read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
+    const decode = operation === "write" ? decodeValue : decodeAnswer;
+    read = decode(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {

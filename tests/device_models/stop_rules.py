@@ -84,9 +84,9 @@ def a_stop_is_done_at_standstill(history: History) -> Iterator[Violation]:
                 continue
             # Done beside Busy is FALSE again as soon as an exchange can show that it moves.
             end = history.after(begin)
-            held = calls.index_at(end) if end < len(history.scans) else -1
+            last = calls.index_at(end) if end < len(history.scans) else -1
             moves = all(item.state.number == number and item.state.velocity for item in history.scans[begin + 1 : end])
-            if held >= 0 and moves and all("Done" in calls.ends[place] for place in range(index, held + 1)):
+            if last >= 0 and moves and all("Done" in calls.ends[place] for place in range(index, last + 1)):
                 yield Violation(24, end, calls.name, "it stays Done while a motion of before goes on")
 
 

@@ -34,8 +34,8 @@ from random_devices.reference_answers import Reference
 from random_devices.script_judge import ScriptExplainer
 
 Aspects = dict[str, str]
-_MODULES: ByIdentity[DeviceLayout, Python] = ByIdentity(most=1)
-_GCC = ["gcc", "-std=c99", "-w", "-O1"]
+_MODULES: ByIdentity[DeviceLayout, Python] = ByIdentity(limit=1)
+_GCC, _TCC = ["gcc", "-std=c99", "-w", "-O1"], ["tcc", "-std=c99", "-w"]
 ROWS, EXPLAINED = 16, 2
 """Of so many inputs, one is explained with all rows, if it is a frame, or explained at all: both take long."""
 COLUMNS = 4
@@ -221,6 +221,8 @@ CODECS = {
     "python": Codec("p", _python),
     "javascript": Codec("j", partial(_processes, lambda layout, folder: _JavaScript(layout, folder, 0))),
     "c": Codec("c", partial(_processes, lambda layout, folder: C(layout, folder, _GCC))),
+    # It knows none of the ways in which headers use that a compiler is GCC.
+    "portable_c": Codec("t", partial(_processes, lambda layout, folder: C(layout, folder, _TCC))),
     "explainer": Codec("e", _explainer),
     "script": Codec("s", _script),
     "columns": Codec("q", _columns),

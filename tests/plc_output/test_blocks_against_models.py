@@ -264,69 +264,6 @@ def test_who_is_aborted_stops_the_axis(name: str, make: Callable[..., Any]) -> N
     assert broken(rig, 15, 20, 21) == []
 
 
-@pytest.mark.parametrize("name", [item for item in POSITIONING if item != "tc100"])
-@pytest.mark.parametrize("kind", ["home", "jog"])
-@pytest.mark.parametrize("calls_last", [False, True], ids=["called first", "called last"])
-def test_what_shows_no_acceptance_waits_for_no_motion_of_another(
-    name: str, kind: str, calls_last: bool, make: Callable[..., Any]
-) -> None:
-    late = {"moving": "from begin", "executing": "from begin", "target reached": "begin", "stopped": "begin"}
-    rig = make(name, delay=1.0, **late)
-    move, other = rig.block("relative"), rig.block(kind)
-    rig.names.sort(key=lambda block: (block == other) == calls_last)
-    rig.start(move)
-    for _ in range(1000):
-        rig.scan(10, rig.names)
-        if rig.model.state.waiting:
-            break
-    assert rig.model.state.waiting
-    rig.run(10)
-    rig.start(other)
-    rig.run(1000)
-    assert (rig.ended(move), rig.ended(other)) == ("Done", "Error 11")
-    assert broken(rig, 15, 16, 17, 20, 34, 37) == []
-
-
-@pytest.mark.parametrize("name", FRAMED)
-def test_a_successor_that_is_superseded_by_a_halt_is_aborted(name: str, make: Callable[..., Any]) -> None:
-    rig = make(name)
-    block = set_out(rig, name, 1900)
-    rig.start(block, False)
-    rig.run(2)
-    rig.start(block)
-    rig.run(1)
-    rig.start(rig.block("halt"))
-    rig.run(400)
-    assert (rig.ended(block), rig.ended(rig.block("halt"))) == ("CommandAborted", "Done")
-    assert broken(rig, 15, 16, 20) == []
-
-
-@pytest.mark.parametrize("name", POSITIONING)
-def test_an_edge_in_the_scan_in_which_another_has_the_axis_is_taken(name: str, make: Callable[..., Any]) -> None:
-    scans, edge = 0, -1
-    # The first run tells the scan of the edge in the second one.
-    for _ in range(2):
-        rig = make(name)
-        block = set_out(rig, name, 1900)
-        rig.start(block, False)
-        rig.run(2)
-        rig.start(block)
-        rig.run(1)
-        rig.start(rig.block("halt"))
-        rig.start(block, False)
-        for scans in range(300):
-            if scans == edge:
-                rig.start(block)
-                rig.start(rig.block("stop"))
-            rig.run(1)
-            if scans == edge or rig.ended(block) != "Busy":
-                break
-        edge = scans
-    rig.start(block, False)
-    rig.run(100)
-    assert broken(rig, 2, 3, 7, 11) == []
-
-
 # A stop locks the axis.
 
 

@@ -146,8 +146,8 @@ def value_columns(
         yield f"{name}_raw", raw
     elif kind is Kind.INTEGER and value.scaled:
         exact = quantity(value, raw) if isinstance(value.scale, Decimal) else None
-        shown = exact_decimal(exact) if exact is not None else _share(value, raw)
-        yield f"{name}_{unit_word(value.unit)}", None if sentinel else shown
+        exact_value = exact_decimal(exact) if exact is not None else _share(value, raw)
+        yield f"{name}_{unit_word(value.unit)}", None if sentinel else exact_value
         yield f"{name}_raw", raw
     elif value.sentinels:
         yield name, None if sentinel else raw

@@ -141,7 +141,8 @@ class Access(Python):
     def _assert_table(self, table: TableLayout) -> None:
         """An element is written where neither the table nor any of its fields is read only."""
         values = record_values(self.layout, table.record, random.Random(1))
-        element = next(iter(link_of(self.module, table.name)))
+        elements = link_of(self.module, table.name)
+        element = next(iter(elements.at_base(table.table.base) if table.table.base_by else elements))
         if not hasattr(self.module, "write_requests"):
             return
         read_only = table.table.access == "ro" or _has_read_only(table.record)

@@ -12,7 +12,7 @@ from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import read
 from random_devices.devices import text_of
 from random_devices.draft import Spec
-from random_devices.other_forms import DEVICE, Files, counted_from_most, flat, overlaid, split
+from random_devices.other_forms import DEVICE, Files, flat, overlaid, split, with_bits_from_most
 
 MOST_OUTPUTS = 4
 """The outputs that are compared of one device; others are those of the next."""
@@ -42,7 +42,7 @@ def forms_agree(spec: Spec, layouts: list[DeviceLayout], dice: random.Random) ->
     if flat(spec) != spec:
         yield from _differences("what is listed", layouts[0], {DEVICE: flat(spec)}, chosen)
     yield from _differences("the protocol", layouts[0], split(spec, dice), chosen)
-    turned = counted_from_most(spec)
+    turned = with_bits_from_most(spec)
     if turned is not None:
         yield from _differences("bits counted from the other end", layouts[0], {DEVICE: turned}, silent)
 
@@ -51,7 +51,9 @@ def read_layout(files: Files, version: str) -> DeviceLayout | str:
     """The layout of a version of the device in some files; the first finding where they have some."""
     project = read({path: text_of(content).encode() for path, content in files.items()})
     if has_errors(project.findings):
-        return next(f"{found.code}: {found.message}" for found in project.findings if found.severity.name == "ERROR")
+        return next(
+            f"{finding.code}: {finding.message}" for finding in project.findings if finding.severity.name == "ERROR"
+        )
     return device_layout(project.devices["chance"].at(version)[0])
 
 

@@ -87,15 +87,15 @@ class Meanings:
         """The quantity as it is printed, the names, and the bits of a value."""
         meaning = meaning_of(self.device, leaf.value, leaf.raw)
         printed = read.value if isinstance(read, ExplanationRow) else read.text
-        shares = [each for each in read.meanings if each.text.endswith(" of its reference")]
-        for each in shares:
+        conversion_meanings = [each for each in read.meanings if each.text.endswith(" of its reference")]
+        for each in conversion_meanings:
             full = self.device.conversions[each.name].full_scale
             share, wanted = Fraction(each.text.split(" ")[0]), Fraction(100 * leaf.raw, full)
             assert abs(share - wanted) <= abs(wanted) / 10**5, f"{text}: {leaf.raw} is {share} %, not {float(wanted)} %"
-        shown = [each for each in read.meanings if each.kind != "state" and each not in shares]
-        names = [each.name for each in shown if each.name]
+        value_meanings = [each for each in read.meanings if each.kind != "state" and each not in conversion_meanings]
+        names = [each.name for each in value_meanings if each.name]
         assert names == list(meaning.names), f"{text}: {leaf.raw} is {names}, not {meaning.names}"
-        assert [each.bits for each in shown if not each.name] == [str(place) for place in meaning.others], text
+        assert [each.bits for each in value_meanings if not each.name] == [str(place) for place in meaning.others], text
         has_quantity = not meaning.state and not leaf.value.flags and leaf.value.type.kind in (Kind.INTEGER, Kind.FLOAT)
         exact = quantity(leaf.value, leaf.raw, leaf.power) if has_quantity else None
         assert_printed(f"{text}: {leaf.raw}", leaf, exact, printed if exact is not None else "")
@@ -116,18 +116,18 @@ class Meanings:
         assert have == states, f"{text}: {number:#x} has the states {have}, not {states}"
         own = {each.name.partition("=")[0]: each for each in read.meanings if each.kind != "state" and each.name}
         for bit in word.bits:
-            shown = own.get(bit.name)
-            if shown is None:
+            own_meaning = own.get(bit.name)
+            if own_meaning is None:
                 continue
             places = str(bit.first) if bit.first == bit.last else f"{bit.first}..{bit.last}"
-            assert shown.bits == places, f"{text}: {bit.name} is at {shown.bits}, not {places}"
+            assert own_meaning.bits == places, f"{text}: {bit.name} is at {own_meaning.bits}, not {places}"
             if bit.unit and bit.last > bit.first and not bit.enum:
                 exact = quantity(bit.as_value, number_of_bits(word, bit, number))
                 own_leaf = Leaf("", bit.as_value, number, "big", False, False)
-                assert_printed(f"{text}: {bit.name}", own_leaf, exact, shown.text.partition(": ")[0])
+                assert_printed(f"{text}: {bit.name}", own_leaf, exact, own_meaning.text.partition(": ")[0])
         most = printed_number(word, 8 * word.type.size - 1)
-        is_told = any(f"bit {8 * word.type.size - 1} is its bit {most}." in note for note in read.notes)
-        assert is_told == (most == 0 and any(each.bits for each in read.meanings)), f"{text}: {read.notes}"
+        has_remark = any(f"bit {8 * word.type.size - 1} is its bit {most}." in note for note in read.notes)
+        assert has_remark == (most == 0 and any(each.bits for each in read.meanings)), f"{text}: {read.notes}"
 
     def _read_word(self, word: Flags, number: int) -> tuple[Leaf, DecodedValue]:
         value = replace(
@@ -209,7 +209,8 @@ def assert_printed(text: str, leaf: Leaf, exact: Fraction | None, printed: str) 
         return
     places = len(number.partition(".")[2])
     last = Fraction(1, 10**places)
-    assert own == exact or last < abs(scale), f"{text}: {number} does not tell counts apart"
+    if own != exact:
+        assert last < abs(scale), f"{text}: {number} does not tell counts apart"
     assert abs(own - exact) <= last / 2, f"{text} is {number}, not {float(exact)}"
 
 
@@ -228,8 +229,8 @@ def entries(layout: DeviceLayout, value: Value, raw: Any) -> Iterator[tuple[Any,
         word = layout.device.flags[value.flags]
         bits = [bit for bit in word.bits if not bit.reserved]
         image = sum(number_of_bits(word, bit, raw) << bit.first & bit.mask for bit in bits)
-        kept = sum((bit.default or 0) << bit.first & bit.mask for bit in word.bits if bit.reserved)
-        yield [f"{bit.name}={number_of_bits(word, bit, raw)}" for bit in bits], image | kept
+        reserved_bits = sum((bit.default or 0) << bit.first & bit.mask for bit in word.bits if bit.reserved)
+        yield [f"{bit.name}={number_of_bits(word, bit, raw)}" for bit in bits], image | reserved_bits
     elif value.unit and not value.scale_by and not value.enum:
         exact = quantity(value, raw) or Fraction(raw) * scale_of(value) + Fraction(value.offset)
         scaled = exact * 10**30

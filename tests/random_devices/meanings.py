@@ -65,14 +65,14 @@ class Meaning:
     """What a raw value means.
 
     `exact` is the quantity, None for a special value, for words, enums, texts and bytes. `names` are the member, the
-    state, or the bits that show, `others` the places of bits that are not listed. `is_listed` is false for a number
+    state, or the bits that show, `others` the places of bits that are not listed. `is_member` is false for a number
     that an enum does not list, `is_within` for one outside of the printed range.
     """
 
     exact: Fraction | float | None = None
     names: tuple[str, ...] = ()
     others: tuple[int, ...] = ()
-    is_listed: bool = True
+    is_member: bool = True
     is_within: bool = True
     state: str = ""
 
@@ -89,7 +89,7 @@ def meaning_of(device: Device, value: Value, raw: Any) -> Meaning:
     if value.enum:
         member = device.enums[value.enum].member(int(raw))
         names = () if member is None else (member.name,)
-        return Meaning(names=names, is_listed=member is not None, is_within=is_within)
+        return Meaning(names=names, is_member=member is not None, is_within=is_within)
     if value.flags:
         word = device.flags[value.flags]
         number = raw % (1 << 8 * word.type.size)

@@ -77,13 +77,13 @@ def _copy(group: Spec, stated: Spec) -> Spec:
     for row in group["rows"]:
         own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
-        own |= {key: held for key in ("access", "trigger") if (held := stated.get(key, row.get(key))) is not None}
+        own |= {key: inner for key in ("access", "trigger") if (inner := stated.get(key, row.get(key))) is not None}
         rows.append({**own, "copy_of": row["name"], "source": stated["source"]})
     result = {"group": stated["group"], "source": stated["source"], "rows": rows}
     return result | {key: group[key] for key in ("space", "defaults") if key in group}
 
 
-def counted_from_most(spec: Spec) -> Spec | None:
+def with_bits_from_most(spec: Spec) -> Spec | None:
     """A spec whose words count their bits from the other end; None for one without words."""
     if not spec.get("flags"):
         return None
@@ -117,16 +117,16 @@ def split(spec: Spec, dice: random.Random) -> Files:
         own[section] = [*entries, *left]
     uses: Spec = {"uses": [{"protocol": "shared"}]}
     return {
-        DEVICE: {key: held for key, held in {**own, **uses}.items() if held},
-        PROTOCOL: {key: held for key, held in protocol.items() if held},
+        DEVICE: {key: inner for key, inner in {**own, **uses}.items() if inner},
+        PROTOCOL: {key: inner for key, inner in protocol.items() if inner},
     }
 
 
 def _own_entry(item: Spec, dice: random.Random) -> Spec:
     """The entry of a device for what it takes from a protocol, with keys that are no longer in the protocol."""
     moved = [key for key in ("doc", "label", "notes", "broadcast", "unit_addresses", "silence", "open") if key in item]
-    kept = [key for key in moved if dice.random() < 0.7]
-    return {"name": item["name"], "source": item["source"], **{key: item.pop(key) for key in kept}}
+    own_keys = [key for key in moved if dice.random() < 0.7]
+    return {"name": item["name"], "source": item["source"], **{key: item.pop(key) for key in own_keys}}
 
 
 # Overlays
@@ -151,7 +151,7 @@ def overlaid(spec: Spec, dice: random.Random) -> tuple[Files, Spec] | None:
             if is_now and not was:
                 if not has_order and not is_known:
                     return None  # an overlay puts a fact behind one of the base
-                added = {key: held for key, held in item.items() if key not in BOUNDS}
+                added = {key: inner for key, inner in item.items() if key not in BOUNDS}
                 behind = {} if has_order else {"after": last.rpartition("/")[2]}
                 entries["adds"].append({"in": place, "item": flat_item(added, second), **behind, **why})
             last, is_known = (path, bool(was and path)) if is_now else (last, is_known)
@@ -171,7 +171,7 @@ def overlaid(spec: Spec, dice: random.Random) -> tuple[Files, Spec] | None:
         return None
     member = base["versions"][0]["members"].pop()
     head = {**member, "id": second, "line": LINE, "based_on": first}
-    overlay = {"overlay": head, **{key: held for key, held in entries.items() if held}}
+    overlay = {"overlay": head, **{key: inner for key, inner in entries.items() if inner}}
     return {DEVICE: base, f"chance/versions/{second}.yaml": overlay}, changed
 
 

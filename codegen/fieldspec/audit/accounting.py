@@ -65,8 +65,8 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
     """Accounts for a manual line by line: first by patterns, then by any number on a line without a match."""
     candidates: list[Candidate] = []
     used: set[int] = set()
-    needed: set[str] = set()
-    beside: list[tuple[int, int, int]] = []
+    needed_paths: set[str] = set()
+    uncompared: list[tuple[int, int, int]] = []
     patterns = _by_line(plan.patterns)
     left_out = _by_line((*plan.left_out, plan.headings))
     of_changed = _by_line(
@@ -76,36 +76,38 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
-        at = manual.known[number - 1]
-        section = plan.section(at)
+        cited_line = manual.known[number - 1]
+        section = plan.section(cited_line)
         if number in manual.new:
-            omissions = [entry for entry in of_new.get(at, ()) if entry in of_new.get(at + 1, ())]
+            omissions = [entry for entry in of_new.get(cited_line, ()) if entry in of_new.get(cited_line + 1, ())]
         else:
-            omissions = (of_changed if at in manual.changed else left_out).get(at, [])
+            omissions = (of_changed if cited_line in manual.changed else left_out).get(cited_line, [])
         omission = _left_out(omissions, text)
         before = len(candidates)
-        line_facts = LineFacts() if number in manual.new else cited.at(at)
-        pieces = list(_pieces(patterns.get(at, ()), text))
+        line_facts = LineFacts() if number in manual.new else cited.at(cited_line)
+        pieces = list(_pieces(patterns.get(cited_line, ()), text))
         used.update(id(pattern) for pattern, _ in pieces)
         for (pattern, match), (status, missing) in zip(
-            pieces, _standings(pieces, line_facts, cited, needed), strict=True
+            pieces, _standings(pieces, line_facts, cited, needed_paths), strict=True
         ):
             if status == OPEN and omission is not None and not (line_facts.facts and "sections" in omission.place):
                 status, missing = LEFT_OUT, ()
-            place = number, at, section, match.start, match.end
+            place = number, cited_line, section, match.start, match.end
             candidates.append(
                 Candidate(pattern.kind, *place, status, missing, pattern, omission if status == LEFT_OUT else None)
             )
         if pieces:
-            beside += ((number, *place) for place in _beside(text, pieces, line_facts, cited))
+            uncompared += ((number, *place) for place in _beside(text, pieces, line_facts, cited))
         elif _DIGIT.search(text):
-            known = number not in manual.new and at not in manual.changed and at in cited.lines
+            known = number not in manual.new and cited_line not in manual.changed and cited_line in cited.lines
             status = COVERED if known else LEFT_OUT if omission is not None else OPEN
             applied = omission if status == LEFT_OUT else None
-            candidates.append(Candidate(LINE, number, at, section, 0, len(text), status, omission=applied))
+            candidates.append(Candidate(LINE, number, cited_line, section, 0, len(text), status, omission=applied))
         used.update(id(entry.omission) for entry in candidates[before:])
     declared: list[Pattern | Omission] = [*plan.patterns, *plan.left_out]
-    return Accounts(candidates, [entry for entry in declared if id(entry) not in used], frozenset(needed), beside)
+    return Accounts(
+        candidates, [entry for entry in declared if id(entry) not in used], frozenset(needed_paths), uncompared
+    )
 
 
 def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
@@ -127,7 +129,7 @@ def _left_out(omissions: Sequence[Omission], text: str) -> Omission | None:
 
 
 def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Match]]:
-    """The matches of patterns in a line."""
+    """The matches of patterns in a line, each with its pattern."""
     for pattern in patterns:
         if pattern.row is not None:
             match = pattern.row.find(text)
@@ -176,26 +178,26 @@ def _series(match: Match) -> tuple[PieceValue, ...]:
 
 
 def _standings(
-    pieces: Sequence[tuple[Pattern, Match]], line_facts: LineFacts, cited: LineCitations, needed: set[str]
+    pieces: Sequence[tuple[Pattern, Match]], line_facts: LineFacts, cited: LineCitations, needed_paths: set[str]
 ) -> Iterator[tuple[str, tuple[PieceValue, ...]]]:
     """Status and missing values of each match: a fact, or an erratum, that cites the line must have each value.
 
-    A value that a pattern finds several times on the line needs as many facts. Adds paths of facts to `needed`.
+    A value that a pattern finds several times on the line needs as many facts. Adds paths of facts to `needed_paths`.
     """
     times = Counter((pattern.name, value) for pattern, match in pieces for value in {*match.values})
-    seen: Counter[tuple[str, PieceValue]] = Counter()
+    counts: Counter[tuple[str, PieceValue]] = Counter()
     for pattern, match in pieces:
         corrected, missing = False, []
         for value in dict.fromkeys(match.values):
             key = pattern.name, value
-            seen[key] += 1
+            counts[key] += 1
             paths = _owners(
                 {str(row["path"]) for row in line_facts.facts if has_printed_value(row, value, cited.elided)}
             )
             put_right = any(corrects(erratum, value) for erratum in line_facts.errata)
             if len(paths) == times[key] and not put_right:
-                needed.update(path.partition("/restated/")[0] for path in paths)
-            if len(paths) < seen[key]:
+                needed_paths.update(path.partition("/restated/")[0] for path in paths)
+            if len(paths) < counts[key]:
                 corrected = corrected or put_right
                 missing += [] if put_right else [value]
         if match.values:

@@ -200,11 +200,11 @@ def _table(table_layout: TableLayout, extents: Sequence[Extent]) -> Block:
         for first, last, occupant in element_runs(table_layout)
     ]
     end = runs[-1].last + 1 if runs else table.base
-    behind = table.base + table.stride - 1
-    if end <= behind and table.count > 1:
+    last_word = table.base + table.stride - 1
+    if end <= last_word and table.count > 1:
         reason = f"an element has {end - table.base} words, the next one begins {table.stride} words behind it"
-        others = [extent for extent in extents if extent.block != table.place.path]
-        runs += _runs(end, behind, others, [GapExtent(end, behind, reason)], "")
+        other_extents = [extent for extent in extents if extent.block != table.place.path]
+        runs += _runs(end, last_word, other_extents, [GapExtent(end, last_word, reason)], "")
     return Block(
         table.name, table.title or table.name, table.place.path, table.place, tuple(runs), table.count, table.stride
     )
@@ -212,34 +212,34 @@ def _table(table_layout: TableLayout, extents: Sequence[Extent]) -> Block:
 
 def _runs(low: int, high: int, extents: Iterable[Extent], gaps: Sequence[GapExtent], own: str) -> Iterator[Run]:
     """The runs from `low` to `high`: occupants, or the reason of a gap. `own` is the path of the block."""
-    inside = [extent for extent in extents if extent.first <= high and extent.last >= low]
+    touching = [extent for extent in extents if extent.first <= high and extent.last >= low]
     cuts = {low, high + 1}
-    parts: tuple[Extent | GapExtent, ...] = (*inside, *gaps)
+    parts: tuple[Extent | GapExtent, ...] = (*touching, *gaps)
     for part in parts:
         cuts |= {max(part.first, low), min(part.last, high) + 1}
     bounds = sorted(cut for cut in cuts if low <= cut <= high + 1)
-    starting = sorted(enumerate(inside), key=lambda pair: pair[1].first, reverse=True)
+    starting = sorted(enumerate(touching), key=lambda pair: pair[1].first, reverse=True)
     current: list[tuple[int, Extent]] = []
     pieces = []
-    for first, behind in pairwise(bounds):
+    for first, end in pairwise(bounds):
         # There is a bound wherever an extent begins or ends, so one that reaches into a piece covers all of it.
         while starting and starting[-1][1].first <= first:
             current.append(starting.pop())
         current = [pair for pair in current if pair[1].last >= first]
-        here = [extent for _, extent in sorted(current, key=lambda pair: pair[0])]
-        pieces.append(_piece(first, behind - 1, here, gaps, own))
+        covering = [extent for _, extent in sorted(current, key=lambda pair: pair[0])]
+        pieces.append(_piece(first, end - 1, covering, gaps, own))
     for _, equal in groupby(pieces, key=lambda run: (run.state, run.occupants, run.reason, run.is_own)):
         runs = list(equal)
         yield replace(runs[0], last=runs[-1].last)
 
 
 def _piece(first: int, last: int, extents: Iterable[Extent], gaps: Iterable[GapExtent], own: str) -> Run:
-    here = [extent for extent in extents if extent.first <= first and last <= extent.last]
-    occupants = tuple(extent.occupant for extent in here)
+    covering = [extent for extent in extents if extent.first <= first and last <= extent.last]
+    occupants = tuple(extent.occupant for extent in covering)
     if not occupants:
         reason = next((gap.reason for gap in gaps if gap.first <= first and last <= gap.last), None)
         return Run(first, last, UNDECLARED if reason is None else DECLARED, (), reason or "")
-    is_own = not own or any(extent.block == own for extent in here)
+    is_own = not own or any(extent.block == own for extent in covering)
     if len(occupants) > 1:
         reasons = [reason for occupant in occupants if (reason := occupant.allowed.get("addresses_disjoint"))]
         return Run(first, last, OVERLAP, occupants, "; ".join(dict.fromkeys(reasons)), is_own)
@@ -248,10 +248,10 @@ def _piece(first: int, last: int, extents: Iterable[Extent], gaps: Iterable[GapE
 
 def _aliases(device: Device) -> Iterator[tuple[Register, Alias]]:
     """The registers with the value of another one, and the copies of registers."""
-    named = {register.name: register for register in device.registers()}
+    registers = {register.name: register for register in device.registers()}
     for register in device.registers():
         for name, copied in ((register.same_as, False), (register.copy_of, True)):
-            other = named.get(name)
+            other = registers.get(name)
             if other is not None:
                 occupant, original = Occupant.of(register, ""), Occupant.of(other, "")
                 yield register, Alias(occupant, register.address, original, other.address, copied)
@@ -300,29 +300,31 @@ def _parameter_block(parameter_set: ParameterSet) -> Block:
 
 def _messages(device: Device) -> Iterator[Space]:
     """The codes of messages, and the numbers of messages without a code, by link where links differ."""
-    seen: set[tuple[str, ...]] = set()
+    visited: set[tuple[str, ...]] = set()
     for link in device.links.values():
-        sent = [message for message in device.messages.values() if not message.links or link.name in message.links]
+        link_messages = [
+            message for message in device.messages.values() if not message.links or link.name in message.links
+        ]
         for coded in (True, False):
             numbered = [
                 Extent(number, number, of_message(message), "")
-                for message in sent
+                for message in link_messages
                 if (number := message.code if coded else message.number) is not None
                 and coded == (message.code is not None)
             ]
             names = tuple(extent.occupant.name for extent in numbered)
-            if numbered and names not in seen:
-                seen.add(names)
+            if numbered and names not in visited:
+                visited.add(names)
                 yield _codes(link, coded, sorted(numbered, key=lambda extent: extent[:2]))
 
 
 def _codes(link: Link, coded: bool, extents: Sequence[Extent]) -> Space:
     part = next((header_part.name for header_part in link.request if header_part.role == "code"), link.message_name)
     word = (part if coded else link.message_name).replace("_", " ")
-    what = f"{word} codes" if coded else f"{word} numbers"
+    unit_text = f"{word} codes" if coded else f"{word} numbers"
     low, high = extents[0][0], extents[-1][1]
     runs = _runs(low, high, extents, [], "")
     all_runs = tuple(run if run.occupants else replace(run, state=UNLISTED) for run in runs)
-    block = Block(word, what, link.place.path, link.place, all_runs)
-    title = what[:1].upper() + what[1:]
-    return Space(f"{link.name}_{what}".replace(" ", "_"), title, what, 2 if high <= 0xFF else 4, (block,))
+    block = Block(word, unit_text, link.place.path, link.place, all_runs)
+    title = unit_text[:1].upper() + unit_text[1:]
+    return Space(f"{link.name}_{unit_text}".replace(" ", "_"), title, unit_text, 2 if high <= 0xFF else 4, (block,))

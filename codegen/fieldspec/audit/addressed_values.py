@@ -99,7 +99,7 @@ def _field(
 
 
 def values_of_record(
-    record: RecordLayout, access: str, before: str = "", at: int = 0
+    record: RecordLayout, access: str, before: str = "", offset: int = 0
 ) -> Iterator[tuple[str, FieldLayout, int, str]]:
     """The values of a record, also of nested records: name, field, first byte and access of each element.
 
@@ -110,7 +110,7 @@ def values_of_record(
         count = field.count or 1
         for number in range(count):
             name = f"{before}{field.name}" + (f"[{number}]" if count > 1 else "")
-            byte = at + field.offset + number * field.size
+            byte = offset + field.offset + number * field.size
             if field.record is not None:
                 yield from values_of_record(field.record, allowed, f"{name}.", byte)
             elif field.value is not None:

@@ -38,8 +38,8 @@ def addresses(subject: Subject) -> Section:
             )
         if space.what in ("words", "bits"):
             gaps = space.count(UNDECLARED)
-            where = f" ({space.title})" if subject.device.several_spaces else ""
-            figures.append(Figure(f"{space.what} in gaps that are not declared{where}", gaps, good=gaps == 0))
+            space_text = f" ({space.title})" if subject.device.several_spaces else ""
+            figures.append(Figure(f"{space.what} in gaps that are not declared{space_text}", gaps, good=gaps == 0))
     tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
     return Section("addresses", "Address map", (_INTRODUCTION,), tuple(figures), tables, spaces=spaces)
 
@@ -107,11 +107,13 @@ def _runs(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     for space, block, run in _all_runs(spaces):
         names = " and ".join(occupant.name for occupant in run.occupants)
-        about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
+        descriptions = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
         occupant = run.occupants[0] if run.occupants else None
         source = occupant.sources[0] if occupant is not None and occupant.sources else None
         place = occupant.place["name"] if occupant is not None else None
-        rows.append((space.title, block.title, *_ends(space, run), STATES[run.state], names, about, place, source))
+        rows.append(
+            (space.title, block.title, *_ends(space, run), STATES[run.state], names, descriptions, place, source)
+        )
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
     title = "All addresses; for tables, those of the first element"
     return SectionTable("address_map", title, columns, tuple(rows), detail=True)
@@ -168,8 +170,8 @@ def reads(subject: Subject) -> Section:
         limit, blocks = plan.limit(space), [block for block in plan.blocks if block.space == space]
         if limit is not None:
             values = sum(len(block.names) for block in blocks)
-            where = f" of {space}" if space else ""
-            text = f"requests of up to {limit.words} {limit.unit}s read all {values} values{where}"
+            space_text = f" of {space}" if space else ""
+            text = f"requests of up to {limit.words} {limit.unit}s read all {values} values{space_text}"
             figures.append(Figure(text, len(blocks)))
     tables = (_limits(plan), _plan_table(plan), _left_out(plan)) if plan.limits else ()
     return Section("read_plan", "Read plan", tuple(paragraphs), tuple(figures), tables)
@@ -207,10 +209,10 @@ def _limits(plan: ReadPlan) -> SectionTable:
 
 
 def _plan_table(plan: ReadPlan) -> SectionTable:
-    several = len(plan.spaces) > 1
+    has_spaces = len(plan.spaces) > 1
     rows: list[tuple[Cell, ...]] = [
         (
-            *([row.first.space] if several else []),
+            *([row.first.space] if has_spaces else []),
             f"{row.first.start:04X}h",
             row.first.start,
             row.first.words,
@@ -223,7 +225,7 @@ def _plan_table(plan: ReadPlan) -> SectionTable:
         for row in read_rows(plan.blocks)
     ]
     columns = (
-        *(["space"] if several else []),
+        *(["space"] if has_spaces else []),
         "start",
         "decimal",
         "words",
@@ -243,8 +245,8 @@ def _names(names: Sequence[str]) -> str:
 def _left_out(plan: ReadPlan) -> SectionTable:
     units: dict[tuple[str, str], list[ReadUnit]] = {}
     for unit in plan.left_out:
-        name, _, behind = unit.name.partition("[")
-        units.setdefault((name + behind.partition("]")[2], unit.refused), []).append(unit)
+        name, _, name_rest = unit.name.partition("[")
+        units.setdefault((name + name_rest.partition("]")[2], unit.refused), []).append(unit)
     rows = tuple(
         (f"{units_of_name[0].first:04X}h", units_of_name[0].words, len(units_of_name), name, refused)
         for (name, refused), units_of_name in units.items()
@@ -262,9 +264,9 @@ def _parameter_reads(layout: DeviceLayout) -> Iterator[str]:
             if parameter_part is None or parameter_part.part not in ("value", "values"):
                 continue
             if parameter_part.part == "values":
-                many = field.count or (field.repeat.high if field.repeat is not None else 1)
-                yield f"One request of {message.name} reads all {many} parameters of {parameter_part.set}."
+                count = field.count or (field.repeat.high if field.repeat is not None else 1)
+                yield f"One request of {message.name} reads all {count} parameters of {parameter_part.set}."
             else:
-                many = field.repeat.high if field.repeat is not None else field.count or 1
-                more = f", up to {many} elements of it" if many > 1 else ""
-                yield f"One request of {message.name} reads one parameter of {parameter_part.set}{more}."
+                count = field.repeat.high if field.repeat is not None else field.count or 1
+                list_text = f", up to {count} elements of it" if count > 1 else ""
+                yield f"One request of {message.name} reads one parameter of {parameter_part.set}{list_text}."

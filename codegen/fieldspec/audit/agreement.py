@@ -109,17 +109,19 @@ def words(text: str) -> tuple[str, ...]:
 
 def has_word(line: str, word: str) -> bool:
     """Whether an index line has a word, also within a series: `IN1 ~ IN14` has `IN5` and `IN`."""
-    have = words(line)
-    if word in have:
+    line_words = words(line)
+    if word in line_words:
         return True
     if word.isdecimal():
         return numbers(line).holds(int(word))
-    if any(other.startswith(word) and other[len(word) :].isdecimal() for other in have):
+    if any(other.startswith(word) and other[len(word) :].isdecimal() for other in line_words):
         return True
     stem = word.rstrip("0123456789")
     if stem in ("", word) or not any(sign in line for sign in ("~", "...")):
         return False
-    ends = [int(other[len(stem) :]) for other in have if other.startswith(stem) and other[len(stem) :].isdecimal()]
+    ends = [
+        int(other[len(stem) :]) for other in line_words if other.startswith(stem) and other[len(stem) :].isdecimal()
+    ]
     return bool(ends) and min(ends) < int(word[len(stem) :]) < max(ends)
 
 
@@ -196,9 +198,9 @@ def _ranges(row: FactRow, value: PieceValue) -> bool:
     known = (row["min"], row["max"]) if len(bounds) > 1 else (row["min"],)
     low_high = [cell for cell in known if isinstance(cell, int | Decimal)]
     scale = row["scale"] if isinstance(row["scale"], Decimal) else 1
-    wanted = [{Decimal(cell), Decimal(cell) * scale} for cell in low_high]
-    return len(wanted) == len(bounds) and all(
-        alternatives & {*means} for alternatives, means in zip(wanted, bounds, strict=True)
+    fact_bounds = [{Decimal(cell), Decimal(cell) * scale} for cell in low_high]
+    return len(fact_bounds) == len(bounds) and all(
+        alternatives & {*means} for alternatives, means in zip(fact_bounds, bounds, strict=True)
     )
 
 
@@ -280,7 +282,7 @@ def _is_among(row: FactRow, cell: str, value: PieceValue) -> bool:
 
 
 def _in_text(row: FactRow, value: PieceValue) -> bool:
-    """Whether a text of a fact has a number."""
+    """Whether a text of a fact contains a number."""
     means = _means(value)
     for key in ("printed_name", "label", "ranges", "name"):
         text = row[key]
@@ -296,8 +298,8 @@ def corrects(erratum: Erratum, value: PieceValue) -> bool:
     if value.column == "frame":
         return any(bytes(byte_pairs(value.text)) in bytes(byte_pairs(text)) for text in texts)
     if value.column in ("name", "type", "access"):
-        wanted = _words(value.text)
-        return any(_holds(words(text), wanted) for text in texts)
+        value_words = _words(value.text)
+        return any(_holds(words(text), value_words) for text in texts)
     if value.form in ("range", "span") and any(_same_range(text, value) for text in texts):
         return True
     means = _means(value)
@@ -308,7 +310,7 @@ def _comparable_text(value: object) -> str:
     return " ".join(map(_comparable_text, value)) if isinstance(value, list | tuple) else str(value)
 
 
-def _holds(have: Sequence[str], wanted: Sequence[str]) -> bool:
+def _holds(words: Sequence[str], part: Sequence[str]) -> bool:
     """Whether a list of words has another one as a part."""
-    size = len(wanted)
-    return any(tuple(have[at : at + size]) == tuple(wanted) for at in range(len(have) - size + 1))
+    size = len(part)
+    return any(tuple(words[start : start + size]) == tuple(part) for start in range(len(words) - size + 1))

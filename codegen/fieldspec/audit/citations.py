@@ -56,34 +56,34 @@ def citation_results(devices: Sequence[Device], manual: AlignedManual, plan: Pla
     claims: dict[tuple[str, str, int, str], Claim] = {}
     corrected: dict[str, list[str]] = defaultdict(list)
     corrected_values: dict[tuple[str, str], list[str]] = defaultdict(list)
-    beside: dict[tuple[int, str], list[str]] = defaultdict(list)
-    seen: set[int] = set()
+    printed_beside: dict[tuple[int, str], list[str]] = defaultdict(list)
+    visited: set[int] = set()
     for device in devices:
-        for claim in claims_of(device, seen):
+        for claim in claims_of(device, visited):
             claims.setdefault((claim.path, claim.key, claim.span.start, claim.text), claim)
         for erratum in device.errata:
-            if id(erratum) in seen:
+            if id(erratum) in visited:
                 continue
-            seen.add(id(erratum))
+            visited.add(id(erratum))
             corrected[erratum.fact] += [erratum.literal, *map(_printed_text, erratum.printed.values())]
             for key, printed in erratum.printed.items():
                 corrected_values[erratum.fact, key] += [erratum.literal, _printed_text(printed)]
             for line in lines_of(erratum.sources):
                 for key, printed in erratum.printed.items():
-                    beside[line, key].append(_printed_text(printed))
+                    printed_beside[line, key].append(_printed_text(printed))
     looked_up, used, missing = 0, set(), []
     for claim in claims.values():
-        also = [text for line in lines_of(claim.sources) for text in beside.get((line, claim.key), ())]
+        also = [text for line in lines_of(claim.sources) for text in printed_beside.get((line, claim.key), ())]
         # Of a value, an erratum about another key of the fact says nothing.
         own = corrected_values.get((claim.path, claim.key)) if claim.is_of_value else corrected.get(claim.path)
         failing = [*_failing(claim, manual, plan, [*(own or ()), *also])]
         looked_up += 1
         for failure in failing:
-            out = _excepted(plan, claim.path)
-            if out is None:
+            exception = _excepted(plan, claim.path)
+            if exception is None:
                 missing.append(failure)
             else:
-                used.add(id(out))
+                used.add(id(exception))
     missing += misplaced(devices, manual, plan)
     numbered: dict[str, tuple[Span, Citation]] = {}
     for claim in claims.values():
@@ -95,15 +95,15 @@ def citation_results(devices: Sequence[Device], manual: AlignedManual, plan: Pla
 
 def misplaced(devices: Sequence[Device], manual: AlignedManual, plan: Plan) -> Iterator[Missing]:
     """Citations that begin or end with a blank line, or have lines outside the section that they name."""
-    seen: set[tuple[str, Citation]] = set()
+    visited: set[tuple[str, Citation]] = set()
     for device in devices:
         for _, place, sources, _ in cited_places(device):
             key = "element_sources" if "element_sources" in place and "source" not in place else "source"
             if key not in place:
                 continue  # the fact inherits its sources
             for source in sources:
-                if (place.path, source) not in seen:
-                    seen.add((place.path, source))
+                if (place.path, source) not in visited:
+                    visited.add((place.path, source))
                     yield from _misplaced(place, place[key], source, manual, plan)
 
 
@@ -157,8 +157,8 @@ def _printed(claim: Claim, texts: list[str]) -> bool:
         bounds = [int(digits) for digits in _FIGURES.findall(claim.text)]
         return all(any(numbers(text).holds(bound) for text in texts) for bound in bounds)
     masks = [1 << int(bit) for bit in values if bit < 64] if claim.key in ("bit", "bits") else []
-    wanted = (*values, *masks)
-    return any(numbers(text).holds(number) for text in texts for number in wanted)
+    means = (*values, *masks)
+    return any(numbers(text).holds(number) for text in texts for number in means)
 
 
 def _elided(frame: bytes, texts: list[str]) -> bool:
@@ -173,9 +173,9 @@ def _printed_as(printed: str, claim: Claim, texts: list[str]) -> bool:
         return _elided(bytes(byte_pairs(printed)), texts)
     if claim.key == "frame":
         return bytes(byte_pairs(printed)) in bytes(pair for text in texts for pair in byte_pairs(text))
-    have = {word for text in texts for word in words(text)}
+    line_words = {word for text in texts for word in words(text)}
     printed_words = words(index_line(printed))
-    if printed_words and set(printed_words) <= have:
+    if printed_words and set(printed_words) <= line_words:
         return True
     values = numbers(index_line(printed)).values
     return bool(values) and all(any(numbers(text).holds(value) for text in texts) for value in values)

@@ -71,23 +71,28 @@ class Claim:
         return self.key in VALUES or self.key == SIGN
 
 
-def claims_of(device: Device, seen: set[int]) -> Iterator[Claim]:
-    """The claims of the facts of a device, without facts that are `seen` already, as versions share facts."""
+def claims_of(device: Device, visited: set[int]) -> Iterator[Claim]:
+    """The claims of the facts of a device, without those that were `visited`, as versions share facts."""
     bases = {
         parameter.place.path: parameter_set.base
         for parameter_set in device.parameters.values()
         for parameter in parameter_set.parameters
     }
     for fact in facts(device):
-        if id(fact) in seen:
+        if id(fact) in visited:
             continue
-        seen.add(id(fact))
+        visited.add(id(fact))
         path, place = fact.place.path, fact.place
         if fact.sources:
             for key in NUMBERS:
                 if key in place and not (key == "bits" and isinstance(fact, Flags)):
                     yield Claim(
-                        path, key, _text(place[key]), place[key], fact.sources, _means(fact, key, bases.get(path, 0))
+                        path,
+                        key,
+                        _span_text(place[key]),
+                        place[key],
+                        fact.sources,
+                        _means(fact, key, bases.get(path, 0)),
                     )
             if "printed_name" in place:
                 yield Claim(path, "printed_name", fact.printed_name, place["printed_name"], fact.sources)
@@ -100,8 +105,8 @@ def claims_of(device: Device, seen: set[int]) -> Iterator[Claim]:
         if isinstance(fact, Register):
             for number, source in enumerate(fact.element_sources):
                 address = fact.address + number * fact.stride
-                at = f"{path}/{fact.index_from + number}"
-                yield Claim(at, "at", str(address), place["at"], (source,), (address,))
+                element_path = f"{path}/{fact.index_from + number}"
+                yield Claim(element_path, "at", str(address), place["at"], (source,), (address,))
     for table in device.tables.values():
         for element in table.elements:
             address = table.address(element.index)
@@ -129,7 +134,7 @@ def _means(fact: Fact, key: str, base: int) -> tuple[int, ...]:
     return (fact.value,) if isinstance(fact, Member) and key == "value" else ()
 
 
-def _text(span: Span) -> str:
+def _span_text(span: Span) -> str:
     return span.file.text[span.start : span.end].strip("\"'")
 
 
@@ -146,9 +151,9 @@ def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
         own = key in fact.place and key not in fact.inferred and key not in fact.standard
         if not own or not f"{dirname(fact.place[key].file.path)}/".startswith(f"{home}/"):
             continue
-        text, span = _text(fact.place[key]), fact.place[key]
-        again = (source for claim in fact.restated if key in claim.values for source in claim.sources)
-        sources = (*fact.sources, *again)
+        text, span = _span_text(fact.place[key]), fact.place[key]
+        restated_sources = (source for claim in fact.restated if key in claim.values for source in claim.sources)
+        sources = (*fact.sources, *restated_sources)
         if key != SIGN:
             yield from (
                 Claim(fact.place.path, key, number, span, sources, means)

@@ -116,10 +116,10 @@ def _figures(accounts: Accounts, claims: CitationResults) -> Iterator[Figure]:
     yield Figure("are covered with a correction", states[CORRECTED], whole)
     yield Figure("are left out intentionally", states[LEFT_OUT], whole)
     yield Figure("are not accounted for", states[OPEN], whole, states[OPEN] == 0)
-    needed = len(accounts.needed & claims.numbered.keys())
-    yield Figure("facts with a number would be noticed if they were missing", needed, len(claims.numbered))
-    beside = len(accounts.beside)
-    yield Figure("other numbers, in remarks or as row numbers, are not compared", beside)
+    noticed = len(accounts.needed & claims.numbered.keys())
+    yield Figure("facts with a number would be noticed if they were missing", noticed, len(claims.numbered))
+    uncompared = len(accounts.beside)
+    yield Figure("other numbers, in remarks or as row numbers, are not compared", uncompared)
     failing = len({(missing.path, missing.what) for missing in claims.missing})
     yield Figure(
         "addresses, codes, identifiers, values and misprints are in the lines that the spec cites",
@@ -197,8 +197,8 @@ def _beside(accounts: Accounts, plan: Plan, manual: AlignedManual) -> SectionTab
 
 def _unneeded(accounts: Accounts, claims: CitationResults) -> SectionTable:
     """The facts whose loss the audit would not notice."""
-    gone = [(path, *place) for path, place in claims.numbered.items() if path not in accounts.needed]
-    rows: tuple[tuple[Cell, ...], ...] = tuple((path, source, span) for path, span, source in gone)
+    unneeded = [(path, *place) for path, place in claims.numbered.items() if path not in accounts.needed]
+    rows: tuple[tuple[Cell, ...], ...] = tuple((path, source, span) for path, span, source in unneeded)
     title = "Facts whose loss no audit would notice: printed twice, in words, or in a line that other facts cite"
     return SectionTable("unmissed", title, ("fact", "source", "place"), rows, detail=True)
 
@@ -208,17 +208,17 @@ def _open(accounts: Accounts, manual: AlignedManual) -> Iterator[Diagnostic]:
         if candidate.status != OPEN:
             continue
         printed = manual.index.lines[candidate.line - 1][candidate.start : candidate.end]
-        where = f"line {candidate.line} of the manual" + (
+        place_text = f"line {candidate.line} of the manual" + (
             f", section {candidate.section}," if candidate.section else ""
         )
         if candidate.pattern is None:
             changed = candidate.line not in manual.new and candidate.cited in manual.changed
-            why = "says something else in the edition that the spec cites" if changed else _UNCITED
-            text = f"{where} has numbers, and {why}"
+            reason = "says something else in the edition that the spec cites" if changed else _UNCITED
+            text = f"{place_text} has numbers, and {reason}"
             yield Diagnostic("manual_accounted", text, manual.index.span(candidate.line), help=_CURE)
             continue
-        what = ", ".join(_value_text(value) for value in candidate.missing) or f"`{printed}`"
-        text = f"{where} prints {what}, and no fact that cites it says so"
+        values_text = ", ".join(_value_text(value) for value in candidate.missing) or f"`{printed}`"
+        text = f"{place_text} prints {values_text}, and no fact that cites it says so"
         label = Label(candidate.pattern.place["name"], "the pattern that finds it")
         yield Diagnostic("manual_accounted", text, manual.index.span(candidate.line), (label,), _CURE)
 
@@ -243,8 +243,8 @@ def _uncited(claims: CitationResults) -> Iterator[Diagnostic]:
 
 def _unused(accounts: Accounts, claims: CitationResults) -> Iterator[Diagnostic]:
     for entry in accounts.unused:
-        what = f"the pattern `{entry.name}` finds" if isinstance(entry, Pattern) else "this leaves out"
-        text = f"{what} nothing in its lines of the manual"
+        subject = f"the pattern `{entry.name}` finds" if isinstance(entry, Pattern) else "this leaves out"
+        text = f"{subject} nothing in its lines of the manual"
         yield Diagnostic(
             "audit_sound",
             text,

@@ -180,14 +180,14 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 
 def detection(subject: Subject) -> Section:
-    """The section about blind detection."""
+    """The section about the misprints that checks find without their errata."""
     return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.known))
 
 
 def section(printed_device: PrintedDevice) -> Section:
     """A printed device as a section: how many errata the checks find, by class, and which ones they miss."""
-    every = printed_device.detections
-    wire = [detection for detection in every if detection.erratum.effect in WIRE]
+    detections = printed_device.detections
+    wire = [detection for detection in detections if detection.erratum.effect in WIRE]
     return Section(
         "detection",
         "Blind detection",
@@ -197,26 +197,26 @@ def section(printed_device: PrintedDevice) -> Section:
         ),
         (
             _figure("errata that affect the wire or a range are found without the erratum", wire, True),
-            _figure("errata of any effect are found without the erratum", every, None),
+            _figure("errata of any effect are found without the erratum", detections, None),
             Figure(
                 "errata that affect the wire or a range are found with all misprints together",
                 sum(detection.together for detection in wire),
                 len(wire),
             ),
         ),
-        (_classes(every), _missed(every), _details(every)),
+        (_classes(detections), _missed(detections), _details(detections)),
     )
 
 
-def _figure(what: str, of: Sequence[Detection], judged: bool | None) -> Figure:
-    count = sum(bool(detection.alone) for detection in of)
-    return Figure(what, count, len(of), 2 * count > len(of) or not of if judged else None)
+def _figure(text: str, detections: Sequence[Detection], judged: bool | None) -> Figure:
+    count = sum(bool(detection.alone) for detection in detections)
+    return Figure(text, count, len(detections), 2 * count > len(detections) or not detections if judged else None)
 
 
-def _classes(every: Sequence[Detection]) -> SectionTable:
+def _classes(detections: Sequence[Detection]) -> SectionTable:
     rows = []
     for kind in (*CLASSES, OTHER, WORDING):
-        own = [detection for detection in every if detection.kind == kind]
+        own = [detection for detection in detections if detection.kind == kind]
         wire = [detection for detection in own if detection.erratum.effect in WIRE]
         if own:
             detected, detected_on_wire = (sum(bool(detection.alone) for detection in part) for part in (own, wire))
@@ -226,7 +226,7 @@ def _classes(every: Sequence[Detection]) -> SectionTable:
     return SectionTable("detection_by_class", "By class of misprint", columns, tuple(rows))
 
 
-def _missed(every: Sequence[Detection]) -> SectionTable:
+def _missed(detections: Sequence[Detection]) -> SectionTable:
     rows = [
         (
             EFFECTS[detection.erratum.effect],
@@ -235,7 +235,7 @@ def _missed(every: Sequence[Detection]) -> SectionTable:
             detection.erratum.confidence,
             _why(detection.erratum),
         )
-        for detection in every
+        for detection in detections
         if not detection.alone and detection.erratum.effect in WIRE
     ]
     columns = ("effect", "erratum", "fact", "confidence", "why")
@@ -248,19 +248,19 @@ def _why(erratum: Erratum) -> str:
     return "the print contradicts nothing else in the manual"
 
 
-def _details(every: Sequence[Detection]) -> SectionTable:
-    rows = tuple(_row(detection) for detection in every)
+def _details(detections: Sequence[Detection]) -> SectionTable:
+    rows = tuple(_detection_row(detection) for detection in detections)
     columns = ("effect", "erratum", "misprint", "fact", "found_by", "finding", "together")
-    kinds = tuple("good" if detection.alone else "" for detection in every)
+    kinds = tuple("good" if detection.alone else "" for detection in detections)
     return SectionTable("detections", "All errata, and what finds them", columns, rows, kinds, detail=True)
 
 
-def _row(detection: Detection) -> tuple[Cell, ...]:
+def _detection_row(detection: Detection) -> tuple[Cell, ...]:
     erratum = detection.erratum
     message = next(_first(detection), None)
     checks = ", ".join(detection.checks) or None
-    together = "yes" if detection.together else "no"
-    return EFFECTS[erratum.effect], erratum.id, detection.kind, erratum.fact, checks, message, together
+    is_together = "yes" if detection.together else "no"
+    return EFFECTS[erratum.effect], erratum.id, detection.kind, erratum.fact, checks, message, is_together
 
 
 def _first(detection: Detection) -> Iterator[str]:

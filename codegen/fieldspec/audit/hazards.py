@@ -141,78 +141,82 @@ def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
 
 def _of_register(device: Device, register: Register, alone: frozenset[str]) -> Iterator[Hazard]:
     place = f" of {device.space_name(register.space)}" if device.several_spaces else ""
-    where = f"{register.address:04X}h{place}"
+    place_text = f"{register.address:04X}h{place}"
     if register.trigger:
-        yield _hazard("trigger", register, where, _started(register.value), key="trigger")
+        yield _hazard("trigger", register, place_text, _started(register.value), key="trigger")
     if register.access == "wo":
-        yield _hazard("write_only", register, where, "access wo", key="access")
-    yield from _shared(device, register, register.value, register.access, where, alone)
+        yield _hazard("write_only", register, place_text, "access wo", key="access")
+    yield from _shared(device, register, register.value, register.access, place_text, alone)
     if register.same_as:
-        yield _hazard("alias", register, where, f"the same as {register.same_as}", "same_as")
+        yield _hazard("alias", register, place_text, f"the same as {register.same_as}", "same_as")
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
         span = f"{register.address:04X}h..{last:04X}h{place}"
         unit = device.space(register.space).unit
         yield _hazard("atomic", register, span, f"{register.width} {unit}s", key="atomic")
     if register.restart:
-        yield _hazard("restart", register, where, "restart", key="restart")
-    yield from _handled(register, register.handling, where, device)
+        yield _hazard("restart", register, place_text, "restart", key="restart")
+    yield from _handled(register, register.handling, place_text, device)
 
 
 def _of_field(device: Device, field: Field, uses: Sequence[TableRecord], in_record: bool) -> Iterator[Hazard]:
-    where = ", ".join(dict.fromkeys(use.name for use in uses)) or field.place.path.rpartition("/")[0]
+    place_text = ", ".join(dict.fromkeys(use.name for use in uses)) or field.place.path.rpartition("/")[0]
     accesses = [narrowed(use.access, field.access) for use in uses]
     if "wo" in (field.access, *accesses):
-        yield _hazard("write_only", field, where, "access wo", key="access")
+        yield _hazard("write_only", field, place_text, "access wo", key="access")
     if field.restart:
-        yield _hazard("restart", field, where, "restart", key="restart")
+        yield _hazard("restart", field, place_text, "restart", key="restart")
     if field.atomic and field.value is not None and field.value.size > 2:
-        yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
+        yield _hazard("atomic", field, place_text, f"{(field.value.size + 1) // 2} words", key="atomic")
     if field.value is not None and uses and in_record:
         access = next(filter(writable, accesses), "")
-        yield from _shared(device, field, field.value, access, where)
-    yield from _handled(field, field.handling, where, device)
+        yield from _shared(device, field, field.value, access, place_text)
+    yield from _handled(field, field.handling, place_text, device)
 
 
 def _of_parameter(device: Device, parameter_set: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
-    where = parameter_set.number_text(parameter.number)
+    place_text = parameter_set.number_text(parameter.number)
     if parameter.trigger:
-        yield _hazard("trigger", parameter, where, _started(parameter.value), key="trigger")
+        yield _hazard("trigger", parameter, place_text, _started(parameter.value), key="trigger")
     if parameter.access == "wo":
-        yield _hazard("write_only", parameter, where, "access wo", key="access")
+        yield _hazard("write_only", parameter, place_text, "access wo", key="access")
     for inner in parameter.subindices:
         if inner.access == "wo":
-            yield _hazard("write_only", inner, f"{where}[{inner.indices.text()}]", "access wo", key="access")
-    yield from _shared(device, parameter, parameter.value, parameter.access, where)
+            yield _hazard("write_only", inner, f"{place_text}[{inner.indices.text()}]", "access wo", key="access")
+    yield from _shared(device, parameter, parameter.value, parameter.access, place_text)
     if parameter.restart:
-        yield _hazard("restart", parameter, where, "restart", key="restart")
-    yield from _handled(parameter, parameter.handling, where, device)
+        yield _hazard("restart", parameter, place_text, "restart", key="restart")
+    yield from _handled(parameter, parameter.handling, place_text, device)
 
 
 def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
-    where = f"{word.name}, bit {bit.first}" + (f"..{bit.last}" if bit.width > 1 else "")
+    place_text = f"{word.name}, bit {bit.first}" + (f"..{bit.last}" if bit.width > 1 else "")
     if bit.edge:
-        yield _hazard("edge", bit, where, f"its {bit.edge} edge", key="edge")
+        yield _hazard("edge", bit, place_text, f"its {bit.edge} edge", key="edge")
     if bit.active == "low" and not bit.reserved:
-        yield _hazard("active_low", bit, where, "0 while it holds", key="active")
-    yield from _handled(bit, bit.handling, where, device)
+        yield _hazard("active_low", bit, place_text, "0 while it holds", key="active")
+    yield from _handled(bit, bit.handling, place_text, device)
 
 
-def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iterator[Hazard]:
+def _handled(fact: Fact, handling: Handling, place_text: str, device: Device) -> Iterator[Hazard]:
     """The hazards that the keys of handling declare."""
     if handling == UNSPECIFIED:
         return
     if handling.clears_on_read:
-        yield _hazard("clears_on_read", fact, where, "cleared by reading", key="clears_on_read")
+        yield _hazard("clears_on_read", fact, place_text, "cleared by reading", key="clears_on_read")
     if handling.opposite_of:
-        yield _hazard("opposite", fact, where, f"against {handling.opposite_of}", "opposite_of")
+        yield _hazard("opposite", fact, place_text, f"against {handling.opposite_of}", "opposite_of")
     if handling.saved_by:
-        why = "lost when the power is switched off, unless " if handling.memory == "volatile" else ""
-        yield _hazard("save", fact, where, f"{why}saved by {handling.saved_by}", "saved_by")
+        condition = "lost when the power is switched off, unless " if handling.memory == "volatile" else ""
+        yield _hazard("save", fact, place_text, f"{condition}saved by {handling.saved_by}", "saved_by")
     access = getattr(fact, "access", "")
     if handling.endurance or (handling.memory == "nonvolatile" and access != "ro"):
         yield _hazard(
-            "wear", fact, where, _endurance(handling.endurance), key="endurance" if handling.endurance else "memory"
+            "wear",
+            fact,
+            place_text,
+            _endurance(handling.endurance),
+            key="endurance" if handling.endurance else "memory",
         )
 
 
@@ -233,7 +237,7 @@ def _started(value: Value) -> str:
 
 
 def _shared(
-    device: Device, fact: Fact, value: Value, access: str, where: str, registers: frozenset[str] = frozenset()
+    device: Device, fact: Fact, value: Value, access: str, place_text: str, registers: frozenset[str] = frozenset()
 ) -> Iterator[Hazard]:
     """The hazard of a word with several bits that is written as a whole.
 
@@ -242,15 +246,15 @@ def _shared(
     word = device.flags.get(value.flags)
     if word is None or not writable(access):
         return
-    named = [bit for bit in word.bits if not bit.reserved]
-    used = sum(bit.mask for bit in named)
+    meaningful_bits = [bit for bit in word.bits if not bit.reserved]
+    used = sum(bit.mask for bit in meaningful_bits)
     spare = (8 * word.type.size) - used.bit_count()
-    if len(named) > 1 or spare:
-        alone = sum(bit.name in registers for bit in named)
+    if len(meaningful_bits) > 1 or spare:
+        alone = sum(bit.name in registers for bit in meaningful_bits)
         spare_text = f", {spare} bits without a meaning" if spare else ""
         also = f", {alone} of them with registers of their own" if alone else ""
-        why = f"{len(named)} things{spare_text}{also}"
-        yield _hazard("shared_word", fact, where, why, "flags")
+        reason = f"{len(meaningful_bits)} things{spare_text}{also}"
+        yield _hazard("shared_word", fact, place_text, reason, "flags")
 
 
 def _alone(device: Device) -> frozenset[str]:
@@ -268,8 +272,8 @@ def _code(message: Message) -> str:
     return "" if number is None else f"{number:02X}h" if message.code is not None else str(number)
 
 
-def _hazard(kind: str, fact: Fact, where: str, why: str, key: str = "name") -> Hazard:
-    return Hazard(KINDS[kind], fact.name, where, why, fact.place.path, fact.place, key, fact.sources)
+def _hazard(kind: str, fact: Fact, place_text: str, reason: str, key: str = "name") -> Hazard:
+    return Hazard(KINDS[kind], fact.name, place_text, reason, fact.place.path, fact.place, key, fact.sources)
 
 
 def undivided(device: Device) -> list[Register]:

@@ -63,7 +63,7 @@ def ledger(subject: Subject) -> Section:
     verdicts = Counter(verdict(proof) for proof in proofs)
     figures = [
         Figure("errata", len(proofs)),
-        *(Figure(what, verdicts[kind], len(proofs), kind == "proven" or None) for kind, what in _FIGURES.items()),
+        *(Figure(text, verdicts[kind], len(proofs), kind == "proven" or None) for kind, text in _FIGURES.items()),
     ]
     if verdicts[UNPROVEN]:
         figures.append(Figure("errata whose proof does not fail", verdicts[UNPROVEN], len(proofs), False))
@@ -71,7 +71,7 @@ def ledger(subject: Subject) -> Section:
         "ledger",
         "Every erratum",
         COLUMNS,
-        tuple(_row(trees, proof) for proof in proofs),
+        tuple(_erratum_row(trees, proof) for proof in proofs),
         tuple(KINDS[verdict(proof)] for proof in proofs),
         detail=True,
     )
@@ -87,7 +87,7 @@ def by_effect(proofs: Iterable[Proof]) -> list[Proof]:
 
 
 def verdict(proof: Proof) -> str:
-    """One of KINDS."""
+    """The verdict of a proof, one of KINDS."""
     return UNPROVEN if proof.faults else proof.erratum.verdict
 
 
@@ -100,7 +100,7 @@ def _summary(proofs: Sequence[Proof]) -> SectionTable:
     return SectionTable("errata_by_effect", "Errata by effect", ("effect", "errata", *KINDS), tuple(rows))
 
 
-def _row(trees: Trees, proof: Proof) -> tuple[Cell, ...]:
+def _erratum_row(trees: Trees, proof: Proof) -> tuple[Cell, ...]:
     erratum = proof.erratum
     tree = trees[proof.version]
     return (

@@ -76,9 +76,9 @@ def line_citations(
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
     cited_lines: set[int] = set()
-    seen: ByIdentity[Node, None] = ByIdentity()
+    visited: ByIdentity[Node, None] = ByIdentity()
     for tree in (spec.tree, *spec.trees.values()):
-        _collect_lines(tree, cited_lines, seen)
+        _collect_lines(tree, cited_lines, visited)
     elided = frozenset(
         example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
     )
@@ -89,8 +89,8 @@ def _completed(rows: Sequence[FactRow]) -> Iterator[FactRow]:
     """The rows. One that restates a fact gets the other values of the fact, as its place may print any of them."""
     by_path = {str(row["path"]): row for row in rows}
     for row in rows:
-        path, again, _ = str(row["path"]).rpartition("/restated/")
-        fact = by_path.get(path) if again else None
+        path, separator, _ = str(row["path"]).rpartition("/restated/")
+        fact = by_path.get(path) if separator else None
         yield row if fact is None else {key: fact[key] if cell is None else cell for key, cell in row.items()}
 
 
@@ -101,15 +101,15 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
             yield from range(first, last + 1)
 
 
-def _collect_lines(node: Node, lines: set[int], seen: ByIdentity[Node, None]) -> None:
-    """Adds the lines that texts of a node cite. Versions share most nodes: `seen` has those of other versions."""
-    if node in seen:
+def _collect_lines(node: Node, lines: set[int], visited: ByIdentity[Node, None]) -> None:
+    """Adds the lines that texts of a node cite. Versions share most nodes: `visited` has those of other versions."""
+    if node in visited:
         return
-    seen[node] = None
+    visited[node] = None
     if isinstance(node, Scalar):
         for match in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
             lines.update(lines_of(citations(match[0], "")))
         return
     for key, inner in children(node):
         if key not in _NO_CITATIONS:
-            _collect_lines(inner, lines, seen)
+            _collect_lines(inner, lines, visited)

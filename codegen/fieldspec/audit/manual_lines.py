@@ -43,7 +43,7 @@ _SIGNS = str.maketrans(
         "」": '"',
     }
 )
-_CIRCLED = {ord("①") + at: f"({at + 1}) " for at in range(20)}
+_CIRCLED = {ord("①") + index: f"({index + 1}) " for index in range(20)}
 _NUMBER_WORD = _SIGNS | _CIRCLED
 _CELL_TAG = re.compile(r"</?(?:td|th)\b[^<>]{0,100}>", re.IGNORECASE)
 _TAG = re.compile(r"</?[a-zA-Z]+\b[^<>]{0,100}>")
@@ -128,9 +128,9 @@ class ManualIndex:
     def span(self, number: int) -> Span:
         """The place of a line of the manual, counted from 1."""
         starts = self.file.line_starts()
-        at = min(number + self.offset, len(starts)) - 1
-        text = self.file.line(at + 1)
-        return Span(self.file, starts[at], starts[at] + max(len(text), 1))
+        index = min(number + self.offset, len(starts)) - 1
+        text = self.file.line(index + 1)
+        return Span(self.file, starts[index], starts[index] + max(len(text), 1))
 
 
 def index_of(path: str, content: bytes) -> ManualIndex:
@@ -149,11 +149,11 @@ def index_of(path: str, content: bytes) -> ManualIndex:
 
 def _without_programs(lines: Sequence[str]) -> Iterator[str]:
     """The index line of each line; empty within a program, that is between lines of three backticks."""
-    inside = False
+    is_program = False
     for line in lines:
         fence = line.strip().startswith("```")
-        inside ^= fence
-        yield "" if inside or fence else index_line(line)
+        is_program ^= fence
+        yield "" if is_program or fence else index_line(line)
 
 
 def _decoded(content: bytes) -> str:
@@ -214,8 +214,8 @@ class AlignedManual:
 
     def line(self, cited: int) -> str:
         """The text of a cited line; empty where it is gone."""
-        at = self.here.get(cited)
-        return self.index.lines[at - 1] if at else ""
+        number = self.here.get(cited)
+        return self.index.lines[number - 1] if number else ""
 
 
 def unmoved(index: ManualIndex) -> AlignedManual:
@@ -233,25 +233,28 @@ def aligned(cited: ManualIndex, index: ManualIndex) -> AlignedManual:
         return unmoved(index)
     old = [number for number, digest in enumerate(cited.digests, 1) if digest]
     new = [number for number, digest in enumerate(index.digests, 1) if digest]
-    here: dict[int, int] = {}
+    new_lines: dict[int, int] = {}
     changed: set[int] = set()
     added: set[int] = set()
     same = 0
     matcher = SequenceMatcher(
-        None, [cited.digests[at - 1] for at in old], [index.digests[at - 1] for at in new], autojunk=False
+        None,
+        [cited.digests[number - 1] for number in old],
+        [index.digests[number - 1] for number in new],
+        autojunk=False,
     )
     for tag, first, last, begin, end in matcher.get_opcodes():
-        here.update(zip(old[first:last], new[begin:end], strict=False))
+        new_lines.update(zip(old[first:last], new[begin:end], strict=False))
         if tag == "equal":
             same += last - first
         else:
             changed.update(old[first : first + min(last - first, end - begin)])
             added.update(new[begin + min(last - first, end - begin) : end])
-    by_line = {line: number for number, line in here.items()}
+    by_line = {line: number for number, line in new_lines.items()}
     known = []
     before = 1
     for number in range(1, len(index.lines) + 1):
         before = by_line.get(number, before)
         known.append(before)
-    gone = frozenset(old) - here.keys()
-    return AlignedManual(index, known, here, frozenset(added), gone, frozenset(changed), same, len(old))
+    removed = frozenset(old) - new_lines.keys()
+    return AlignedManual(index, known, new_lines, frozenset(added), removed, frozenset(changed), same, len(old))

@@ -26,12 +26,12 @@ class Occupant:
     allowed: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @classmethod
-    def of(cls, fact: Fact, about: str, name: str = "") -> Occupant:
+    def of(cls, fact: Fact, description: str, name: str = "") -> Occupant:
         """A fact as an occupant; `name` replaces the name of the fact."""
         return cls(
             name or fact.name,
             fact.printed_name,
-            about,
+            description,
             fact.place.path,
             fact.place,
             fact.sources,
@@ -42,22 +42,26 @@ class Occupant:
 
 def of_register(register: Register) -> Iterator[tuple[int, int, Occupant]]:
     """The first and the last address of a register, or of each element where elements do not touch."""
-    about = _about(register.value.type.name, register.access)
+    description = _about(register.value.type.name, register.access)
     width = max(1, register.width)
     if register.count == 1 or register.stride == width:
         last = register.index_from + register.count - 1
         name = f"{register.name}[{register.index_from}..{last}]" if register.count > 1 else ""
-        yield register.address, register.address + register.count * width - 1, Occupant.of(register, about, name)
+        yield register.address, register.address + register.count * width - 1, Occupant.of(register, description, name)
         return
     for number in range(register.count):
         first = register.address + number * register.stride
-        yield first, first + width - 1, Occupant.of(register, about, f"{register.name}[{register.index_from + number}]")
+        yield (
+            first,
+            first + width - 1,
+            Occupant.of(register, description, f"{register.name}[{register.index_from + number}]"),
+        )
 
 
 def of_parameter(parameter: Parameter) -> Iterator[tuple[int, int, Occupant]]:
     """The first and the last number of a parameter within its set."""
-    about = _about(parameter.value.type.name, parameter.access)
-    yield parameter.number, parameter.number + parameter.count - 1, Occupant.of(parameter, about)
+    description = _about(parameter.value.type.name, parameter.access)
+    yield parameter.number, parameter.number + parameter.count - 1, Occupant.of(parameter, description)
 
 
 def of_message(message: Message) -> Occupant:
@@ -74,9 +78,9 @@ def element_runs(table: TableLayout) -> Iterator[tuple[int, int, Occupant]]:
 def _joined(table: TableLayout, fields: tuple[FieldLayout, ...]) -> Occupant:
     first = fields[0]
     type_name = first.value.type.name if first.value is not None else first.record.name if first.record else ""
-    about = _about(type_name, table.access(first.field))
+    description = _about(type_name, table.access(first.field))
     name = ", ".join(f"{field.name}[{field.count}]" if field.is_list else field.name for field in fields)
-    return replace(Occupant.of(first.field, about, name), reserved=all(field.field.reserved for field in fields))
+    return replace(Occupant.of(first.field, description, name), reserved=all(field.field.reserved for field in fields))
 
 
 def _about(type_name: str, access: str) -> str:

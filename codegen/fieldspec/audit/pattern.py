@@ -101,24 +101,24 @@ class Template:
 
     def each(self, text: str) -> Iterator[Match]:
         """All matches in a text, without overlaps."""
-        at = 0
-        while at <= len(text) and (match := self._chained(self.pieces, text, at)) is not None:
+        position = 0
+        while position <= len(text) and (match := self._chained(self.pieces, text, position)) is not None:
             yield match
-            at = max(match.end, at + 1)
+            position = max(match.end, position + 1)
 
     def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Match | None:
         """The match of the pieces in their order, each at the first place after the one before it."""
-        at, begin = start, start
+        position, begin = start, start
         texts: list[str] = []
         for number, piece in enumerate(_expressions(pieces)):
-            match = piece.search(text, at)
+            match = piece.search(text, position)
             if match is None:
                 return None
             begin = begin if number else match.start()
             texts += match.groups()
-            at = match.end()
+            position = match.end()
         values = [PieceValue(*column, text) for column, text in zip(self.columns, texts, strict=True)]
-        return Match(tuple(values), begin, at)
+        return Match(tuple(values), begin, position)
 
 
 @lru_cache(maxsize=1024)
@@ -145,7 +145,7 @@ def template(text: str) -> Template:
 
 def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
     """The regular expression of a piece, and the columns and forms of its groups. Raises PatternError."""
-    source, at = "", 0
+    source, position = "", 0
     names: list[tuple[str, str]] = []
     for match in _PLACE.finditer(part):
         column, form = match[1], match[2]
@@ -154,12 +154,12 @@ def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
         if form is not None and form not in FORMS:
             raise PatternError(f"there is no form `{form}`; there are {', '.join(FORMS)}")
         form = form or COLUMNS[column]
-        literal = _literal(part[at : match.start()])
+        literal = _literal(part[position : match.start()])
         edge = "" if form in ("text", "bytes", "range", "decimal") and literal else _EDGE
         source += f"{literal}{edge}({FORMS[form]})"
         names.append((column, form))
-        at = match.end()
-    source += _literal(part[at:])
+        position = match.end()
+    source += _literal(part[position:])
     return source, names
 
 

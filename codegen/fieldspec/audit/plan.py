@@ -96,8 +96,8 @@ class Plan:
 
     def section(self, line: int) -> str:
         """The name of the section of a line; empty before the first one."""
-        at = bisect_right(self.sections, line, key=_first)
-        return self.sections[at - 1].name if at else ""
+        index = bisect_right(self.sections, line, key=_first)
+        return self.sections[index - 1].name if index else ""
 
 
 def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
@@ -141,16 +141,16 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
     for inner in entry.entries("patterns"):
         try:
             rows = row(inner.texts("row")) if "row" in inner.node.values else None
-            each = template(inner.text("each")) if rows is None else None
-            if each is not None and not each.pieces:
+            line_template = template(inner.text("each")) if rows is None else None
+            if line_template is not None and not line_template.pieces:
                 raise PatternError("it contains only `*`; say what the line looks like")
         except PatternError as error:
             key = "row" if "row" in inner.node.values else "each"
             inner.refuse("audit_sound", key, f"the pattern is not understood: {error}", "see docs/audit.md")
             continue
-        where = _lines(inner, sections, lines)
+        line_intervals = _lines(inner, sections, lines)
         name, kind, access = inner.text("name"), inner.text("kind"), inner.text("access")
-        yield Pattern(name, kind, inner.place(), where, rows, each, inner.flag("series"), access)
+        yield Pattern(name, kind, inner.place(), line_intervals, rows, line_template, inner.flag("series"), access)
 
 
 def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Omission]:
@@ -187,5 +187,5 @@ def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lin
         return tuple(intervals) or ((1, lines),)
     if not intervals:
         return tuple(whole)
-    both = ((max(a, c), min(b, d)) for a, b in intervals for c, d in whole)
-    return tuple((first, last) for first, last in both if first <= last)
+    overlaps = ((max(a, c), min(b, d)) for a, b in intervals for c, d in whole)
+    return tuple((first, last) for first, last in overlaps if first <= last)

@@ -44,17 +44,21 @@ def _empty_cells_of_values(device: Device, index: ManualIndex) -> Iterator[Empty
     tables: dict[str, list[tuple[Fact, str, list[str]]]] = {}
     for fact in facts(device):
         if isinstance(fact, Member | Bit) and "source" in fact.place:
-            row = _row(fact, index)
+            row = _cited_line(fact, index)
             if row:
                 cells = [cell.strip() for cell in row.split(CELL.strip())]
                 tables.setdefault(fact.place.path.rpartition("/")[0], []).append((fact, row, cells))
     for rows in tables.values():
         widest = max(len(cells) for _, _, cells in rows)
-        filled = {at for at in range(widest) if any(at < len(cells) and cells[at] for _, _, cells in rows)}
+        filled = {index for index in range(widest) if any(index < len(cells) and cells[index] for _, _, cells in rows)}
         for fact, row, cells in rows:
-            filled_at = [at for at, cell in enumerate(cells) if cell]
-            inside = range(filled_at[0], filled_at[-1]) if filled_at else range(0)
-            if _explained(fact) and not fact.inferred and any(not cells[at] and at in filled for at in inside):
+            filled_at = [index for index, cell in enumerate(cells) if cell]
+            inner_indices = range(filled_at[0], filled_at[-1]) if filled_at else range(0)
+            if (
+                _explained(fact)
+                and not fact.inferred
+                and any(not cells[index] and index in filled for index in inner_indices)
+            ):
                 yield EmptyCell(fact.place, fact.sources, row)
 
 
@@ -106,7 +110,7 @@ def _bare(text: str) -> str:
     return "".join(unicodedata.normalize("NFKC", text).replace("|", "").split())
 
 
-def _row(fact: Fact, index: ManualIndex) -> str:
+def _cited_line(fact: Fact, index: ManualIndex) -> str:
     """The index line of a fact that cites a single line; else empty."""
     lines = [interval for source in fact.sources for interval in source.lines]
     if len(lines) != 1 or lines[0][0] != lines[0][1] or not 0 < lines[0][0] <= len(index.lines):

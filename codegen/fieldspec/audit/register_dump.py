@@ -54,7 +54,7 @@ class DumpValue:
 
     @property
     def text(self) -> str:
-        """The meaning in a few words."""
+        """The meaning of the value in a few words."""
         names = [meaning.name or f"bit {meaning.bits}" for meaning in self.decoded.meanings]
         if self.value.flags:
             return "[" + ", ".join(names) + "]"
@@ -139,33 +139,33 @@ def _placed_report(layout: DeviceLayout, base: str, entries: Sequence[Entry], of
             parameters += read
             continue
         space = _space(layout.device, entry)
-        there = starts.get((space, first))
-        split = _split(layout.device, entry, there)
+        start_value = starts.get((space, first))
+        split = _split(layout.device, entry, start_value)
         if split is None and (space, first) in known:
-            too_great.append((entry, there or known[space, first]))
+            too_great.append((entry, start_value or known[space, first]))
             continue
-        if split is None or not any((space, first + at) in known for at in range(len(split))):
+        if split is None or not any((space, first + index) in known for index in range(len(split))):
             unknown.append(entry)
             continue
-        for at, word in enumerate(split):
-            before = words.setdefault((space, first + at), (word, entry.row))
+        for index, word in enumerate(split):
+            before = words.setdefault((space, first + index), (word, entry.row))
             if before[0] != word:
                 twice.append((entry, before[1]))
     values, holes = [], []
     for slot in device_values:
-        have = [address for address in slot.addresses if address in words]
-        if len(have) == slot.words:
+        present = [address for address in slot.addresses if address in words]
+        if len(present) == slot.words:
             values.append(_decode_value(layout.device, slot, words))
-        elif have:
+        elif present:
             lacking = tuple(address[1] for address in slot.addresses if address not in words)
-            holes.append(Hole(slot.name, slot.fact, tuple(words[address][1] for address in have), lacking))
+            holes.append(Hole(slot.name, slot.fact, tuple(words[address][1] for address in present), lacking))
     return DumpReport(base, (*values, *parameters), tuple(holes), tuple(unknown), tuple(too_great), tuple(twice))
 
 
 def _space(device: Device, entry: Entry) -> str:
     """The address space that a row names; the first one where it names none, or an unknown one."""
-    named = {folded(name): name for name in device.spaces}
-    return named.get(folded(entry.space), device.space_name("")) if entry.space else device.space_name("")
+    spaces_by_name = {folded(name): name for name in device.spaces}
+    return spaces_by_name.get(folded(entry.space), device.space_name("")) if entry.space else device.space_name("")
 
 
 def _names_a_space(layout: DeviceLayout, entry: Entry) -> bool:
@@ -184,7 +184,7 @@ def _split(device: Device, entry: Entry, slot: AddressedValue | None) -> list[in
             if not -(1 << (bits - 1)) <= number < 1 << bits:
                 return None
             number &= (1 << bits) - 1
-            parts = [number >> WORD * at & _ALL for at in reversed(range(wide))]
+            parts = [number >> WORD * index & _ALL for index in reversed(range(wide))]
             return parts if device.word_order == "big" else parts[::-1]
     if any(not -(1 << (WORD - 1)) <= number <= _ALL for number in entry.values):
         return None
@@ -226,28 +226,30 @@ def _spare(device: Device, value: Value, decoded: DecodedValue, reserved: bool) 
         return ()
     used = sum(bit.mask for bit in word.bits if not bit.reserved)
     left = decoded.number & ((1 << 8 * value.type.size) - 1) & ~used
-    return tuple(at for at in range(left.bit_length()) if left >> at & 1)
+    return tuple(bit_number for bit_number in range(left.bit_length()) if left >> bit_number & 1)
 
 
 def _parameters(device: Device, entry: Entry, number: int) -> Iterator[DumpValue]:
     """The values of the parameter with a number on the wire."""
     spaces = dict.fromkeys(parameter_set.space for parameter_set in device.parameters.values())
-    named = [space for space in spaces if folded(space) == folded(entry.space)] or list(spaces)
-    for space in named:
+    chosen_spaces = [space for space in spaces if folded(space) == folded(entry.space)] or list(spaces)
+    for space in chosen_spaces:
         match = device.parameter_at(space, number)
         parameter = match[0].numbered(match[1]) if match is not None else None
         if match is None or parameter is None:
             continue
-        for at, raw_value in enumerate(entry.values):
-            yield _parameter(device, match[0].number_text(match[1]), parameter, at, raw_value, entry)
+        for index, raw_value in enumerate(entry.values):
+            yield _parameter(device, match[0].number_text(match[1]), parameter, index, raw_value, entry)
         return
 
 
-def _parameter(device: Device, where: str, parameter: Parameter, at: int, number: int, entry: Entry) -> DumpValue:
-    element = parameter.element(at)
+def _parameter(
+    device: Device, number_text: str, parameter: Parameter, index: int, number: int, entry: Entry
+) -> DumpValue:
+    element = parameter.element(index)
     value = element.value if element is not None else parameter.value
     reserved = parameter.reserved or (element is not None and element.reserved)
-    name = parameter.name + (f"[{at}]" if parameter.elements or len(entry.values) > 1 else "")
+    name = parameter.name + (f"[{index}]" if parameter.elements or len(entry.values) > 1 else "")
     bits = 8 * value.size
     if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and -(1 << (bits - 1)) <= number < 1 << bits:
         data = (number & ((1 << bits) - 1)).to_bytes(value.size, "big")
@@ -255,7 +257,7 @@ def _parameter(device: Device, where: str, parameter: Parameter, at: int, number
     else:
         decoded = DecodedValue(number).judged(False, f"{value.size} bytes of {value.type.name}", "out_of_range")
     spare = _spare(device, value, decoded, reserved)
-    return DumpValue(name, where, element or parameter, value, (entry.row,), decoded, spare, reserved)
+    return DumpValue(name, number_text, element or parameter, value, (entry.row,), decoded, spare, reserved)
 
 
 def judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
@@ -271,32 +273,34 @@ def judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> lis
 
 def _findings(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
 
-    def at(row: int) -> Span:
+    def row_span(row: int) -> Span:
         start = rows.get(row, 0)
         end = file.text.find("\n", start)
         return Span(file, start, len(file.text) if end < 0 else end)
 
-    findings = [finding for read in report.read for finding in _wrong(read, at(read.rows[0]))]
+    findings = [finding for read in report.read for finding in _wrong(read, row_span(read.rows[0]))]
     for hole in report.holes:
         lacking = ", ".join(f"{address:04X}h" for address in hole.missing)
         text = f"{hole.name} has more words than the dump: {lacking} is missing"
-        findings.append(finding(_WHOLE, text, at(hole.rows[0]), hole.fact, "read all of its words, in one request"))
+        findings.append(
+            finding(_WHOLE, text, row_span(hole.rows[0]), hole.fact, "read all of its words, in one request")
+        )
     for entry, slot in report.too_great:
         text = f"{slot.name} has {slot.words} words; {max(entry.values, key=abs)} does not fit into them"
-        findings.append(finding(_RANGE, text, at(entry.row), slot.fact, "read it again, or correct the address"))
+        findings.append(finding(_RANGE, text, row_span(entry.row), slot.fact, "read it again, or correct the address"))
     for entry, before in report.twice:
-        label = Label(at(before), "another value")
+        label = Label(row_span(before), "another value")
         text = "an address has two values"
-        findings.append(Diagnostic(_WHOLE, text, at(entry.row), (label,), "use a dump with each address once"))
+        findings.append(Diagnostic(_WHOLE, text, row_span(entry.row), (label,), "use a dump with each address once"))
     for entry in report.unknown:
         text = f"the spec does not have the address {entry.address:04X}h"
         help = "transcribe it, or use --base or --offset if the dump counts addresses differently"
-        findings.append(Diagnostic(_ADDRESS, text, at(entry.row), help=help, severity=Severity.WARNING))
+        findings.append(Diagnostic(_ADDRESS, text, row_span(entry.row), help=help, severity=Severity.WARNING))
     return findings
 
 
 def _wrong(read: DumpValue, span: Span) -> Iterator[Diagnostic]:
-    """The findings about one value."""
+    """The findings about a value of the dump."""
     if read.decoded.reason:
         raw_text = read.number.hex(" ") if isinstance(read.number, bytes) else read.number
         text = f"{read.name} is {raw_text}; it {read.decoded.verdict.removeprefix('wrong: ')}"

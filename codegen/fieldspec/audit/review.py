@@ -74,7 +74,7 @@ class State:
 
     @property
     def hash(self) -> str:
-        """One hash of the whole state."""
+        """A hash of all facts of the state."""
         return state_hash(self.digests)
 
 
@@ -111,7 +111,7 @@ class SectionChanges:
 
     @property
     def same(self) -> bool:
-        """Whether nothing has changed."""
+        """Whether no fact has changed."""
         return not self.changed and not self.gone and not self.other_manual
 
 
@@ -142,10 +142,10 @@ def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
     """The state of each section that facts cite; `facts` are the rows of each version."""
     by_section: dict[str, dict[str, dict[str, None]]] = {}
     digests: dict[str, str] = {}
-    seen: dict[int, FactRow] = {}
+    visited: dict[int, FactRow] = {}
     for row in chain.from_iterable(facts):
-        if row["section"] is not None and id(row) not in seen:
-            seen[id(row)] = row
+        if row["section"] is not None and id(row) not in visited:
+            visited[id(row)] = row
             fact_text = _fact_text(row)
             digest = digests.get(fact_text) or digests.setdefault(fact_text, _digest(fact_text))
             by_section.setdefault(str(row["section"]), {}).setdefault(digest, {})[str(row["path"])] = None
@@ -215,7 +215,7 @@ def _signed(entry: Entry) -> SignedSection:
         help = "remove the entry, and record the review with `fieldspec audit --sign`"
         entry.refuse("reviews_sound", "facts", "these are not the hashes of facts", help)
         text = ""
-    digests = tuple(text[at : at + _SIZE] for at in range(0, len(text), _SIZE))
+    digests = tuple(text[start : start + _SIZE] for start in range(0, len(text), _SIZE))
     return SignedSection(entry.text("section"), entry.place(), entry.text("state"), digests)
 
 
@@ -257,11 +257,11 @@ def uncited(now: Mapping[str, State], reviews: Iterable[Review]) -> Iterator[Dia
 
 
 def review_entry(
-    spec: DeviceSpec, signed: Mapping[str, State], by: str, day: str, manual: str, edition: str, doc: str
+    spec: DeviceSpec, signed: Mapping[str, State], reviewer: str, day: str, manual: str, edition: str, doc: str
 ) -> str:
     """The YAML of a new review, to be appended to the list. Facts are left out where a review has the same state."""
     known = {section.state for review in reviews_of(spec)[0] for section in review.sections}
-    lines = [f"  - by: {_quoted(by)}", f"    date: {day}", f"    manual: {manual}"]
+    lines = [f"  - by: {_quoted(reviewer)}", f"    date: {day}", f"    manual: {manual}"]
     lines += [f"    edition: {_quoted(edition)}"] if edition else []
     lines += [f"    doc: {_quoted(doc)}"] if doc else []
     lines.append("    sections:")
@@ -271,7 +271,7 @@ def review_entry(
             known.add(state.hash)
             text = "".join(state.digests)
             lines.append("        facts: >-")
-            lines += [f"          {text[at : at + 100]}" for at in range(0, len(text), 100)]
+            lines += [f"          {text[start : start + 100]}" for start in range(0, len(text), 100)]
     return "\n".join(lines) + "\n"
 
 
@@ -332,14 +332,14 @@ def _sections(sections: Sequence[ReviewedSection]) -> SectionTable:
             rows.append((section.section, section.facts, "", "", "nobody has compared it"))
             kinds.append("warning")
         for review, since in section.reviews:
-            rows.append((section.section, section.facts, review.by, review.date, _text(since)))
+            rows.append((section.section, section.facts, review.by, review.date, _changes_text(since)))
             kinds.append("good" if since.same else "")
     return SectionTable(
         "reviewed", "By section", ("section", "facts", "by", "date", "since"), tuple(rows), tuple(kinds)
     )
 
 
-def _text(since: SectionChanges) -> str:
+def _changes_text(since: SectionChanges) -> str:
     """The changes since a review in a few words."""
     if since.same:
         return "as it was"

@@ -49,7 +49,7 @@ class SourcedFact:
 
     @property
     def standing(self) -> str:
-        """One of STANDINGS."""
+        """How the fact is founded, one of STANDINGS."""
         if not self.sources:
             return NOWHERE
         if not self.restated:
@@ -83,10 +83,10 @@ def sourced_facts(device: Device) -> list[SourcedFact]:
         own = fact.sources
         sources = own or by_path.get(path.rpartition("/")[0], ())
         by_path.setdefault(path, sources)
-        again = tuple(citation for claim in fact.restated for citation in claim.sources)
-        errata = tuple(corrected.get(path, ())) if again else ()
+        restated = tuple(citation for claim in fact.restated for citation in claim.sources)
+        errata = tuple(corrected.get(path, ())) if restated else ()
         own_place = "source" in fact.place or bool(own and own != by_path.get(path.rpartition("/")[0]))
-        result.append(SourcedFact(path, fact.place, sources, not own_place, again, errata, fact.unverified))
+        result.append(SourcedFact(path, fact.place, sources, not own_place, restated, errata, fact.unverified))
     return result
 
 
@@ -190,15 +190,15 @@ def _places(fact: SourcedFact) -> str:
 
 def _reasons(keys: Sequence[InferredKey]) -> SectionTable:
     """The inferred keys; facts with the same reason share a row."""
-    together: dict[tuple[str, str], list[InferredKey]] = {}
+    keys_by_reason: dict[tuple[str, str], list[InferredKey]] = {}
     for inferred_key in keys:
-        together.setdefault((inferred_key.key, inferred_key.reason), []).append(inferred_key)
+        keys_by_reason.setdefault((inferred_key.key, inferred_key.reason), []).append(inferred_key)
     rows: list[tuple[Cell, ...]] = []
-    for (key, reason), inferred_keys in together.items():
+    for (key, reason), inferred_keys in keys_by_reason.items():
         first = inferred_keys[0]
-        more = f" and {len(inferred_keys) - 1} more" if len(inferred_keys) > 1 else ""
+        rest_text = f" and {len(inferred_keys) - 1} more" if len(inferred_keys) > 1 else ""
         place = first.place["inferred"] if "inferred" in first.place else first.place["name"]
-        rows.append((key, f"{first.path}{more}", len(inferred_keys), reason, place))
+        rows.append((key, f"{first.path}{rest_text}", len(inferred_keys), reason, place))
     columns = ("key", "facts", "number", "reason", "spec")
     return SectionTable("inferred", "What is inferred", columns, tuple(rows), detail=len(rows) > 20)
 

@@ -34,9 +34,14 @@ def tasks(subject: Subject) -> Section:
         for task in device.tasks
         for number, step in enumerate(task.steps, 1)
     ]
-    answered = len(kinds) - states.count(MISSING)
+    answer_count = len(kinds) - states.count(MISSING)
     figures = (
-        Figure("tasks that the spec answers", answered, len(kinds), answered == len(kinds) if device.tasks else None),
+        Figure(
+            "tasks that the spec answers",
+            answer_count,
+            len(kinds),
+            answer_count == len(kinds) if device.tasks else None,
+        ),
         Figure("ways to perform a task, with steps that the manual prints", states.count(STEPS)),
         Figure("tasks with a question that the manual leaves open", states.count(OPEN)),
     )

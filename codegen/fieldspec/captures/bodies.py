@@ -75,15 +75,15 @@ class FieldRows:
     values: ValueColumns
 
 
-def slots(record: RecordLayout, prefix: str = "", at: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
+def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
     """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
     for field in record.sent_fields:
-        many = field.is_list and not (outer is None and field.count is None)
+        is_list = field.is_list and not (outer is None and field.count is None)
         tail = tail_of(record) if outer is not None and field.count is None else None
-        most = 1 if tail is None else tail.most // tail.element
-        for index in range(field.count or most):
-            path = f"{prefix}{field.name}[{index}]" if many else f"{prefix}{field.name}"
-            place = at + field.offset + index * field.size
+        element_count = 1 if tail is None else tail.most // tail.element
+        for index in range(field.count or element_count):
+            path = f"{prefix}{field.name}[{index}]" if is_list else f"{prefix}{field.name}"
+            place = start + field.offset + index * field.size
             if field.record is not None:
                 own = slots(field.record, f"{path}.", place, outer or field)
                 yield from own if tail is None else (replace(slot, tail=tail, number=index) for slot in own)
@@ -111,10 +111,10 @@ class BodyReader:
             counts = (span.count for span in record.spans if span.count is not None)
             self.image.counts_of_texts = frozenset(record.spans[number].name for number in counts)
             self.image.slots = self.slots  # in the order of the wire, in which the first fault counts
-        self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
+        self.chosen = {id(choice): BodyReader(choice, decoders, emits) for choice in record.chosen.values()}
 
     def read(
-        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> Iterator[tuple[Numbers, FieldRows]]:
         """Judges bodies of `size` bytes from `at` on, and yields their fields with the rows of the bodies.
 
@@ -122,15 +122,15 @@ class BodyReader:
         """
         if self.image is not None:
             images = self._list_images if self.record.inner_lists is not None else self._images
-            image, starts, sizes, rooms = images(buffer, at, size, verdict)
+            image, starts, sizes, rooms = images(buffer, offsets, size, verdict)
             yield from self.image._fields(image, starts, sizes, verdict, rooms)
             return
         if self.record.selector is None:
-            yield from self._fields(buffer, at, size, verdict)
+            yield from self._fields(buffer, offsets, size, verdict)
             return
         selector = self.record.selector
         short = selector.offset + selector.size > size
-        number = _number(selector, buffer, at)
+        number = _number(selector, buffer, offsets)
         blame(verdict, short | (size < self.record.least), INCOMPLETE)
         decided = short.copy()
         for key in np.unique(number[~short]).tolist():
@@ -139,20 +139,20 @@ class BodyReader:
                 rows = np.flatnonzero(~short & (number == key))
                 decided[rows] = True
                 own = verdict[rows]
-                for frames, fields in self.chosen[id(record)].read(buffer, at[rows], size[rows], own):
+                for frames, fields in self.chosen[id(record)].read(buffer, offsets[rows], size[rows], own):
                     yield rows[frames], fields
                 verdict[rows] = own
-        long = np.zeros(len(at), np.bool_) if self.record.most is None else size > self.record.most
+        long = np.zeros(len(offsets), np.bool_) if self.record.most is None else size > self.record.most
         blame(verdict, ~decided & long, WRONG_LENGTH)
         blame(verdict, ~decided, UNKNOWN_VALUE)
 
     def _images(
-        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
         """The images of bodies whose values vary in width, where each begins, and how far it goes."""
         images: list[bytes] = []
-        sizes = np.zeros(len(at), np.int64)
-        for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+        sizes = np.zeros(len(offsets), np.int64)
+        for row, (first, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
             try:
                 image = image_with_counts(self.record.spans, data, image_of(self.record.spans, data)[1])
@@ -165,16 +165,16 @@ class BodyReader:
         return *_joined(images), sizes, None
 
     def _list_images(
-        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
         """The same of bodies with fields behind lists; and what is known of these."""
         images: list[bytes] = []
-        sizes = np.zeros(len(at), np.int64)
+        sizes = np.zeros(len(offsets), np.int64)
         inner = self.record.inner_lists
         assert inner is not None
-        rooms = {own.name: np.full(len(at), UNKNOWN) for own in inner.lists[:-1]}
-        verdicts = {own.name: np.full(len(at), OK, np.int8) for own in inner.lists}
-        for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+        rooms = {own.name: np.full(len(offsets), UNKNOWN) for own in inner.lists[:-1]}
+        verdicts = {own.name: np.full(len(offsets), OK, np.int8) for own in inner.lists}
+        for row, (first, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
             list_extents, fault = inner.extents_in(data)
             images.append(inner.image_of(data, list_extents))
@@ -197,7 +197,7 @@ class BodyReader:
     def _fields(
         self,
         buffer: Bytes,
-        at: Numbers,
+        offsets: Numbers,
         size: Numbers,
         verdict: npt.NDArray[np.int8],
         rooms: Rooms | None = None,
@@ -221,8 +221,8 @@ class BodyReader:
                 assert slot.layout.value is not None
                 judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
                 if len(rows) and (self.emits or judged):
-                    elements += self._slot(slot, buffer, at, rows, index, verdict)
-                self._measure(slot, buffer, at, size, counts, verdict)
+                    elements += self._slot(slot, buffer, offsets, rows, index, verdict)
+                self._measure(slot, buffer, offsets, size, counts, verdict)
             # All values of an element come before those of the next one, as they are sent.
             for _, frames, columns in sorted(elements, key=lambda element: element[0]):
                 yield frames, columns
@@ -235,8 +235,8 @@ class BodyReader:
         end = np.zeros(len(size), np.int64)
         for field in self.record.fields:
             room = size < field.offset + counts[field.name] * field.size
-            least = field.field.repeat.low if field.field.repeat else 0
-            blame(verdict, room | (counts[field.name] < least), INCOMPLETE)
+            minimum = field.field.repeat.low if field.field.repeat else 0
+            blame(verdict, room | (counts[field.name] < minimum), INCOMPLETE)
             end = field.offset + counts[field.name] * field.size
         blame(verdict, size > end, WRONG_LENGTH)
 
@@ -252,7 +252,7 @@ class BodyReader:
         self,
         slot: Slot,
         buffer: Bytes,
-        at: Numbers,
+        offsets: Numbers,
         rows: Numbers,
         index: Numbers | None,
         verdict: npt.NDArray[np.int8],
@@ -261,7 +261,7 @@ class BodyReader:
         layout, value = slot.layout, slot.layout.value
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
-        place = at[rows] + (0 if index is None else index * slot.field.size)
+        place = offsets[rows] + (0 if index is None else index * slot.field.size)
         if slot.tail is not None and index is not None:
             tail = slot.tail
             units = number_at(buffer, place + slot.field.offset + tail.count_at, tail.count_size, tail.count_order)
@@ -290,23 +290,23 @@ class BodyReader:
         """Refuses texts at the end of records, which begin at a `place`, that have a zero among their bytes."""
         count = number_at(buffer, place - text.room + text.count_at, text.count_size, text.count_order) - text.plus
         for row, (first, size) in enumerate(zip(place.tolist(), count.tolist(), strict=True)):
-            sent = buffer[first : first + size].tobytes()
-            if 0 in sent:
-                values.text[row] = self.decoders.texts.place(sent.hex(" ").upper())
+            data = buffer[first : first + size].tobytes()
+            if 0 in data:
+                values.text[row] = self.decoders.texts.place(data.hex(" ").upper())
                 values.verdict[row] = UNKNOWN_VALUE
 
     def _measure(
         self,
         slot: Slot,
         buffer: Bytes,
-        at: Numbers,
+        offsets: Numbers,
         size: Numbers,
         counts: dict[str, Numbers],
         verdict: npt.NDArray[np.int8],
     ) -> None:
         """Judges a field that measures another one, or is the number of bits that are packed into it."""
         if slot.layout is slot.field and slot.layout.bits_of:
-            number = _number(slot.layout, buffer, at)
+            number = _number(slot.layout, buffer, offsets)
             wrong = (number + 7) // 8 != np.maximum(counts[slot.layout.bits_of], 0)
             blame(verdict, wrong & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
             return
@@ -319,22 +319,22 @@ class BodyReader:
             blame(verdict, counts[other.name] == MISCOUNT, WRONG_MEASURE)
             return
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
-        items = np.maximum(items, 0) if other.is_list else np.ones(len(at), np.int64)
-        should = (items * other.size if measure.of == "bytes" else items) + measure.plus
-        number = _number(slot.layout, buffer, at)
+        items = np.maximum(items, 0) if other.is_list else np.ones(len(offsets), np.int64)
+        expected = (items * other.size if measure.of == "bytes" else items) + measure.plus
+        number = _number(slot.layout, buffer, offsets)
         if room is not None:
-            should = counts[other.name] * (other.size if measure.of == "bytes" else 1) + measure.plus
-            blame(verdict, (number != should) & (counts[other.name] >= 0), WRONG_MEASURE)
+            expected = counts[other.name] * (other.size if measure.of == "bytes" else 1) + measure.plus
+            blame(verdict, (number != expected) & (counts[other.name] >= 0), WRONG_MEASURE)
             return
         if self.has_lists:
-            blame(verdict, (number != should) & (other.offset <= size), WRONG_MEASURE)
+            blame(verdict, (number != expected) & (other.offset <= size), WRONG_MEASURE)
             return
-        blame(verdict, (number != should) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+        blame(verdict, (number != expected) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
 
 
-def _number(field: FieldLayout, buffer: Bytes, at: Numbers) -> Numbers:
+def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a field of records that begin at some places."""
-    return number_at(buffer, at + field.offset, field.size, field.order, swapped=field.swapped)
+    return number_at(buffer, offsets + field.offset, field.size, field.order, swapped=field.swapped)
 
 
 def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:
@@ -350,9 +350,9 @@ def values_at(values: ValueColumns, rows: Numbers | Mask) -> ValueColumns:
     return ValueColumns(*(getattr(values, name)[rows] for name in names))
 
 
-def blame(verdict: npt.NDArray[np.int8], which: Mask, number: int) -> None:
+def blame(verdict: npt.NDArray[np.int8], rows: Mask, number: int) -> None:
     """Gives frames a verdict that have none other yet."""
-    verdict[which & (verdict == OK)] = number
+    verdict[rows & (verdict == OK)] = number
 
 
 def blame_rows(verdict: npt.NDArray[np.int8], rows: Numbers, number: int) -> None:

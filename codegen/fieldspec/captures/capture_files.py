@@ -112,10 +112,10 @@ class CaptureReader:
     def _more(self, size: int) -> bytes:
         """Reads until there are `size` bytes that no packet has taken, or the file ends."""
         parts = [self.pending]
-        have = len(self.pending)
-        while have < size and (data := self.read(size - have)):
+        available = len(self.pending)
+        while available < size and (data := self.read(size - available)):
             parts.append(data)
-            have += len(data)
+            available += len(data)
         self.pending = b"".join(parts)
         return self.pending
 
@@ -141,8 +141,8 @@ class CaptureReader:
             else:
                 size = len(data) * 2  # the next record is longer than what was read
 
-    def _word(self, buffer: Bytes, at: Numbers) -> Numbers:
-        return number_at(buffer, at, 4, "big" if self.order == ">" else "little")
+    def _word(self, buffer: Bytes, offsets: Numbers) -> Numbers:
+        return number_at(buffer, offsets, 4, "big" if self.order == ">" else "little")
 
     def _nanoseconds(self, seconds: Numbers, rest: Numbers, interface: Numbers) -> Numbers:
         """Times in nanoseconds, from seconds and ticks."""
@@ -155,19 +155,21 @@ class CaptureReader:
         """The places of the whole records of a pcap file in some bytes, and how many bytes they take."""
         places: list[int] = []
         size_at = struct.Struct(f"{self.order}I").unpack_from
-        at, end = 0, len(data)
+        offset, end = 0, len(data)
         add = places.append
-        while at + 16 <= end:
-            (size,) = size_at(data, at + 8)
-            if size > LONGEST or (not size and data.startswith(NOTHING, at)):
-                self._lose(f"a packet of {size} bytes at byte {self.position + at}, which no packet has", end - at)
+        while offset + 16 <= end:
+            (size,) = size_at(data, offset + 8)
+            if size > LONGEST or (not size and data.startswith(NOTHING, offset)):
+                self._lose(
+                    f"a packet of {size} bytes at byte {self.position + offset}, which no packet has", end - offset
+                )
                 return places, end
-            following = at + 16 + size
+            following = offset + 16 + size
             if following > end:
                 break
-            add(at)
-            at = following
-        return places, at
+            add(offset)
+            offset = following
+        return places, offset
 
     def _of_records(self, buffer: Bytes, heads: Numbers) -> Packets:
         interface = np.zeros(len(heads), np.int64)
@@ -175,9 +177,9 @@ class CaptureReader:
         size, original = self._word(buffer, heads + 8), self._word(buffer, heads + 12)
         return Packets(buffer, heads + 16, size, original, time, interface, self.position)
 
-    def _lose(self, why: str, size: int) -> None:
+    def _lose(self, reason: str, size: int) -> None:
         """Counts the rest of a file from which no record can be told."""
-        self.losses[why] += size + self.rest()
+        self.losses[reason] += size + self.rest()
         self.read = lambda _: b""
 
     def _rest(self) -> int:
@@ -186,27 +188,29 @@ class CaptureReader:
     def _blocks(self, data: bytes) -> tuple[list[int], int]:
         """The places of the packets in the whole blocks of a pcapng file in some bytes, and the bytes of these."""
         places: list[int] = []
-        at, end = 0, len(data)
-        while at + 12 <= end:
-            if data[at : at + 4] == b"\x0a\x0d\x0d\x0a":
+        offset, end = 0, len(data)
+        while offset + 12 <= end:
+            if data[offset : offset + 4] == b"\x0a\x0d\x0d\x0a":
                 if places:
                     break  # the interfaces of the next section are others
-                self.order = "<" if data[at + 8 : at + 12] == b"\x4d\x3c\x2b\x1a" else ">"
+                self.order = "<" if data[offset + 8 : offset + 12] == b"\x4d\x3c\x2b\x1a" else ">"
                 self.interfaces = []
-            kind, size = struct.unpack_from(f"{self.order}II", data, at)
+            kind, size = struct.unpack_from(f"{self.order}II", data, offset)
             if size < 12 or size % 4 or size > LONGEST:
-                self._lose(f"a block of {size} bytes at byte {self.position + at}, which no block has", end - at)
+                self._lose(
+                    f"a block of {size} bytes at byte {self.position + offset}, which no block has", end - offset
+                )
                 return places, end
-            if at + size > end:
+            if offset + size > end:
                 break
             if (kind in (PACKET, ENHANCED) and size >= 32) or (kind == SIMPLE and size >= 16):
-                places.append(at)
+                places.append(offset)
             elif kind == INTERFACE:
                 if places:
                     break  # the packets so far belong to the interfaces as they are
-                self._add_interface(data[at + 8 : at + size - 4])
-            at += size
-        return places, at
+                self._add_interface(data[offset + 8 : offset + size - 4])
+            offset += size
+        return places, offset
 
     def _of_blocks(self, buffer: Bytes, heads: Numbers) -> Packets:
         """The packets of blocks. Simple blocks have no time and belong to the first interface."""
@@ -237,10 +241,10 @@ class CaptureReader:
             self.interfaces.append(Interface(-1, 10**6))
             return
         own = Interface(struct.unpack_from(f"{self.order}H", body)[0], 10**6)
-        at = 8
-        while at + 4 <= len(body):
-            code, size = struct.unpack_from(f"{self.order}HH", body, at)
-            value = body[at + 4 : at + 4 + size]
+        offset = 8
+        while offset + 4 <= len(body):
+            code, size = struct.unpack_from(f"{self.order}HH", body, offset)
+            value = body[offset + 4 : offset + 4 + size]
             if code == 0:
                 break
             if code == 9 and value:
@@ -248,5 +252,5 @@ class CaptureReader:
                 own.ticks = 2**power if value[0] & 0x80 else 10**power
             elif code == 14 and len(value) == 8:
                 own.offset = struct.unpack(f"{self.order}q", value)[0]
-            at += 4 + (size + 3) // 4 * 4
+            offset += 4 + (size + 3) // 4 * 4
         self.interfaces.append(own)

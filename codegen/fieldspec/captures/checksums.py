@@ -13,12 +13,12 @@ from fieldspec.layout.part import PartLayout
 from fieldspec.model.checksums import Checksum, checksum_named
 
 
-def are_right(part: PartLayout, buffer: Bytes, at: Numbers, length: Numbers) -> Mask:
-    """Whether frames, whose parts have `length` bytes from `at` on, carry the checksum that they should."""
-    start = at + part.start if part.start >= 0 else at + length + part.start
+def are_right(part: PartLayout, buffer: Bytes, offsets: Numbers, length: Numbers) -> Mask:
+    """Whether frames, whose parts have `length` bytes from `offsets` on, carry the checksum that they should."""
+    start = offsets + part.start if part.start >= 0 else offsets + length + part.start
     stop = length if part.stop is None else part.stop if part.stop >= 0 else length + part.stop
-    sizes = np.maximum(at + stop - start, 0)
-    place = at + part.offset if part.offset >= 0 else at + length + part.offset
+    sizes = np.maximum(offsets + stop - start, 0)
+    place = offsets + part.offset if part.offset >= 0 else offsets + length + part.offset
     kind = checksum_named(part.algorithm)
     if part.digits or kind.suffix or kind.method == "fletcher" or (kind.method != "crc" and kind.unit_size != 1):
         return _each(part, buffer, start, sizes, place)
@@ -27,7 +27,7 @@ def are_right(part: PartLayout, buffer: Bytes, at: Numbers, length: Numbers) -> 
 
 
 def _each(part: PartLayout, buffer: Bytes, start: Numbers, sizes: Numbers, place: Numbers) -> Mask:
-    """The same for checksums that are rare, one by one."""
+    """Whether frames carry the right checksum, computed frame by frame, for checksums that are rare."""
     data = buffer.tobytes()
     spans = zip(start.tolist(), sizes.tolist(), place.tolist(), strict=True)
     return np.array(

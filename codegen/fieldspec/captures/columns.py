@@ -23,7 +23,7 @@ def numbers(values: object) -> Numbers:
 
 
 def number_at(
-    buffer: Bytes, at: Numbers, size: int, order: str = "big", signed: bool = False, swapped: bool = False
+    buffer: Bytes, offsets: Numbers, size: int, order: str = "big", signed: bool = False, swapped: bool = False
 ) -> Numbers:
     """The whole numbers of `size` bytes, up to 8, at some places, modulo 2^64.
 
@@ -32,21 +32,21 @@ def number_at(
     """
     if swapped:
         words = range(size - 2, -2, -2) if order == "big" else range(0, size, 2)
-        number = np.zeros(len(at), np.int64)
+        number = np.zeros(len(offsets), np.int64)
         for word in words:
-            number = number << 16 | number_at(buffer, at + word, 2, order)
+            number = number << 16 | number_at(buffer, offsets + word, 2, order)
         unused = 64 - 8 * size
         return (number << unused) >> unused if signed and unused else number
     if size == 1:
-        single = buffer.take(at, mode="clip")
+        single = buffer.take(offsets, mode="clip")
         return (single.view(np.int8) if signed else single).astype(np.int64)
     if size in (4, 8) and len(buffer) >= size:
         kind = f"{'<' if order == 'little' else '>'}{'i' if signed else 'u'}{size}"
         numbers_there: npt.NDArray[Any] = np.ndarray((len(buffer) - size + 1,), kind, buffer, strides=(1,))
-        return numbers_there[np.clip(at, 0, len(buffer) - size)].astype(np.int64)  # `take` would copy all of them
-    number = np.zeros(len(at), np.int64)
+        return numbers_there[np.clip(offsets, 0, len(buffer) - size)].astype(np.int64)  # `take` would copy all of them
+    number = np.zeros(len(offsets), np.int64)
     for step in reversed(range(size)) if order == "little" else range(size):
-        number = number << 8 | buffer.take(at + step, mode="clip")
+        number = number << 8 | buffer.take(offsets + step, mode="clip")
     unused = 64 - 8 * size
     return (number << unused) >> unused if signed and unused else number
 
@@ -58,13 +58,13 @@ def spread(counts: Numbers) -> tuple[Numbers, Numbers]:
     return rows, np.arange(len(rows)) - starts[rows]
 
 
-def gathered(buffer: Bytes, at: Numbers, sizes: Numbers) -> tuple[Bytes, Numbers]:
+def gathered(buffer: Bytes, starts: Numbers, sizes: Numbers) -> tuple[Bytes, Numbers]:
     """The bytes of some spans one behind another, and the offset of each span and of the end."""
-    offsets = np.zeros(len(at) + 1, np.int64)
+    offsets = np.zeros(len(starts) + 1, np.int64)
     np.cumsum(sizes, out=offsets[1:])
-    if len(at) and bool((at[1:] == at[:-1] + sizes[:-1]).all()):
-        return buffer[int(at[0]) : int(at[0] + offsets[-1])], offsets
-    shift = np.repeat(at - offsets[:-1], sizes)
+    if len(starts) and bool((starts[1:] == starts[:-1] + sizes[:-1]).all()):
+        return buffer[int(starts[0]) : int(starts[0] + offsets[-1])], offsets
+    shift = np.repeat(starts - offsets[:-1], sizes)
     return buffer[shift + np.arange(len(shift))], offsets
 
 

@@ -83,8 +83,8 @@ class Conversion:
     def is_left_out(self) -> bool:
         """Whether there was something to decode, and no byte of it is in a frame."""
         frames = self.rows.frame if self.rows is not None else self.decoder.number
-        left_out = (what.partition(": ") for what, count in self.counters().items() if count)
-        return not frames and any(kind in ("skipped", "events") and what != NO_DATA for kind, _, what in left_out)
+        left_out = (remark.partition(": ") for remark, count in self.counters().items() if count)
+        return not frames and any(kind in ("skipped", "events") and remark != NO_DATA for kind, _, remark in left_out)
 
     def batches(self) -> Iterator[list[Batch]]:
         """The batches of the file in lists; between two of them, `state` says where it stands. Raises CaptureError."""
@@ -97,7 +97,7 @@ class Conversion:
         yield self.decoder.rest()
 
     def state(self) -> dict[str, Any]:
-        """Where it stands, as data that JSON can hold."""
+        """The state of the conversion, as data that JSON can express."""
         return {
             "kind": self.kind,
             "source": self._own.state(),
@@ -111,10 +111,10 @@ class Conversion:
         if self.content.damage:
             result[f"{DAMAGE}: {self.content.damage}"] = 1
         for kind, counts in self._own.counters().items():
-            for what, count in counts.items():
-                result[f"{kind}: {what}"] += count
-        for what, count in self.decoder.skipped.items():
-            result[f"skipped: {what}"] += count
+            for remark, count in counts.items():
+                result[f"{kind}: {remark}"] += count
+        for remark, count in self.decoder.skipped.items():
+            result[f"skipped: {remark}"] += count
         return result
 
     def forget_texts(self) -> None:

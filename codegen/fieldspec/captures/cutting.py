@@ -54,8 +54,10 @@ class Cutter:
         if self._framers is None:
             module = device_module(self.layout)
             ways = ((REQUEST, "request"), (RESPONSE, "response"))
-            framers = ((way, framer(module, self.link, name)) for way, name in ways)
-            self._framers = {way: each for way, each in framers if each is not None}
+            framers = ((direction, framer(module, self.link, name)) for direction, name in ways)
+            self._framers = {
+                direction: direction_framer for direction, direction_framer in framers if direction_framer is not None
+            }
         return self._framers
 
     def another(self) -> Cutter:
@@ -70,16 +72,16 @@ class Cutter:
         return bool(self.framers)
 
     def state(self) -> list[Any]:
-        """What another cutter needs to go on."""
+        """The state from which another cutter continues."""
         return [[*key, data.hex(), marks] for key, (data, marks) in self.pending.items()]
 
     def restore(self, state: list[Any]) -> None:
-        """Goes on where another cutter was."""
+        """Continues from the state of another cutter."""
         for stream, direction, data, marks in state:
             self.pending[stream, direction] = bytes.fromhex(data), [(mark[0], mark[1], mark[2]) for mark in marks]
 
     def is_waiting(self, stream: int, direction: int) -> bool:
-        """Whether bytes of a stream wait."""
+        """Whether bytes of a stream are pending until the rest of their frame comes."""
         return (stream, direction) in self.pending
 
     def feed(
@@ -96,7 +98,7 @@ class Cutter:
         return pieces + self._cut(key, joined, [*marks, (len(joined), time, packet)], False)
 
     def finish(self) -> list[Piece]:
-        """What is left at the end of a source."""
+        """The pieces of the pending bytes at the end of a source."""
         waiting, self.pending = self.pending, {}
         return [piece for key, (data, marks) in waiting.items() for piece in self._cut(key, data, marks, True)]
 
@@ -113,26 +115,26 @@ class Cutter:
             if is_last:
                 frames += own.idle()
             own.reset()
-            at = 0
+            position = 0
             for frame in frames:
-                at = data.index(frame, at)
-                spans.append(_Span(at, at + len(frame), direction))
-                at += len(frame)
+                position = data.index(frame, position)
+                spans.append(_Span(position, position + len(frame), direction))
+                position += len(frame)
         if is_last:
             settled = len(data)
-        pieces, at = [], 0
+        pieces, position = [], 0
         for span in _chosen(spans):
             if span.start > settled or (span.start == settled and not is_last and span.end > settled):
                 break
-            if span.start > at:
-                pieces.append(self._piece(key, data, _Span(at, span.start, UNKNOWN), marks, False))
+            if span.start > position:
+                pieces.append(self._piece(key, data, _Span(position, span.start, UNKNOWN), marks, False))
             pieces.append(self._piece(key, data, span, marks, True))
-            at = span.end
-        if settled > at:
-            pieces.append(self._piece(key, data, _Span(at, settled, UNKNOWN), marks, False))
-            at = settled
-        if at < len(data):
-            self.pending[key] = data[at:], [(end - at, *rest) for end, *rest in marks if end > at]  # type: ignore[misc]
+            position = span.end
+        if settled > position:
+            pieces.append(self._piece(key, data, _Span(position, settled, UNKNOWN), marks, False))
+            position = settled
+        if position < len(data):
+            self.pending[key] = data[position:], [(end - position, *rest) for end, *rest in marks if end > position]  # type: ignore[misc]
         return pieces
 
     @staticmethod
@@ -153,14 +155,16 @@ def _chosen(spans: list[_Span]) -> list[_Span]:
     """Spans that do not overlap: the first that begins, then the next. Of equal ones, the answer to a request."""
     chosen: list[_Span] = []
     ordered = sorted(spans, key=lambda span: (span.start, -span.end, span.direction))
-    at = 0
+    position = 0
     for number, span in enumerate(ordered):
-        if span.start < at:
+        if span.start < position:
             continue
         other = ordered[number + 1] if number + 1 < len(ordered) else None
         if other is not None and (other.start, other.end) == (span.start, span.end):
             is_answer = bool(chosen) and chosen[-1].direction == REQUEST
-            span = next(each for each in (span, other) if each.direction == (RESPONSE if is_answer else REQUEST))
+            span = next(
+                candidate for candidate in (span, other) if candidate.direction == (RESPONSE if is_answer else REQUEST)
+            )
         chosen.append(span)
-        at = span.end
+        position = span.end
     return chosen

@@ -97,43 +97,43 @@ class Decoder:
         self._table: tuple[Texts, npt.NDArray[np.int8], Mask] | None = None
         self._remembered: dict[bytes, tuple[int, int, bool]] = {}
 
-    def decode(self, buffer: Bytes, at: Numbers) -> ValueColumns:
+    def decode(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
         """The values whose bytes begin at some places."""
         kind = self.type.kind
         if kind in (Kind.TEXT, Kind.BYTES):
-            return self._characters(buffer, at)
+            return self._characters(buffer, offsets)
         if kind is Kind.FLOAT:
-            return self._floats(buffer, at)
+            return self._floats(buffer, offsets)
         if self.value.digits:
-            return self._digits_of(buffer, at)
-        return self._integers(self._raw(buffer, at, self.type.signed))
+            return self._digits_of(buffer, offsets)
+        return self._integers(self._raw(buffer, offsets, self.type.signed))
 
     def of_bits(self, bits: Numbers) -> ValueColumns:
         """The values of single bits, which are 0 or 1."""
         return self._integers(bits)
 
-    def _raw(self, buffer: Bytes, at: Numbers, signed: bool) -> Numbers:
-        return number_at(buffer, at, self.value.size, self.order, signed, self.swapped)
+    def _raw(self, buffer: Bytes, offsets: Numbers, signed: bool) -> Numbers:
+        return number_at(buffer, offsets, self.value.size, self.order, signed, self.swapped)
 
     def _integers(self, raw: Numbers) -> ValueColumns:
         result = ValueColumns.empty(len(raw))
         result.raw[:] = raw
         result.has_raw[:] = True
-        beyond = (raw < 0) if self.type.size == 8 and not self.type.signed else None
-        wide = raw.view(np.uint64).astype(np.float64) if beyond is not None else raw.astype(np.float64)
+        is_unsigned_high = (raw < 0) if self.type.size == 8 and not self.type.signed else None
+        wide = raw.view(np.uint64).astype(np.float64) if is_unsigned_high is not None else raw.astype(np.float64)
         if self.has_quantity:
             result.has_quantity[:] = True
             result.quantity[:] = self._scaled(wide)
-        if beyond is not None and beyond.any():
-            result.has_raw[beyond] = False
+        if is_unsigned_high is not None and is_unsigned_high.any():
+            result.has_raw[is_unsigned_high] = False
         if self.has_table:
             self._by_table(raw, result)
         elif self.is_named:
             self._by_memory(raw, result)
         elif not self.reserved:
             self._by_bounds(raw, result)
-        if beyond is not None and beyond.any():
-            nameless = beyond & (result.text < 0)
+        if is_unsigned_high is not None and is_unsigned_high.any():
+            nameless = is_unsigned_high & (result.text < 0)
             result.text[nameless] = self._digits(raw[nameless])
         if self.is_lenient:
             result.verdict[:] = OK
@@ -155,13 +155,13 @@ class Decoder:
             self._table = np.full(size, UNSEEN, np.int32), np.zeros(size, np.int8), np.zeros(size, np.bool_)
         texts, verdicts, quantities = self._table
         places = raw & (len(texts) - 1)
-        seen = texts[places]
-        if (seen == UNSEEN).any():
-            for place in np.unique(places[seen == UNSEEN]).tolist():
+        numbers = texts[places]
+        if (numbers == UNSEEN).any():
+            for place in np.unique(places[numbers == UNSEEN]).tolist():
                 data = place.to_bytes(self.value.size, "big")
                 texts[place], verdicts[place], quantities[place] = self._meaning(data)
-            seen = texts[places]
-        result.text[:] = seen
+            numbers = texts[places]
+        result.text[:] = numbers
         result.verdict[:] = verdicts[places]
         result.has_quantity[:] = quantities[places]
 
@@ -222,8 +222,8 @@ class Decoder:
         if value.const is not None:
             result.verdict[:] = np.where(numbers == numbers.dtype.type(value.const), result.verdict, WRONG_CONST)
 
-    def _floats(self, buffer: Bytes, at: Numbers) -> ValueColumns:
-        bits = self._raw(buffer, at, False)
+    def _floats(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
+        bits = self._raw(buffer, offsets, False)
         single = self.value.size == 4
         with np.errstate(invalid="ignore"):  # a signalling NaN
             exact = bits.astype(np.uint32).view(np.float32).astype(np.float64) if single else bits.view(np.float64)
@@ -234,10 +234,10 @@ class Decoder:
             return result
         value = self.value
         if value.ranges is not None:
-            inside = np.zeros(len(exact), np.bool_)
+            is_within = np.zeros(len(exact), np.bool_)
             for low, high in value.ranges.intervals:
-                inside |= (exact >= low) & (exact <= high)
-            result.verdict[~inside] = OUT_OF_RANGE
+                is_within |= (exact >= low) & (exact <= high)
+            result.verdict[~is_within] = OUT_OF_RANGE
         for sentinel in value.sentinels:
             is_sentinel = np.isnan(exact) if sentinel.is_nan else exact == sentinel.value
             result.verdict[is_sentinel] = OK
@@ -247,9 +247,9 @@ class Decoder:
             result.verdict[:] = OK
         return result
 
-    def _digits_of(self, buffer: Bytes, at: Numbers) -> ValueColumns:
+    def _digits_of(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
         """The values of digits: the bytes that are none are a text with a verdict."""
-        table = buffer[np.minimum(at[:, None] + np.arange(self.value.size), len(buffer) - 1)]
+        table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
         pieces = [row.tobytes() for row in table]
         numbers = {piece: number_of(self.value, piece, self.order, self.swapped) for piece in set(pieces)}
         raw = [number if isinstance(number := numbers[piece], int) else 0 for piece in pieces]
@@ -263,9 +263,9 @@ class Decoder:
                 result.verdict[row] = OK if self.reserved else UNKNOWN_VALUE
         return result
 
-    def _characters(self, buffer: Bytes, at: Numbers) -> ValueColumns:
-        result = ValueColumns.empty(len(at))
-        table = buffer[np.minimum(at[:, None] + np.arange(self.value.size), len(buffer) - 1)]
+    def _characters(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
+        result = ValueColumns.empty(len(offsets))
+        table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
         for row, data in enumerate(table):
             result.text[row], result.verdict[row] = self._character_text(data.tobytes())
         return result
@@ -282,13 +282,13 @@ class Decoder:
 def within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:
     """Whether numbers are in any interval. Bounds that the type of the column cannot have are those of the type."""
     limits = np.iinfo(numbers.dtype)
-    inside = np.zeros(len(numbers), np.bool_)
+    is_within = np.zeros(len(numbers), np.bool_)
     for low, high in ranges.intervals:
         if high < limits.min or low > limits.max:
             continue
         bounds = numbers.dtype.type(max(low, limits.min)), numbers.dtype.type(min(high, limits.max))
-        inside |= (numbers >= bounds[0]) & (numbers <= bounds[1])
-    return inside
+        is_within |= (numbers >= bounds[0]) & (numbers <= bounds[1])
+    return is_within
 
 
 class Decoders:

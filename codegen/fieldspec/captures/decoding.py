@@ -68,7 +68,7 @@ class ValueTable:
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Frames and their values."""
+    """The tables of frames and of their values."""
 
     frames: FrameTable
     values: ValueTable
@@ -100,7 +100,8 @@ class DeviceDecoder:
         self.decoders = Decoders(layout.device, self.texts)
         self.readers = {
             link: {
-                way: FrameReader(layout, link, name, self.decoders, choices.message) for way, name in DIRECTIONS.items()
+                direction: FrameReader(layout, link, name, self.decoders, choices.message)
+                for direction, name in DIRECTIONS.items()
             }
             for link in self.links
         }
@@ -145,7 +146,7 @@ class SourceDecoder:
         self.skipped: dict[str, int] = {}
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another decoder continues."""
         return {
             "number": self.number,
             "detection": self.detection.state(),
@@ -153,7 +154,7 @@ class SourceDecoder:
         }
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Goes on where another object was."""
+        """Continues from the state of another decoder."""
         self.number = state["number"]
         self.detection.restore(state["detection"])
         for name, link in self.links.items():
@@ -184,7 +185,7 @@ class SourceDecoder:
         return batches
 
     def rest(self) -> list[Batch]:
-        """What is left at the end of the source."""
+        """The batches of the payloads that are pending at the end of the source."""
         self._skip_foreign(self.detection.rest())
         return [batch for link in self.links.values() for batch in self._batch(link, link.rest())]
 
@@ -202,7 +203,7 @@ class SourceDecoder:
 
 
 def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, numbers_of: Numbers, names: Names) -> Batch:
-    """The columns of both tables."""
+    """The tables of frames and of values of the decoded frames of a link."""
     rows, payloads = decoded.rows, decoded.payloads
     messages = list(link.link.messages.values())
     message_places = np.array([*(device.texts.place(message.name) for message in messages), NONE], np.int32)
@@ -212,18 +213,18 @@ def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, number
     space_places = np.array([*spaces, NONE], np.int32)
     words = np.array([device.place(DIRECTIONS[REQUEST]), device.place(DIRECTIONS[RESPONSE]), NONE], np.int32)
     stream_places = np.array([device.texts.place(text) for text in names.texts], np.int32)
-    wanted = np.ones(len(numbers_of), np.bool_)
+    is_selected = np.ones(len(numbers_of), np.bool_)
     if device.choices.units:
-        wanted = (rows.unit_address == NONE) | np.isin(rows.unit_address, sorted(device.choices.units))
-    values = _values(device, link, decoded, wanted)
+        is_selected = (rows.unit_address == NONE) | np.isin(rows.unit_address, sorted(device.choices.units))
+    values = _values(device, link, decoded, is_selected)
     accessed = rows.address != NONE
     is_valid = np.isin(rows.verdict, (OK, MISMATCH))
     data_at = np.where(rows.data != NONE, rows.data, rows.body)
     data_size = np.where(rows.data != NONE, rows.data_size, rows.body_size)
     has_data = is_valid & (rows.message != NONE) & ((rows.data != NONE) | ~accessed) & ~rows.is_refused
     exception = np.full(len(numbers_of), NONE, np.int32)
-    for way in (REQUEST, RESPONSE):
-        for reading, _ in rows.readings[way]:
+    for direction in (REQUEST, RESPONSE):
+        for reading, _ in rows.readings[direction]:
             for fields in reading.frames.fields:
                 if fields.path.startswith("exception."):
                     own_rows = reading.rows[fields.frame]
@@ -242,20 +243,22 @@ def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, number
 
 
 def _numbers_as_text(device: DeviceDecoder, values: ValueColumns) -> Texts:
-    """Numbers without names as texts."""
+    """The texts of numbers that have no names."""
     return np.array([device.texts.place(str(number)) for number in values.raw.tolist()], np.int32)
 
 
-def _data(decoded: LinkFrames, at: Numbers, size: Numbers) -> tuple[npt.NDArray[np.uint8], Numbers]:
+def _data(decoded: LinkFrames, starts: Numbers, size: Numbers) -> tuple[npt.NDArray[np.uint8], Numbers]:
     """The bytes of the data of each frame. The parts of the two directions may be in buffers of their own."""
-    buffers = [decoded.rows.buffer(way) for way in (REQUEST, RESPONSE)]
+    buffers = [decoded.rows.buffer(direction) for direction in (REQUEST, RESPONSE)]
     if buffers[0] is buffers[1]:
-        return gathered(buffers[0], at, size)
+        return gathered(buffers[0], starts, size)
     shift = np.where(decoded.direction == RESPONSE, len(buffers[0]), 0)
-    return gathered(np.concatenate(buffers), at + shift, size)
+    return gathered(np.concatenate(buffers), starts + shift, size)
 
 
-def _values(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, wanted: npt.NDArray[np.bool_]) -> ValueTable:
+def _values(
+    device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, is_selected: npt.NDArray[np.bool_]
+) -> ValueTable:
     """All values of frames, in the order of the frames."""
     parts: list[ValueTable] = []
     rows = decoded.rows
@@ -286,18 +289,18 @@ def _values(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, wante
                     registers.values,
                 )
             )
-    for way in (REQUEST, RESPONSE):
-        for reading, own in rows.readings[way]:
-            taken = np.zeros(len(reading.rows), np.bool_)
-            taken[own] = True
+    for direction in (REQUEST, RESPONSE):
+        for reading, own in rows.readings[direction]:
+            is_own = np.zeros(len(reading.rows), np.bool_)
+            is_own[own] = True
             for fields in reading.frames.fields:
                 frame = reading.rows[fields.frame]
-                good = np.flatnonzero(taken[fields.frame] & (rows.verdict[frame] == OK))
+                good = np.flatnonzero(is_own[fields.frame] & (rows.verdict[frame] == OK))
                 if len(good):
                     parts.append(_of_fields(device, fields, frame[good], good))
     table = _joined(parts)
-    if not wanted.all():
-        table = _value_rows(table, np.flatnonzero(wanted[table.frame]))
+    if not is_selected.all():
+        table = _value_rows(table, np.flatnonzero(is_selected[table.frame]))
     return table
 
 

@@ -36,11 +36,11 @@ class Detection:
         self.waiting = payloads_of([])
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another detection continues."""
         return {"link_of": self.link_of, "foreign": sorted(self.foreign), "waiting": self.waiting.state()}
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Goes on where another object was."""
+        """Continues from the state of another detection."""
         self.link_of = {int(stream): link for stream, link in state["link_of"].items()}
         self.foreign = set(state["foreign"])
         self.waiting = Payloads.of_state(state["waiting"])
@@ -87,19 +87,19 @@ class Detection:
         first = sample.at_rows(is_first)
         np.minimum(first.size, left[is_first], out=first.size)
         framed = {name: _bytes_of(streams, *link.frames_anywhere(first)) for name, link in self.links.items()}
-        most = _bytes_of(streams, first)
+        sample_bytes = _bytes_of(streams, first)
         for place, stream in enumerate(streams.tolist()):
             sizes = {name: (framed if is_open[place] else whole)[name][place] for name in self.links}
-            fitting = [name for name in self.links if whole[name][place] or 2 * sizes[name] > most[place]]
+            fitting = [name for name in self.links if whole[name][place] or 2 * sizes[name] > sample_bytes[place]]
             if fitting:
                 self.link_of[stream] = max(fitting, key=sizes.__getitem__)
                 self.foreign.discard(stream)
-            elif count[place] == SAMPLE or most[place] >= SAMPLE_BYTES:
+            elif count[place] == SAMPLE or sample_bytes[place] >= SAMPLE_BYTES:
                 self.foreign.add(stream)
 
 
 def _bytes_of(streams: Numbers, *parts: Payloads) -> Numbers:
-    """The bytes of payloads by stream."""
+    """The number of bytes of payloads in each stream."""
     sizes = np.zeros(len(streams), np.int64)
     for part in parts:
         np.add.at(sizes, np.searchsorted(streams, part.stream), part.size)

@@ -50,12 +50,12 @@ class FileContent:
 
     @property
     def is_packed(self) -> bool:
-        """Whether gzip has packed it."""
+        """Whether the file is packed by gzip."""
         return self.unpacker is not None
 
     @property
     def position(self) -> int:
-        """The bytes of the file that are read."""
+        """The number of bytes of the file that have been read."""
         return self.file.tell()
 
     @property

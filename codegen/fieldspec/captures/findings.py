@@ -25,13 +25,13 @@ _REMARKS = {
 
 
 class CaptureAudit:
-    """The sections of the report on captures."""
+    """The sections of the report on what captures show of a device."""
 
     def __init__(self, device: DeviceDecoder, observations: Observations) -> None:
         self.layout: DeviceLayout = device.layout
         self.seen = observations
         self.occupants: dict[tuple[str, str], Occupant] = {
-            (space, each.path): each for space, own in device.maps.items() for each in own.occupants
+            (space, occupant.path): occupant for space, own in device.maps.items() for occupant in own.occupants
         }
 
     def sections(self) -> tuple[Section, ...]:
@@ -47,9 +47,9 @@ class CaptureAudit:
             for use in uses
         )
         unseen = tuple(
-            (space, each.address, path)
-            for (space, path), each in self.occupants.items()
-            if not each.reserved and (space, path) not in known
+            (space, occupant.address, path)
+            for (space, path), occupant in self.occupants.items()
+            if not occupant.reserved and (space, path) not in known
         )
         frames = sum(self.seen.frames.values())
         figures = (
@@ -115,10 +115,10 @@ class CaptureAudit:
                 if verdict in _REMARKS
             ]
             occupant = self.occupants.get((use.space, use.register))
-            why = FORBIDS.get((use.operation, occupant.access)) if occupant is not None else None
-            if why:
+            objection = FORBIDS.get((use.operation, occupant.access)) if occupant is not None else None
+            if objection:
                 place = (use.space, use.address, use.register, use.operation)
-                rows.append((*place, f"the register {why}", use.count, *_bounds(use)))
+                rows.append((*place, f"the register {objection}", use.count, *_bounds(use)))
         columns = ("space", "address", "register", "operation", "contradiction", "count", "least", "greatest")
         faults = tuple((verdict, count) for verdict, count in sorted(self.seen.frames.items()) if verdict != "ok")
         return Section(
@@ -161,7 +161,7 @@ class CaptureAudit:
         )
 
     def wear(self) -> Section:
-        """Writes to memory that wears out."""
+        """The section about writes to memory that wears out."""
         rows: list[tuple[Cell, ...]] = []
         days = self._days()
         for use in sorted(self.seen.registers.values(), key=_by_address):
@@ -192,13 +192,13 @@ class CaptureAudit:
     def _inside(self, key: tuple[str, str, int | None, int | None]) -> Iterator[Occupant]:
         _, space, address, count = key
         if address is not None and count is not None:
-            for (own, _), each in self.occupants.items():
-                if own == space and each.address < address + count and address < each.address + each.words:
-                    yield each
+            for (own, _), occupant in self.occupants.items():
+                if own == space and occupant.address < address + count and address < occupant.address + occupant.words:
+                    yield occupant
 
     def _names(self, key: tuple[str, str, int | None, int | None]) -> str:
         """The registers that a request asks for: the first ones by name."""
-        names = [each.path for each in self._inside(key)]
+        names = [occupant.path for occupant in self._inside(key)]
         return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
 
     def _gaps(self, key: tuple[str, str, int | None, int | None]) -> list[str]:
@@ -206,7 +206,11 @@ class CaptureAudit:
         _, _, address, count = key
         if address is None or count is None:
             return []
-        covered = {word for each in self._inside(key) for word in range(each.address, each.address + each.words)}
+        covered = {
+            word
+            for occupant in self._inside(key)
+            for word in range(occupant.address, occupant.address + occupant.words)
+        }
         free = [word for word in range(address, address + count) if word not in covered]
         spans: list[list[int]] = []
         for word in free:
@@ -224,10 +228,10 @@ def _by_address(use: RegisterUse) -> tuple[str, int, str, str]:
 def _bounds(use: RegisterUse) -> tuple[Cell, Cell]:
     """The least and the greatest quantity; raw values where there are no quantities."""
     pair = (use.low, use.high) if use.low is not None else (use.raw_low, use.raw_high)
-    return (_number(pair[0]), _number(pair[1]))
+    return (_number_cell(pair[0]), _number_cell(pair[1]))
 
 
-def _number(number: float | None) -> Cell:
+def _number_cell(number: float | None) -> Cell:
     if number is None or isinstance(number, int):
         return number
     return int(number) if number.is_integer() and abs(number) < 2**53 else real_text(number)

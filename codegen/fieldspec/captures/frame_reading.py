@@ -35,7 +35,7 @@ NONE = -1
 
 @dataclass(frozen=True, slots=True)
 class Spans:
-    """Bytes in a buffer."""
+    """Spans of bytes in a buffer: their offsets and lengths."""
 
     buffer: Bytes
     at: Numbers
@@ -83,43 +83,48 @@ class FrameReader:
         self.least = self.shape.header_size + self.shape.trailer_size
 
     def read(
-        self, buffer: Bytes, at: Numbers, size: Numbers, asked: Numbers | None = None, judges_body: bool = True
+        self,
+        buffer: Bytes,
+        offsets: Numbers,
+        size: Numbers,
+        request_messages: Numbers | None = None,
+        judges_body: bool = True,
     ) -> ReadFrames:
-        """Reads frames of `size` bytes from `at` on.
+        """Reads frames of `size` bytes, each from its offset on.
 
-        `asked` are the messages of their requests, where these decide. Without `judges_body` only the parts are read,
-        as long as it is open which message a frame is.
+        `request_messages` are those of their requests, where these decide. Without `judges_body` only the parts are
+        read, as long as it is open which message a frame is.
         """
-        verdict = np.zeros(len(at), np.int8)
-        parts = sent = Spans(buffer, at, size)
+        verdict = np.zeros(len(offsets), np.int8)
+        parts = sent_parts = Spans(buffer, offsets, size)
         if not self.is_bare:
-            parts, sent = self._unwrapped(buffer, at, size, verdict)
-        buffer, at, size = parts.buffer, parts.at, parts.length
-        columns = [np.full(len(at), NONE) for _ in range(3)]
+            parts, sent_parts = self._unwrapped(buffer, offsets, size, verdict)
+        buffer, offsets, size = parts.buffer, parts.at, parts.length
+        columns = [np.full(len(offsets), NONE) for _ in range(3)]
         frames = ReadFrames(
-            buffer, at, size, sent, verdict, columns[0], columns[1], np.zeros(len(at), np.bool_), columns[2],
-            at + self.shape.header_size, np.maximum(size - self.least, 0), [],
+            buffer, offsets, size, sent_parts, verdict, columns[0], columns[1], np.zeros(len(offsets), np.bool_),
+            columns[2], offsets + self.shape.header_size, np.maximum(size - self.least, 0), [],
         )  # fmt: skip
         for part in self.shape.digits:
             place, short = self._place(part, frames)
             blame(verdict, ~short & lacks_digits(part, buffer, place), UNKNOWN_VALUE)
         for part in self.shape.header:
-            self._part(part, frames, asked, judges_body)
+            self._part(part, frames, request_messages, judges_body)
         if not self.has_code and judges_body:
-            self._choose(frames, asked)
+            self._choose(frames, request_messages)
         if self.has_code or judges_body:
             self._read_bodies(frames)
         for part in self.shape.trailer:
-            self._part(part, frames, asked, judges_body)
+            self._part(part, frames, request_messages, judges_body)
         return frames
 
     def _unwrapped(
-        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> tuple[Spans, Spans]:
         """The parts of frames with delimiters, characters or escapes, one by one, and these parts as they are sent."""
         originals, pieces = [], []
         own = self.link.link
-        for row, (start, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+        for row, (start, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             frame = buffer[start : start + length].tobytes()
             parts = unwrapped(own, self.direction, frame)
             if parts.start != self.shape.start:
@@ -133,19 +138,19 @@ class FrameReader:
             if not verdict[row] and (parts.reason or parts.end != self.shape.end):
                 verdict[row] = VERDICT_NUMBERS.get(parts.reason, WRONG_MARK) if parts.reason else WRONG_MARK
             originals.append(data)
-        sent = _spans(pieces)
-        return (_spans(originals) if self.shape.escape is not None else sent), sent
+        sent_parts = _spans(pieces)
+        return (_spans(originals) if self.shape.escape is not None else sent_parts), sent_parts
 
-    def _part(self, part: PartLayout, frames: ReadFrames, asked: Numbers | None, judges_body: bool) -> None:
-        """Judges one part, and takes from it what the table has."""
-        at, length, verdict = frames.at, frames.length, frames.verdict
+    def _part(self, part: PartLayout, frames: ReadFrames, request_messages: Numbers | None, judges_body: bool) -> None:
+        """Judges a part, and copies its number to the column that the table has for it."""
+        offsets, length, verdict = frames.at, frames.length, frames.verdict
         place, short = self._place(part, frames)
         blame(verdict, short, INCOMPLETE)
         if part.role == "checksum":
             rows = np.flatnonzero(verdict == OK)
             if len(rows):
-                sent = frames.sent if not part.before_escape else Spans(frames.buffer, at, length)
-                right = are_right(part, sent.buffer, sent.at[rows], sent.length[rows])
+                covered = frames.sent if not part.before_escape else Spans(frames.buffer, offsets, length)
+                right = are_right(part, covered.buffer, covered.at[rows], covered.length[rows])
                 verdict[rows[~right]] = WRONG_CHECK
             return
         if part.reserved or part.value is None:
@@ -155,7 +160,7 @@ class FrameReader:
             measured = length if part.before_escape else frames.sent.length
             blame(verdict, number * part.unit_size + part.base != measured, WRONG_LENGTH)
         elif part.role == "code":
-            self._code(frames, number, asked, judges_body)
+            self._code(frames, number, request_messages, judges_body)
         elif part.role == "unit_address":
             frames.unit_address[:] = np.where(short, NONE, number)
         elif part.constant is not None or part.value.enum or part.value.flags or not part.part.same_as:
@@ -179,7 +184,7 @@ class FrameReader:
         if part.constant is None and has_meaning:
             frames.fields.append(FieldRows(rows, part.name, part.value.unit, values))
 
-    def _code(self, frames: ReadFrames, code: Numbers, asked: Numbers | None, judges_body: bool) -> None:
+    def _code(self, frames: ReadFrames, code: Numbers, request_messages: Numbers | None, judges_body: bool) -> None:
         """The message of each frame by its code, and by its subcode or its request where several messages have it."""
         refusal = self.link.link.exception_response
         if refusal is not None and self.direction == "response":
@@ -205,23 +210,23 @@ class FrameReader:
             else:
                 own = numbers([places[message.name] for message in messages])
                 is_open[rows] = not judges_body
-                if asked is not None:
-                    frames.message[rows] = np.where(np.isin(asked[rows], own), asked[rows], NONE)
+                if request_messages is not None:
+                    frames.message[rows] = np.where(np.isin(request_messages[rows], own), request_messages[rows], NONE)
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
 
     def _answered_code(self, code: Numbers) -> Numbers:
         """The codes of the requests that responses with some codes answer; NONE where they may answer several."""
         if not self.link.has_response_codes:
             return code
-        answered: Numbers = code.copy()
+        request_codes: Numbers = code.copy()
         own = [message.message for message in self.link.messages.values()]
         for number in self.link.codes("response"):
-            asked = {m.code for m in own if m.code is not None and m.code_of("response") == number}
-            answered[code == number] = asked.pop() if len(asked) == 1 else NONE
-        return answered
+            codes = {m.code for m in own if m.code is not None and m.code_of("response") == number}
+            request_codes[code == number] = codes.pop() if len(codes) == 1 else NONE
+        return request_codes
 
     def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
-        """Which frames are exception responses."""
+        """A mask of the frames that are exception responses."""
         if refusal.part:
             part = next(part for part in self.shape.header if part.name == refusal.part)
             number = part_numbers(part, frames.buffer, frames.at + part.offset)
@@ -236,10 +241,10 @@ class FrameReader:
             frames.message[rows[~short & (number == key)]] = places[message.name]
         frames.message[rows[short]] = places[next(iter(shared.messages.values())).name]
 
-    def _choose(self, frames: ReadFrames, asked: Numbers | None) -> None:
+    def _choose(self, frames: ReadFrames, request_messages: Numbers | None) -> None:
         """The message of frames without a code: that of the request, or the only one with bodies of their size."""
-        if asked is not None:
-            frames.message[:] = asked
+        if request_messages is not None:
+            frames.message[:] = request_messages
         self._find_marks(frames)
         open_rows = (frames.message == NONE) & ~frames.is_refused
         size = frames.body_size
@@ -296,6 +301,6 @@ class FrameReader:
 
 
 def _spans(pieces: list[bytes]) -> Spans:
-    """Pieces one behind another."""
+    """The spans of some pieces in a buffer that has them one behind another."""
     sizes = numbers([len(piece) for piece in pieces])
     return Spans(np.frombuffer(b"".join(pieces) + b"\0", np.uint8), np.cumsum(sizes) - sizes, sizes)

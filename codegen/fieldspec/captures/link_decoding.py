@@ -103,17 +103,17 @@ class LinkDecoder:
         for _, own in runs(keys):
             stream, direction = int(payloads.stream[own[0]]), int(payloads.direction[own[0]])
             odd = np.flatnonzero(cut[own])
-            at = 0
-            while at < len(own):
+            index = 0
+            while index < len(own):
                 if not self.cutter.is_waiting(stream, direction):
-                    following = int(np.searchsorted(odd, at))
+                    following = int(np.searchsorted(odd, index))
                     if following == len(odd):
                         break
-                    at = int(odd[following])
-                row = int(own[at])
+                    index = int(odd[following])
+                row = int(own[index])
                 keep[row] = False
                 pieces += [(row, piece) for piece in self._pieces(payloads, row)]
-                at += 1
+                index += 1
         return _with_pieces(payloads, keep, pieces)
 
     def _pieces(self, payloads: Payloads, row: int) -> list[Piece]:
@@ -133,11 +133,11 @@ class LinkDecoder:
         readings = frames.readings or self._readings(payloads)
         rows = _Rows(payloads, frames.noise)
         direction = self._directions(payloads, readings, frames.noise)
-        for way, reading in readings.items():
-            own = np.flatnonzero(direction[reading.rows] == way)
-            rows.take(way, reading, own)
-        for way in (REQUEST, RESPONSE):  # payloads whose direction nothing tells keep the verdict that comes closest
-            reading = readings[way]
+        for side, reading in readings.items():
+            own = np.flatnonzero(direction[reading.rows] == side)
+            rows.take(side, reading, own)
+        for side in (REQUEST, RESPONSE):  # payloads whose direction nothing tells keep the verdict that comes closest
+            reading = readings[side]
             lost = np.flatnonzero(direction[reading.rows] == UNKNOWN)
             closer = reading.frames.verdict[lost] > rows.verdict[reading.rows[lost]]
             rows.verdict[reading.rows[lost[closer]]] = reading.frames.verdict[lost[closer]]
@@ -149,30 +149,30 @@ class LinkDecoder:
         """The direction of each payload: what the medium says, or what the bytes allow, or what came before."""
         direction: Numbers = payloads.direction.copy()
         fits = {}
-        for way, reading in readings.items():
-            fits[way] = np.zeros(len(payloads), np.bool_)
-            fits[way][reading.rows] = reading.frames.verdict == OK
+        for side, reading in readings.items():
+            fits[side] = np.zeros(len(payloads), np.bool_)
+            fits[side][reading.rows] = reading.frames.verdict == OK
         is_open = (direction == UNKNOWN) & ~noise
         direction[is_open & fits[REQUEST] & ~fits[RESPONSE]] = REQUEST
         direction[is_open & fits[RESPONSE] & ~fits[REQUEST]] = RESPONSE
-        both = np.flatnonzero(is_open & fits[REQUEST] & fits[RESPONSE])
-        if not len(both):
+        ambiguous = np.flatnonzero(is_open & fits[REQUEST] & fits[RESPONSE])
+        if not len(ambiguous):
             return direction
         unit, code = np.full((2, len(payloads)), NONE), np.full((2, len(payloads)), NONE)
-        for way, reading in readings.items():
-            unit[way, reading.rows], code[way, reading.rows] = reading.frames.unit_address, reading.frames.code
+        for side, reading in readings.items():
+            unit[side, reading.rows], code[side, reading.rows] = reading.frames.unit_address, reading.frames.code
         last = dict(self.last)
-        undecided = set(both.tolist())
-        some = np.flatnonzero(fits[REQUEST] | fits[RESPONSE]).tolist()
-        for row in some:
+        undecided = set(ambiguous.tolist())
+        fitting = np.flatnonzero(fits[REQUEST] | fits[RESPONSE]).tolist()
+        for row in fitting:
             stream = int(payloads.stream[row])
             if row in undecided:
                 before = last.get(stream, (RESPONSE, NONE, NONE))
-                answered = int(unit[RESPONSE, row]), int(code[RESPONSE, row])
-                is_answer = before[0] == REQUEST and all(map(_fits, before[1:], answered))
+                answered_code = int(unit[RESPONSE, row]), int(code[RESPONSE, row])
+                is_answer = before[0] == REQUEST and all(map(_fits, before[1:], answered_code))
                 direction[row] = RESPONSE if is_answer else REQUEST
-            way = int(direction[row])
-            last[stream] = way, int(unit[way, row]), int(code[way, row])
+            side = int(direction[row])
+            last[stream] = side, int(unit[side, row]), int(code[side, row])
         self.last = last
         return direction
 
@@ -184,11 +184,11 @@ class LinkDecoder:
         valid = np.flatnonzero((rows.verdict == OK) & (direction != UNKNOWN) & is_exchange)
         repeated = np.full(len(valid), NONE)
         payloads = rows.payloads
-        for asked, answered in self.repeated:
+        for request_part, response_part in self.repeated:
             repeated *= _FACTOR
-            for way, part in ((REQUEST, asked), (RESPONSE, answered)):
-                own = direction[valid] == way
-                repeated[own] += part_numbers(part, rows.buffer(way), rows.parts[valid[own]] + part.offset)
+            for side, part in ((REQUEST, request_part), (RESPONSE, response_part)):
+                own = direction[valid] == side
+                repeated[own] += part_numbers(part, rows.buffer(side), rows.parts[valid[own]] + part.offset)
         current = Exchanges(
             payloads.stream[valid], direction[valid], repeated, rows.unit_address[valid], rows.code[valid],
             rows.message[valid], first[valid], payloads.time[valid], rows.address[valid], rows.count[valid],
@@ -215,12 +215,12 @@ class LinkDecoder:
 
     def _reread(self, rows: _Rows, direction: Numbers, readings: dict[int, Reading], asked_message: Numbers) -> None:
         """Reads bodies again: those of responses by the message of the request."""
-        for way, reader in self.readers.items():
-            own = np.flatnonzero((direction == way) & (rows.verdict == OK))
-            at, size = rows.payloads.at[own], rows.payloads.size[own]
-            asked = asked_message[own] if way == RESPONSE else None
-            frames = reader.read(rows.payloads.buffer, at, size, asked=asked)
-            rows.take(way, Reading(own, frames), np.arange(len(own)))
+        for side, reader in self.readers.items():
+            own = np.flatnonzero((direction == side) & (rows.verdict == OK))
+            offsets, size = rows.payloads.at[own], rows.payloads.size[own]
+            request_messages = asked_message[own] if side == RESPONSE else None
+            frames = reader.read(rows.payloads.buffer, offsets, size, request_messages=request_messages)
+            rows.take(side, Reading(own, frames), np.arange(len(own)))
         self._own_accesses(rows, direction)
 
     def _own_accesses(self, rows: _Rows, direction: Numbers) -> None:
@@ -229,8 +229,8 @@ class LinkDecoder:
             access = message.message.accesses
             if access is None:
                 continue
-            for way, name in ((REQUEST, "request"), (RESPONSE, "response")):
-                own = np.flatnonzero((rows.message == place) & (direction == way) & (rows.verdict == OK))
+            for side, name in ((REQUEST, "request"), (RESPONSE, "response")):
+                own = np.flatnonzero((rows.message == place) & (direction == side) & (rows.verdict == OK))
                 own = own[~rows.is_refused[own]]
                 if not len(own):
                     continue
@@ -238,8 +238,10 @@ class LinkDecoder:
                 for field_name, column in ((access.start, rows.address), (access.count, rows.count)):
                     field = record.named(field_name) if field_name else None
                     if field is not None:
-                        at = rows.body[own] + field.offset
-                        column[own] = number_at(rows.buffer(way), at, field.size, field.order, swapped=field.swapped)
+                        offsets = rows.body[own] + field.offset
+                        column[own] = number_at(
+                            rows.buffer(side), offsets, field.size, field.order, swapped=field.swapped
+                        )
                 if not access.count:
                     values = record.named(access.values)
                     holder = message.request if access.operation == "write" else message.response
@@ -251,21 +253,21 @@ class LinkDecoder:
 
     def _place(self, rows: _Rows, direction: Numbers, targets: Numbers, address: Numbers, count: Numbers) -> None:
         """Gives responses the registers of their requests, and finds the data of all frames that carry some."""
-        asked = np.full((2, len(direction)), NONE)
-        asked[0, targets], asked[1, targets] = address, count
+        requested = np.full((2, len(direction)), NONE)
+        requested[0, targets], requested[1, targets] = address, count
         for place, message in enumerate(self.link.messages.values()):
             access = message.message.accesses
             if access is None:
                 continue
             is_bits = access.space in self.spaces
-            for way, name in ((REQUEST, "request"), (RESPONSE, "response")):
-                own = np.flatnonzero((rows.message == place) & (direction == way) & (rows.verdict == OK))
-                if way == RESPONSE:
-                    self._compare(rows, own, asked)
+            for side, name in ((REQUEST, "request"), (RESPONSE, "response")):
+                own = np.flatnonzero((rows.message == place) & (direction == side) & (rows.verdict == OK))
+                if side == RESPONSE:
+                    self._compare(rows, own, requested)
                     own = own[rows.verdict[own] == OK]
                 own = own[~rows.is_refused[own]]
                 field = message.data(name).named(access.values)
-                if not len(own) or field is None or (way == RESPONSE and access.operation == "write"):
+                if not len(own) or field is None or (side == RESPONSE and access.operation == "write"):
                     continue
                 rows.verdict[own[rows.address[own] == NONE]] = NO_REQUEST
                 own = own[rows.address[own] != NONE]
@@ -274,20 +276,20 @@ class LinkDecoder:
                 if field.count is not None:
                     sizes = np.minimum(sizes, field.size * field.count)
                 rows.data_size[own] = sizes
-                if way == RESPONSE:
+                if side == RESPONSE:
                     count_of = rows.count[own]
                     size = 0 if field.value is None else field.value.size
-                    wanted = (count_of + 7) // 8 if is_bits else size * count_of
-                    rows.verdict[own[(sizes != wanted)]] = MISMATCH
+                    expected = (count_of + 7) // 8 if is_bits else size * count_of
+                    rows.verdict[own[(sizes != expected)]] = MISMATCH
                 if access.set is not None:  # another number than those of 1 and 0 says nothing about the bit
-                    number = number_at(rows.buffer(way), rows.data[own], field.size, field.order)
+                    number = number_at(rows.buffer(side), rows.data[own], field.size, field.order)
                     rows.data[own[(number != access.set) & (number != access.clear)]] = NONE
                     rows.set_bit[own] = access.set
 
     @staticmethod
-    def _compare(rows: _Rows, own: Numbers, asked: Numbers) -> None:
+    def _compare(rows: _Rows, own: Numbers, requested: Numbers) -> None:
         """Completes responses by their requests; one that states another address or number does not fit."""
-        for column, stated in ((rows.address, asked[0, own]), (rows.count, asked[1, own])):
+        for column, stated in ((rows.address, requested[0, own]), (rows.count, requested[1, own])):
             differs = (stated != NONE) & (column[own] != NONE) & (column[own] != stated) & ~rows.is_refused[own]
             rows.verdict[own[differs]] = MISMATCH
             column[own] = np.where(stated != NONE, stated, column[own])
@@ -309,18 +311,18 @@ class _Rows:
         self.is_refused, self.is_paired = np.zeros(size, np.bool_), np.zeros(size, np.bool_)
         self.readings: dict[int, list[tuple[Reading, Numbers]]] = {REQUEST: [], RESPONSE: []}
 
-    def buffer(self, way: int) -> npt.NDArray[np.uint8]:
+    def buffer(self, direction: int) -> npt.NDArray[np.uint8]:
         """The buffer with the parts of the frames in one direction."""
-        return self.readings[way][-1][0].frames.buffer if self.readings[way] else self.payloads.buffer
+        return self.readings[direction][-1][0].frames.buffer if self.readings[direction] else self.payloads.buffer
 
-    def take(self, way: int, reading: Reading, own: Numbers) -> None:
+    def take(self, direction: int, reading: Reading, own: Numbers) -> None:
         """Takes over some rows of a reading."""
         frames, rows = reading.frames, reading.rows[own]
         self.verdict[rows], self.parts[rows], self.body[rows] = frames.verdict[own], frames.at[own], frames.body[own]
         self.unit_address[rows], self.code[rows] = frames.unit_address[own], frames.code[own]
         self.message[rows], self.body_size[rows] = frames.message[own], frames.body_size[own]
         self.is_refused[rows] = frames.is_refused[own]
-        self.readings[way] = [(reading, own)]
+        self.readings[direction] = [(reading, own)]
 
     def result(self, direction: Numbers) -> LinkFrames:
         """The frames as columns."""
@@ -338,10 +340,10 @@ class LinkFrames:
     def accesses(self, messages: list[int], is_write: bool) -> tuple[npt.NDArray[np.uint8], Accesses]:
         """The registers that frames of some messages carry, and the buffer with their bytes."""
         rows = self.rows
-        way = REQUEST if is_write else RESPONSE
+        direction = REQUEST if is_write else RESPONSE
         own = np.flatnonzero((rows.verdict == OK) & (rows.data != NONE) & np.isin(rows.message, messages))
-        own = own[self.direction[own] == way]
-        buffer, data, available = rows.buffer(way), rows.data[own], rows.data_size[own]
+        own = own[self.direction[own] == direction]
+        buffer, data, available = rows.buffer(direction), rows.data[own], rows.data_size[own]
         single = rows.set_bit[own] != NONE
         if single.any():
             number = number_at(buffer, data, 2)
@@ -391,6 +393,6 @@ def _with_pieces(payloads: Payloads, keep: Mask, pieces: list[tuple[int, Piece]]
     return Frames(Payloads.of_columns(joined_buffer, columns, carrier, lost), noise[order])
 
 
-def _fits(asked: int, answered: int) -> bool:
+def _fits(request_number: int, response_number: int) -> bool:
     """Whether a unit address, or a code, of a response is that of a request, or one of them carries none."""
-    return asked == answered or NONE in (asked, answered)
+    return request_number == response_number or NONE in (request_number, response_number)

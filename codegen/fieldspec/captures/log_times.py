@@ -58,7 +58,7 @@ class LogClock:
 
 
 def _of_clock(match: re.Match[str]) -> int:
-    """The nanoseconds since midnight."""
+    """The nanoseconds since midnight of a time of day."""
     fraction = int((match["fraction"] or "").ljust(9, "0"))
     return (int(match["hour"]) * 3600 + int(match["minute"]) * 60 + int(match["second"])) * 10**9 + fraction
 

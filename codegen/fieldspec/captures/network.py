@@ -84,7 +84,7 @@ class Segments:
         )  # fmt: skip
 
     def rows(self, rows: Numbers | Mask) -> Segments:
-        """Some of them."""
+        """The segments in some rows."""
         return Segments(*(column[rows] for column in self.columns()))
 
 
@@ -119,7 +119,7 @@ def _lines(
     packets: Packets,
     rows: Numbers,
     packet: Numbers,
-    at: Numbers,
+    offsets: Numbers,
     size: Numbers,
     length: Numbers,
     streams: Numbers,
@@ -128,7 +128,9 @@ def _lines(
     """What lines and buses carry, for which nothing tells the direction."""
     none, carriers = np.full(len(rows), -1), np.full(len(rows), carrier, np.int8)
     direction = np.full(len(rows), UNKNOWN)
-    return Segments(at, size, length, packets.time[rows], packet[rows], streams, direction, carriers, none, none, none)
+    return Segments(
+        offsets, size, length, packets.time[rows], packet[rows], streams, direction, carriers, none, none, none
+    )
 
 
 class Network:
@@ -159,17 +161,17 @@ class Network:
 
     def _serial(self, packets: Packets, rows: Numbers, packet: Numbers, link_type: int) -> Segments:
         """The packets of serial lines. What is recorded without bytes, such as a change of a signal, has none."""
-        at, size = packets.at[rows], packets.size[rows]
+        offsets, size = packets.at[rows], packets.size[rows]
         if link_type == RTAC_SERIAL:
             whole = size >= 12
             self._skip("serial packets shorter than their header", ~whole)
-            rows, at, size = rows[whole], at[whole] + 12, size[whole] - 12
+            rows, offsets, size = rows[whole], offsets[whole] + 12, size[whole] - 12
         length = size + np.maximum(packets.original[rows] - packets.size[rows], 0)
-        some = length > 0
-        self._skip(NO_DATA, ~some)
-        return _lines(packets, rows, packet, at, size, length, self._interfaces(packets, rows, "serial"), PIECE).rows(
-            some
-        )
+        has_data = length > 0
+        self._skip(NO_DATA, ~has_data)
+        return _lines(
+            packets, rows, packet, offsets, size, length, self._interfaces(packets, rows, "serial"), PIECE
+        ).rows(has_data)
 
     def _interfaces(self, packets: Packets, rows: Numbers, kind: str) -> Numbers:
         """The connection of each packet: its interface."""
@@ -179,72 +181,78 @@ class Network:
 
     def _can(self, packets: Packets, rows: Numbers, packet: Numbers) -> Segments:
         """The frames of CAN buses, without what fills them up. Each bus is one connection."""
-        at, size = packets.at[rows], packets.size[rows]
+        offsets, size = packets.at[rows], packets.size[rows]
         whole = size >= CAN_HEADER
-        count = np.where(whole, number_at(packets.buffer, at + 4, 1), 0)
+        count = np.where(whole, number_at(packets.buffer, offsets + 4, 1), 0)
         whole &= size >= CAN_HEADER + count
-        is_wide = (count > CAN_DATA) | ((number_at(packets.buffer, at + 5, 1) & CAN_FD) != 0)
-        carries = (number_at(packets.buffer, at, 1) & CAN_NO_DATA) == 0
+        is_wide = (count > CAN_DATA) | ((number_at(packets.buffer, offsets + 5, 1) & CAN_FD) != 0)
+        carries = (number_at(packets.buffer, offsets, 1) & CAN_NO_DATA) == 0
         self._skip(CUT_SHORT, ~whole)
         self._skip("frames of CAN FD", whole & is_wide)
         self._skip("remote requests and errors of CAN buses", whole & ~is_wide & ~carries)
-        some = whole & ~is_wide & carries
+        is_taken = whole & ~is_wide & carries
         length, streams = CAN_HEADER + count, self._interfaces(packets, rows, "can")
-        return _lines(packets, rows, packet, at, length, length, streams, DATAGRAM).rows(some)
+        return _lines(packets, rows, packet, offsets, length, length, streams, DATAGRAM).rows(is_taken)
 
-    def _skip(self, why: str, which: Mask) -> None:
-        count = int(np.count_nonzero(which))
+    def _skip(self, reason: str, rows: Mask) -> None:
+        count = int(np.count_nonzero(rows))
         if count:
-            self.skipped[why] += count
+            self.skipped[reason] += count
 
     def _internet(self, packets: Packets, rows: Numbers, packet: Numbers, link_type: int) -> list[Segments]:
         buffer = packets.buffer
-        at, end = packets.at[rows], packets.at[rows] + packets.size[rows]
+        offsets, end = packets.at[rows], packets.at[rows] + packets.size[rows]
         if link_type in BARE_IP:
-            kind = np.where(number_at(buffer, at, 1) >> 4 == 6, IPV6, IPV4)
+            kind = np.where(number_at(buffer, offsets, 1) >> 4 == 6, IPV6, IPV4)
         elif link_type in (ETHERNET, COOKED, COOKED_2):
-            kind_at = at + {ETHERNET: 12, COOKED: 14, COOKED_2: 0}[link_type]
-            at = at + {ETHERNET: 14, COOKED: 16, COOKED_2: 20}[link_type]
+            kind_at = offsets + {ETHERNET: 12, COOKED: 14, COOKED_2: 0}[link_type]
+            offsets = offsets + {ETHERNET: 14, COOKED: 16, COOKED_2: 20}[link_type]
             kind = number_at(buffer, kind_at, 2)
             for _ in range(MOST_TAGS):
-                tagged = np.isin(kind, VLAN) & (at + 4 <= end)
-                kind = np.where(tagged, number_at(buffer, at + 2, 2), kind)
-                at = at + 4 * tagged
+                tagged = np.isin(kind, VLAN) & (offsets + 4 <= end)
+                kind = np.where(tagged, number_at(buffer, offsets + 2, 2), kind)
+                offsets = offsets + 4 * tagged
         elif link_type in (NULL, LOOP):
-            at = at + 4
-            kind = np.where(number_at(buffer, at, 1) >> 4 == 6, IPV6, IPV4)
+            offsets = offsets + 4
+            kind = np.where(number_at(buffer, offsets, 1) >> 4 == 6, IPV6, IPV4)
         else:
             self.skipped[f"packets of the unsupported link type {link_type}"] += len(rows)
             return []
         parts = []
         is_ip = np.isin(kind, (IPV4, IPV6))
         self._skip("packets other than IP", ~is_ip)
-        self._skip(CUT_SHORT, is_ip & (at + np.where(kind == IPV4, 20, 40) > end))
+        self._skip(CUT_SHORT, is_ip & (offsets + np.where(kind == IPV4, 20, 40) > end))
         for version, head in ((IPV4, 20), (IPV6, 40)):
-            own = np.flatnonzero((kind == version) & (at + head <= end))
+            own = np.flatnonzero((kind == version) & (offsets + head <= end))
             if len(own):
-                transport = self._transport(buffer, at[own], end[own], version)
+                transport = self._transport(buffer, offsets[own], end[own], version)
                 parts += self._ported(packets, rows[own], packet, transport)
         return parts
 
-    def _transport(self, buffer: Bytes, at: Numbers, end: Numbers, version: int) -> _Transport:
+    def _transport(self, buffer: Bytes, offsets: Numbers, end: Numbers, version: int) -> _Transport:
         """What IP packets carry. Their headers say where the data end; the capture may have less."""
         if version == IPV4:
-            head = (number_at(buffer, at, 1) & 15) * 4
-            stop = at + number_at(buffer, at + 2, 2)
-            stop = np.where(stop == at, end, stop)  # 0 where the network card divides packets
-            is_fragment = (number_at(buffer, at + 6, 2) & 0x3FFF) != 0
+            head = (number_at(buffer, offsets, 1) & 15) * 4
+            stop = offsets + number_at(buffer, offsets + 2, 2)
+            stop = np.where(stop == offsets, end, stop)  # 0 where the network card divides packets
+            is_fragment = (number_at(buffer, offsets + 6, 2) & 0x3FFF) != 0
             self._skip("fragments of IP packets", is_fragment)
             is_broken = ~is_fragment & (head < 20)
             self._skip(BROKEN, is_broken)
             own = np.flatnonzero(~is_fragment & ~is_broken)
             return _Transport(
-                own, at[own] + 12, 4, (at + head)[own], end[own], stop[own], number_at(buffer, at[own] + 9, 1)
+                own,
+                offsets[own] + 12,
+                4,
+                (offsets + head)[own],
+                end[own],
+                stop[own],
+                number_at(buffer, offsets[own] + 9, 1),
             )
-        size = number_at(buffer, at + 4, 2)
-        stop = np.where(size == 0, end, at + 40 + size)
-        protocol, place = number_at(buffer, at + 6, 1), at + 40
-        is_fragment = np.zeros(len(at), np.bool_)
+        size = number_at(buffer, offsets + 4, 2)
+        stop = np.where(size == 0, end, offsets + 40 + size)
+        protocol, place = number_at(buffer, offsets + 6, 1), offsets + 40
+        is_fragment = np.zeros(len(offsets), np.bool_)
         for _ in range(MOST_EXTENSIONS):
             extended = np.isin(protocol, EXTENSIONS) & ~is_fragment & (place + 8 <= end)
             if not extended.any():
@@ -258,18 +266,20 @@ class Network:
             place = place + units * extended
         self._skip("fragments of IP packets", is_fragment)
         own = np.flatnonzero(~is_fragment)
-        return _Transport(own, at[own] + 8, 16, place[own], end[own], stop[own], protocol[own])
+        return _Transport(own, offsets[own] + 8, 16, place[own], end[own], stop[own], protocol[own])
 
     def _ported(self, packets: Packets, rows: Numbers, packet: Numbers, ip: _Transport) -> list[Segments]:
         """The payloads of TCP and UDP. A datagram that the capture cut short is skipped and counted."""
         rows = rows[ip.rows]
         self._skip("packets other than TCP and UDP", ~np.isin(ip.protocol, (TCP, UDP)))
         parts = []
-        for kind, least in ((TCP, 20), (UDP, 8)):
+        for kind, header_size in ((TCP, 20), (UDP, 8)):
             of_kind = ip.protocol == kind
-            missing = of_kind & (ip.at + least > ip.end) | (of_kind & (ip.stop > ip.end) if kind == UDP else False)
+            missing = of_kind & (ip.at + header_size > ip.end) | (
+                of_kind & (ip.stop > ip.end) if kind == UDP else False
+            )
             self._skip(CUT_SHORT, missing)
-            is_broken = of_kind & ~missing & (ip.at + least > ip.stop)
+            is_broken = of_kind & ~missing & (ip.at + header_size > ip.stop)
             self._skip(BROKEN, is_broken)
             own = np.flatnonzero(of_kind & ~missing & ~is_broken)
             if not len(own):
@@ -296,9 +306,11 @@ class Network:
             parts.append(segments if is_wanted.all() else segments.rows(is_wanted))
         return parts
 
-    def _addresses(self, buffer: Bytes, at: Numbers, size: int) -> tuple[npt.NDArray[np.void], npt.NDArray[np.void]]:
+    def _addresses(
+        self, buffer: Bytes, offsets: Numbers, size: int
+    ) -> tuple[npt.NDArray[np.void], npt.NDArray[np.void]]:
         """The addresses of the sender and of the receiver as bytes."""
-        data = buffer[at[:, None] + np.arange(2 * size)]
+        data = buffer[offsets[:, None] + np.arange(2 * size)]
         halves = (np.ascontiguousarray(data[:, :size]), np.ascontiguousarray(data[:, size:]))
         return halves[0].view(f"V{size}").ravel(), halves[1].view(f"V{size}").ravel()
 

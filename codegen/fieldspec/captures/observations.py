@@ -81,11 +81,11 @@ class Observations:
         keys = ["message", "space", "address", "count"]
         own = table.append_column("moment", table["time"].cast(pa.int64()))
         is_request = compute.equal(own["direction"].cast(pa.string()), "request")
-        asked = own.filter(is_request)
+        requests = own.filter(is_request)
         if self.broadcast is not None:
-            others = compute.not_equal(asked["unit_address"], self.broadcast)
-            asked = asked.filter(compute.fill_null(others, True))
-        totals_asked = asked.group_by(keys).aggregate([("frame", "count"), ("moment", "min"), ("moment", "max")])
+            is_unicast = compute.not_equal(requests["unit_address"], self.broadcast)
+            requests = requests.filter(compute.fill_null(is_unicast, True))
+        totals_asked = requests.group_by(keys).aggregate([("frame", "count"), ("moment", "min"), ("moment", "max")])
         for row in totals_asked.to_pylist():
             use = self._use(row)
             use.requests += row["frame_count"]
@@ -145,8 +145,8 @@ class Observations:
             use.verdicts[row["verdict"]] += row["frame_count"]
             use.low, use.high = _least(use.low, row["value_min"]), _greatest(use.high, row["value_max"])
             use.raw_low, use.raw_high = _least(use.raw_low, row["raw_min"]), _greatest(use.raw_high, row["raw_max"])
-        named = table.filter(compute.is_valid(table["text"]))
-        for row in named.group_by([*keys, "text"]).aggregate([("address", "min")]).to_pylist():
+        text_rows = table.filter(compute.is_valid(table["text"]))
+        for row in text_rows.group_by([*keys, "text"]).aggregate([("address", "min")]).to_pylist():
             texts = self._register(row).texts
             if len(texts) <= MOST_TEXTS:
                 texts.add(row["text"])

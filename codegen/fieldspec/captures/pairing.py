@@ -34,7 +34,7 @@ class Exchanges:
     count: Numbers
 
     def rows(self, rows: Numbers | Mask) -> Exchanges:
-        """Some of them."""
+        """The exchanges in some rows."""
         return Exchanges(*(column[rows] for column in self.columns()))
 
     def columns(self) -> tuple[Numbers, ...]:
@@ -49,7 +49,7 @@ NO_EXCHANGES = Exchanges(*(numbers([]) for _ in range(10)))
 
 
 def joined(left: Exchanges, right: Exchanges) -> Exchanges:
-    """The rows of both."""
+    """The exchanges of both, those of the first before those of the second."""
     return Exchanges(*(np.concatenate(pair) for pair in zip(left.columns(), right.columns(), strict=True)))
 
 

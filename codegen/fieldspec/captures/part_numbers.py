@@ -9,30 +9,30 @@ from fieldspec.layout.part import PartLayout
 from fieldspec.model.digits import digits_letters
 
 
-def part_numbers(part: PartLayout, buffer: Bytes, at: Numbers) -> Numbers:
+def part_numbers(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a part at some places, modulo 2^64; any where the bytes are not its digits."""
     assert part.value is not None
     if not part.form:
-        return number_at(buffer, at, part.size, part.order, part.value.type.signed)
+        return number_at(buffer, offsets, part.size, part.order, part.value.type.signed)
     letters = digits_letters(part.value)
-    number = np.zeros(len(at), np.int64)
-    for digits in _digits(part, buffer, at):
+    number = np.zeros(len(offsets), np.int64)
+    for digits in _digits(part, buffer, offsets):
         number = number * len(letters) + np.maximum(digits, 0)
     return number
 
 
-def lacks_digits(part: PartLayout, buffer: Bytes, at: Numbers) -> Mask:
+def lacks_digits(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Mask:
     """Whether the bytes of a part at some places are not its digits."""
-    lacking = np.zeros(len(at), np.bool_)
-    for digits in _digits(part, buffer, at):
+    lacking = np.zeros(len(offsets), np.bool_)
+    for digits in _digits(part, buffer, offsets):
         lacking |= digits < 0
     return lacking
 
 
-def _digits(part: PartLayout, buffer: Bytes, at: Numbers) -> list[Numbers]:
+def _digits(part: PartLayout, buffer: Bytes, offsets: Numbers) -> list[Numbers]:
     """Each digit of a part at some places, -1 for another character."""
     assert part.value is not None
     table = np.full(256, -1, np.int64)
     for digit, letter in enumerate(digits_letters(part.value)):
         table[letter] = digit
-    return [table[buffer.take(at + step, mode="clip")] for step in range(part.size)]
+    return [table[buffer.take(offsets + step, mode="clip")] for step in range(part.size)]

@@ -44,14 +44,14 @@ class Payloads:
     @staticmethod
     def of_columns(buffer: Bytes, columns: Sequence[Numbers], carrier: Carriers, follows_loss: Mask) -> Payloads:
         """Payloads from the columns of numbers in their order."""
-        at, size, time, packet, stream, direction = columns
-        return Payloads(buffer, at, size, time, packet, stream, direction, carrier, follows_loss)
+        offsets, size, time, packet, stream, direction = columns
+        return Payloads(buffer, offsets, size, time, packet, stream, direction, carrier, follows_loss)
 
     def __len__(self) -> int:
         return len(self.at)
 
     def at_rows(self, rows: Numbers | Mask) -> Payloads:
-        """Some of them."""
+        """The payloads in some rows."""
         columns = (self.at, self.size, self.time, self.packet, self.stream, self.direction)
         own = [column[rows] for column in columns]
         return Payloads.of_columns(self.buffer, own, self.carrier[rows], self.follows_loss[rows])
@@ -63,7 +63,7 @@ class Payloads:
         )  # fmt: skip
 
     def compact(self) -> Payloads:
-        """The same without other bytes in the buffer."""
+        """The payloads in a buffer that has no other bytes."""
         data, offsets = gathered(self.buffer, self.at, self.size)
         return Payloads(np.append(data, np.uint8(0)), offsets[:-1], *self.columns()[1:])
 
@@ -105,7 +105,7 @@ def payloads_of(
 
 
 def joined(left: Payloads, right: Payloads) -> Payloads:
-    """The payloads of both."""
+    """The payloads of both, those of the first before those of the second."""
     buffer = np.concatenate([left.buffer, right.buffer])
     moved = Payloads(buffer, right.at + len(left.buffer), *right.columns()[1:])
     return Payloads(buffer, *map(np.concatenate, zip(left.columns(), moved.columns(), strict=True)))

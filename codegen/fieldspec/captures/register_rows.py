@@ -72,7 +72,7 @@ class _Access:
 
     @property
     def end(self) -> int:
-        """The address behind the last word."""
+        """The first address behind the last word."""
         return self.address + len(self.words)
 
     def goes_on(self, other: _Access) -> bool:
@@ -81,7 +81,7 @@ class _Access:
 
 
 class RegisterRows:
-    """A file of rows."""
+    """A file with a row for each access to a register."""
 
     def __init__(self, lines: Lines, device: DeviceDecoder, state: dict[str, Any] | None = None) -> None:
         self.lines, self.device = lines, device
@@ -116,7 +116,7 @@ class RegisterRows:
         }
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped and lost."""
+        """The counts of what was skipped and of what was lost."""
         return {"skipped": self.skipped, "bytes lost": self.lines.losses}
 
     def batches(self) -> Iterator[list[Batch]]:
@@ -162,7 +162,7 @@ class RegisterRows:
         texts = {name: cells[place].strip() if place < len(cells) else "" for name, place in places.items()}
         if not line.strip():
             return None
-        address, word = _number(texts.get("address", "")), _number(texts.get("value", ""))
+        address, word = _parsed_number(texts.get("address", "")), _parsed_number(texts.get("value", ""))
         if address is None or word is None or not 0 <= address < ADDRESSES or not -0x8000 <= word <= 0xFFFF:
             self.skipped["rows without an address and a word"] += 1
             return None
@@ -171,7 +171,7 @@ class RegisterRows:
             self.skipped["rows of an unknown address space"] += 1
             return None
         time = self.clock.time(f"{texts['time']} ") if texts.get("time") else None
-        unit = _number(texts.get("unit_address", ""))
+        unit = _parsed_number(texts.get("unit_address", ""))
         operation = "write" if texts.get("operation", "").lower() in ("write", "w") else "read"
         place = (NO_TIME if time is None else time, space, NONE if unit is None else unit, operation)
         return _Access(place, address, self.number, [word & 0xFFFF])
@@ -191,17 +191,17 @@ class RegisterRows:
         words = np.array([word for access in accesses for word in access.words], f">u{unit}")
         buffer = np.append(words.view(np.uint8), np.uint8(0))
         count = numbers([len(access.words) for access in accesses])
-        at = unit * (np.cumsum(count) - count)
+        offsets = unit * (np.cumsum(count) - count)
         address = numbers([access.address for access in accesses])
         writes = np.array([access.place[3] == "write" for access in accesses])
-        rows = device.maps[space].rows(buffer, Accesses(np.arange(size), address, count, at, unit * count, writes))
+        rows = device.maps[space].rows(buffer, Accesses(np.arange(size), address, count, offsets, unit * count, writes))
         names, units = device.register_names(space, rows.register)
         operations = np.array([device.place("read"), device.place("write")], np.int32)
-        none, many = np.full(size, NONE, np.int32), np.full(len(names), device.place(space), np.int32)
+        none, space_column = np.full(size, NONE, np.int32), np.full(len(names), device.place(space), np.int32)
         values = ValueTable(
-            rows.frame, operations[rows.is_write.astype(np.int8)], many, rows.address, names, units, rows.values
+            rows.frame, operations[rows.is_write.astype(np.int8)], space_column, rows.address, names, units, rows.values
         )
-        data = gathered(buffer, at, unit * count)
+        data = gathered(buffer, offsets, unit * count)
         frames = FrameTable(
             np.arange(self.frame + 1, self.frame + 1 + size), numbers([access.line for access in accesses]),
             numbers([access.place[0] for access in accesses]), none, none, none, none, none,
@@ -213,11 +213,11 @@ class RegisterRows:
 
 
 def _parts_of(access: _Access) -> tuple[object, ...]:
-    """What an access is made of."""
+    """The parts of an access, of which a state has a list."""
     return access.place, access.address, access.line, access.words
 
 
-def _number(text: str) -> int | None:
+def _parsed_number(text: str) -> int | None:
     try:
         return int(text, 16) if text.lower().startswith("0x") else int(text)
     except ValueError:

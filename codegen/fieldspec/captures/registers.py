@@ -65,30 +65,30 @@ class RegisterMap:
         self._known: dict[tuple[object, ...], int] = {}
         self.is_bits = layout.device.space(space).unit == BIT
         self.unit_size = layout.device.space(space).unit_size
-        present = sorted(occupants(layout, Span(space, 0, ADDRESSES, 0, b"")), key=lambda each: each.address)
-        own = [each for each in present if 0 <= each.address < ADDRESSES]
+        present = sorted(occupants(layout, Span(space, 0, ADDRESSES, 0, b"")), key=lambda occupant: occupant.address)
+        own = [occupant for occupant in present if 0 <= occupant.address < ADDRESSES]
         covered = np.zeros(ADDRESSES, np.bool_)
-        for each in own:
-            covered[each.address : each.address + each.words] = True
+        for occupant in own:
+            covered[occupant.address : occupant.address + occupant.words] = True
         free = np.flatnonzero(~covered)
         bare = decoders.place(_bare("bit" if self.is_bits else f"u{8 * self.unit_size}"), "big", False)
-        addresses = np.concatenate([numbers([each.address for each in own]), free])
+        addresses = np.concatenate([numbers([occupant.address for occupant in own]), free])
         order = np.argsort(addresses, kind="stable")
-        self.names = [each.path for each in own]
+        self.names = [occupant.path for occupant in own]
         self.places = order
         self.own_count = len(own)
         self.address = addresses[order]
-        self.words = self._column(own, [each.words for each in own], free, 1, order)
+        self.words = self._column(own, [occupant.words for occupant in own], free, 1, order)
         size = 1 if self.is_bits else self.unit_size
-        self.size = self._column(own, [each.value.size for each in own], free, size, order)
-        self.skip = self._column(own, [each.skip for each in own], free, 0, order)
+        self.size = self._column(own, [occupant.value.size for occupant in own], free, size, order)
+        self.skip = self._column(own, [occupant.skip for occupant in own], free, 0, order)
         self.widest = int(self.words.max())
-        reads = [self._decoder(each, False) for each in own]
-        writes = [self._decoder(each, True) for each in own]
+        reads = [self._decoder(occupant, False) for occupant in own]
+        writes = [self._decoder(occupant, True) for occupant in own]
         self.decoder = np.stack(
             [self._column(own, reads, free, bare, order), self._column(own, writes, free, bare, order)]
         )
-        self.units = [each.value.unit for each in own]
+        self.units = [occupant.value.unit for occupant in own]
         self.occupants = own
 
     @staticmethod
@@ -97,13 +97,15 @@ class RegisterMap:
         column[: len(own)] = list(values)
         return column[order]
 
-    def _decoder(self, each: Occupant, is_write: bool) -> int:
+    def _decoder(self, occupant: Occupant, is_write: bool) -> int:
         """The place of the decoder of a register, computed once for all elements that share a value."""
-        key = id(each.value), is_write, each.order, each.swapped, each.reserved, each.trigger
+        key = id(occupant.value), is_write, occupant.order, occupant.swapped, occupant.reserved, occupant.trigger
         if key not in self._known:
-            value = each.value.for_writing() if is_write else each.value.as_answer(False)
-            is_lenient = each.trigger and not is_write
-            self._known[key] = self.decoders.place(value, each.order, each.swapped, each.reserved, is_lenient)
+            value = occupant.value.for_writing() if is_write else occupant.value.as_answer(False)
+            is_lenient = occupant.trigger and not is_write
+            self._known[key] = self.decoders.place(
+                value, occupant.order, occupant.swapped, occupant.reserved, is_lenient
+            )
         return self._known[key]
 
     def name(self, place: int) -> str:
@@ -134,19 +136,19 @@ class RegisterMap:
         values = ValueColumns.empty(len(place))
         decoder = self.decoder[is_write.astype(np.int8), place]
         if self.is_bits:
-            at = accesses.data[frame] + relative // 8
+            offsets = accesses.data[frame] + relative // 8
             whole = np.ones(len(place), np.bool_)
         else:
-            at = accesses.data[frame] + self.unit_size * relative + self.skip[place]
+            offsets = accesses.data[frame] + self.unit_size * relative + self.skip[place]
             whole = (relative >= 0) & (address + self.words[place] <= end[frame])
         for key, rows in runs(np.where(whole, decoder, -1).astype(np.int16)):
             if key < 0:
                 values.verdict[rows] = PARTIAL
             elif self.is_bits:
-                bits = buffer[at[rows]].astype(np.int64) >> (relative[rows] % 8) & 1
+                bits = buffer[offsets[rows]].astype(np.int64) >> (relative[rows] % 8) & 1
                 values.put(rows, self.decoders.items[key].of_bits(bits))
             else:
-                values.put(rows, self.decoders.items[key].decode(buffer, at[rows]))
+                values.put(rows, self.decoders.items[key].decode(buffer, offsets[rows]))
         unlisted = self.places[place] >= self.own_count
         values.verdict[unlisted] = UNLISTED
         return RegisterRows(accesses.frame[frame], place, address, is_write, values)

@@ -33,7 +33,7 @@ class Source(Protocol):
         """The bytes of the file that are read."""
 
     def payloads(self) -> Iterator[Payloads]:
-        """All payloads in batches."""
+        """All payloads of the source, batch by batch."""
 
     def state(self) -> dict[str, Any]:
         """What another source needs to go on behind the last batch."""
@@ -57,9 +57,9 @@ class Lines:
         line = b"" if self.losses else self.readline(LONGEST_LINE)
         self.position += len(line)
         if len(line) == LONGEST_LINE and not line.endswith(b"\n"):
-            more = self.readline(BATCH)
-            self.position += len(more)
-            if len(more) == BATCH and not more.endswith(b"\n"):
+            line_rest = self.readline(BATCH)
+            self.position += len(line_rest)
+            if len(line_rest) == BATCH and not line_rest.endswith(b"\n"):
                 self.losses[f"behind {BATCH} bytes without the end of a line"] += self.rest()
         return line
 
@@ -70,7 +70,7 @@ def is_capture(head: bytes) -> bool:
 
 
 class PacketSource:
-    """A capture of packets."""
+    """A source that reads a capture of packets."""
 
     def __init__(
         self,
@@ -130,16 +130,16 @@ class LogSource:
         return {"number": self.number, "position": self.position, "time": self.clock.last, "mark": self.mark}
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped and lost, by kind."""
+        """The counts of what was skipped and of what was lost, by kind."""
         return {"skipped": self.skipped, "bytes lost": self.lines.losses}
 
     def payloads(self) -> Iterator[Payloads]:
-        """All payloads in batches."""
+        """All payloads of the log, batch by batch."""
         stream = self.names.place("log")
         rows: list[tuple[bytes, int | None, int, int, int]] = []
         while line := self.lines.line():
             self.number += 1
-            row = self._row(line, stream)
+            row = self._payload_of_line(line, stream)
             if row is not None:
                 rows.append(row)
             if len(rows) >= LINES:
@@ -148,7 +148,7 @@ class LogSource:
         if rows:
             yield payloads_of(rows, is_datagram=False)
 
-    def _row(self, line: bytes, stream: int) -> tuple[bytes, int | None, int, int, int] | None:
+    def _payload_of_line(self, line: bytes, stream: int) -> tuple[bytes, int | None, int, int, int] | None:
         """The payload of a line; None where it has none."""
         if self.number == 1:
             for mark in (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff"):

@@ -62,9 +62,12 @@ class StreamOrder:
                 self.waiting[int(key)] = own
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on."""
+        """The state from which another object continues."""
         waiting = {
-            key: [(each.sequence, each.data.hex(), each.length, each.time, each.packet) for each in segments]
+            key: [
+                (segment.sequence, segment.data.hex(), segment.length, segment.time, segment.packet)
+                for segment in segments
+            ]
             for key, segments in self.waiting.items()
             if segments
         }
@@ -105,20 +108,25 @@ class StreamOrder:
         size, length = segments.size[own], segments.length[own]
         after = (sequence + length) % NUMBERS
         breaks = np.flatnonzero((sequence[1:] != after[:-1]) | starts[1:] | (length > size)[:-1]) + 1
-        expected, at = self.expected.get(key), 0
-        while at < len(own):
-            first = int(sequence[at])
-            if not self.waiting.get(key) and not starts[at] and expected in (None, first) and key not in self.captured:
-                following = int(np.searchsorted(breaks, at, "right"))
-                at = int(breaks[following]) if following < len(breaks) else len(own)
-                expected, step.last[key] = int(after[at - 1]), int(segments.packet[own[at - 1]])
-                if size[at - 1] < length[at - 1]:
-                    self.captured[key] = int(sequence[at - 1] + size[at - 1]) % NUMBERS
+        expected, index = self.expected.get(key), 0
+        while index < len(own):
+            first = int(sequence[index])
+            if (
+                not self.waiting.get(key)
+                and not starts[index]
+                and expected in (None, first)
+                and key not in self.captured
+            ):
+                following = int(np.searchsorted(breaks, index, "right"))
+                index = int(breaks[following]) if following < len(breaks) else len(own)
+                expected, step.last[key] = int(after[index - 1]), int(segments.packet[own[index - 1]])
+                if size[index - 1] < length[index - 1]:
+                    self.captured[key] = int(sequence[index - 1] + size[index - 1]) % NUMBERS
             else:
                 self.expected[key] = first if expected is None else expected
-                self._single(key, int(own[at]), first, bool(starts[at]), step)
+                self._single(key, int(own[index]), first, bool(starts[index]), step)
                 expected = self.expected[key]
-                at += 1
+                index += 1
         assert expected is not None
         self.expected[key] = expected
 
@@ -143,15 +151,15 @@ class StreamOrder:
             if len(self.waiting[key]) > MOST_WAITING:
                 self._give_up(key, step)
             return
-        again = min(max(_ahead(self.captured.get(key, self.expected[key]), sequence), 0), length)
-        if again:
+        repeated = min(max(_ahead(self.captured.get(key, self.expected[key]), sequence), 0), length)
+        if repeated:
             self.events["segments sent again"] += 1
-            segments.at[row] += again
-            segments.size[row] = max(size - again, 0)
-            step.keep[row] = size > again
-        if length > again:
-            taken = max(size - again, 0)
-            step.loss[row] = self._take(key, (sequence + again) % NUMBERS, taken, length - again)
+            segments.at[row] += repeated
+            segments.size[row] = max(size - repeated, 0)
+            step.keep[row] = size > repeated
+        if length > repeated:
+            new_size = max(size - repeated, 0)
+            step.loss[row] = self._take(key, (sequence + repeated) % NUMBERS, new_size, length - repeated)
             step.last[key] = packet
             self._in_turn(key, step)
 
@@ -188,10 +196,10 @@ class StreamOrder:
             if ready.length + ahead > 0:
                 self._take_late(key, ready, -ahead, False, step)
 
-    def _take_late(self, key: int, ready: Waiting, again: int, after_loss: bool, step: _Step) -> None:
+    def _take_late(self, key: int, ready: Waiting, repeated: int, after_loss: bool, step: _Step) -> None:
         """Takes a segment that has waited, without the bytes that came before it."""
-        data, sequence = ready.data[again:], (ready.sequence + again) % NUMBERS
-        after_loss |= self._take(key, sequence, len(data), ready.length - again)
+        data, sequence = ready.data[repeated:], (ready.sequence + repeated) % NUMBERS
+        after_loss |= self._take(key, sequence, len(data), ready.length - repeated)
         order = step.last[key] = max(ready.packet, step.last.get(key, 0))
         if data:
             step.late.append(
@@ -200,10 +208,10 @@ class StreamOrder:
 
     def _next(self, key: int) -> Waiting:
         """The first of the waiting segments in the order of their stream."""
-        return min(self.waiting[key], key=lambda each: _ahead(each.sequence, self.expected[key]))
+        return min(self.waiting[key], key=lambda segment: _ahead(segment.sequence, self.expected[key]))
 
     def _give_up(self, key: int, step: _Step) -> None:
-        """Takes the first waiting segment although the bytes before it lack."""
+        """Takes the first waiting segment although the bytes before it are missing."""
         ready = self._next(key)
         self.waiting[key].remove(ready)
         self.events["gaps in streams"] += 1
@@ -249,20 +257,20 @@ class _Step:
         columns = [column[rows] for column in (own.at, own.size, own.time, own.packet, own.stream, own.direction)]
         if not self.late:
             return Payloads.of_columns(self.buffer, columns, own.carrier[rows], self.loss[rows])
-        data = b"".join(each.segment.data for each in self.late)
+        data = b"".join(late.segment.data for late in self.late)
         buffer = np.concatenate([self.buffer, np.frombuffer(data, np.uint8)])
-        sizes = numbers([len(each.segment.data) for each in self.late])
-        more = [
+        sizes = numbers([len(late.segment.data) for late in self.late])
+        late_columns = [
             len(self.buffer) + np.cumsum(sizes) - sizes,
             sizes,
-            numbers([each.segment.time for each in self.late]),
-            numbers([each.segment.packet for each in self.late]),
-            numbers([each.key // 2 for each in self.late]),
-            numbers([each.key % 2 for each in self.late]),
+            numbers([late.segment.time for late in self.late]),
+            numbers([late.segment.packet for late in self.late]),
+            numbers([late.key // 2 for late in self.late]),
+            numbers([late.key % 2 for late in self.late]),
         ]
-        places = np.concatenate([columns[3], numbers([each.order for each in self.late])])
+        places = np.concatenate([columns[3], numbers([late.order for late in self.late])])
         order = np.argsort(places, kind="stable")
-        joined = [np.concatenate([left, right])[order] for left, right in zip(columns, more, strict=True)]
+        joined = [np.concatenate([left, right])[order] for left, right in zip(columns, late_columns, strict=True)]
         carrier = np.concatenate([own.carrier[rows], np.full(len(self.late), STREAM, np.int8)])[order]
-        loss = np.concatenate([self.loss[rows], np.array([each.after_loss for each in self.late])])[order]
+        loss = np.concatenate([self.loss[rows], np.array([late.after_loss for late in self.late])])[order]
         return Payloads.of_columns(buffer, joined, carrier, loss)

@@ -29,7 +29,7 @@ class Totals:
     counters: Counter[str] = field(default_factory=Counter)
 
     def add(self, batch: Batch) -> None:
-        """Counts a batch."""
+        """Adds the counts of a batch."""
         frames = batch.frames
         sizes = np.diff(frames.bytes[1])
         for number, count in enumerate(np.bincount(frames.verdict, minlength=len(VERDICTS)).tolist()):

@@ -85,7 +85,7 @@ class CsvTable:
         self.writer.write_batch(pa.RecordBatch.from_arrays(columns, schema=self.schema))
 
     def close(self) -> None:
-        """Writes what is left."""
+        """Writes the rest of the rows."""
         self.writer.close()
 
 
@@ -114,7 +114,7 @@ class JsonTable:
             self.file.write(("\n".join(lines) + "\n").encode())
 
     def close(self) -> None:
-        """Nothing: every line is complete."""
+        """Writes nothing: every line is complete."""
 
 
 def _csv_column(column: Any) -> Any:

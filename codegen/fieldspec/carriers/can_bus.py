@@ -72,7 +72,7 @@ class CanBus:
             raise CarrierError(f"{self.name}: {error}") from None
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the bus. A read that waits ends too."""
         with self._closing:
             if not self._closed:
                 self._closed = True

@@ -12,7 +12,7 @@ class CarrierError(OSError):
 
 
 class Carrier(Protocol):
-    """Two ways for bytes."""
+    """A connection that reads and writes bytes."""
 
     name: str
     """Where the other side finds it: a path or an address."""
@@ -30,7 +30,7 @@ class Carrier(Protocol):
         """Sends bytes. Raises CarrierError."""
 
     def close(self) -> None:
-        """Ends it. A read that waits ends too."""
+        """Closes the connection. A read that waits ends too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +43,6 @@ class LineSettings:
     stop_bits: int = 1
 
     def seconds(self, characters: float) -> float:
-        """How long some characters take."""
+        """The seconds that a number of characters takes on the line."""
         bits = 1 + self.data_bits + (self.parity != "none") + self.stop_bits
         return characters * bits / self.baud

@@ -55,12 +55,12 @@ class _Handler(SimpleHTTPRequestHandler):
         self.send_error(404, "there is no such page")
 
     def log_message(self, format: str, *arguments: object) -> None:
-        """Says nothing of requests."""
+        """Logs nothing."""
 
 
 class _Server(ThreadingHTTPServer):
     def handle_error(self, request: object, client_address: object) -> None:
-        """Says nothing of clients that leave while they are answered."""
+        """Logs nothing of clients that leave while they are answered."""
         if not isinstance(sys.exc_info()[1], ConnectionError):
             super().handle_error(request, client_address)  # type: ignore[arg-type]
 
@@ -82,7 +82,7 @@ class PageServer:
         self._server.serve_forever(poll_interval=0.2)
 
     def close(self) -> None:
-        """Ends the server and gives its port back."""
+        """Closes the server and releases its port."""
         if self._serves:
             self._server.shutdown()
         self._server.server_close()

@@ -66,7 +66,7 @@ class Connection:
             raise CarrierError(f"{self.name}: {error.strerror or error}") from None
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the connection."""
         with suppress(OSError):  # the other side may have been faster
             self._socket.shutdown(socket.SHUT_RDWR)
         self._socket.close()
@@ -99,7 +99,7 @@ class Listener:
         return Connection(connected, _place("tcp", peer[:2]))
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the listening socket."""
         self._closed = True
         self._socket.close()
 
@@ -155,6 +155,6 @@ class Datagrams:
             raise CarrierError(f"{self.name}: {error.strerror or error}") from None
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the socket."""
         self._closed = True
         self._socket.close()

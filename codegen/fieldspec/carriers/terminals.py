@@ -64,7 +64,7 @@ class PseudoTerminal:
             data = data[os.write(self._own, data) :]
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the terminal."""
         with self._closing:
             if self._closed:
                 return
@@ -126,5 +126,5 @@ class SerialPort:
             raise CarrierError(f"{self.name}: {error}") from None
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the port."""
         self._port.close()

@@ -70,7 +70,7 @@ class WebSocket:
             raise CarrierError(f"{self.name}: the browser has closed the connection") from None
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes the connection."""
         with suppress(OSError):
             self._connection.close()
 
@@ -137,7 +137,7 @@ class WebServer:
             self._connections.discard(carrier)
 
     def close(self) -> None:
-        """Ends it, with all connections."""
+        """Closes the server with all its connections."""
         self._server.shutdown()
         for carrier in list(self._connections):
             carrier.close()

@@ -51,7 +51,7 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
         if before is not None and after is not None:
             yield BoundsPair(field, named(field.new), "the number of elements", "repeat", before, after)
     for link in comparison.of(Link):
-        before, after = (each.unit_addresses.ranges if each.unit_addresses else None for each in (link.old, link.new))
+        before, after = (side.unit_addresses.ranges if side.unit_addresses else None for side in (link.old, link.new))
         if before is not None or after is not None:
             yield BoundsPair(link, named(link.new), "the unit address", "unit_addresses", before or ANY, after or ANY)
     for word in comparison.of(Flags):
@@ -61,7 +61,7 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
             yield BoundsPair(word, named(word.new), "the range", "range", before, after)
     for bit in comparison.of(Bit):
         if bit.old.width == bit.new.width and bit.old.signed == bit.new.signed and (bit.old.ranges or bit.new.ranges):
-            before, after = (each.as_value.ranges or NONE for each in (bit.old, bit.new))
+            before, after = (side.as_value.ranges or NONE for side in (bit.old, bit.new))
             yield BoundsPair(bit, named(bit.new), "the range", "range", before, after)
     for numbered in comparison.of(ParameterSet):
         before, after = numbered.old.numbers or NONE, numbered.new.numbers or NONE
@@ -95,15 +95,15 @@ def _length(value: Value) -> Ranges:
     return Ranges(((0, value.size if value.characters is None else value.characters),))
 
 
-def without(ranges: Ranges, others: Ranges) -> Ranges:
+def without(ranges: Ranges, excluded: Ranges) -> Ranges:
     """The numbers of some intervals that are in none of the others, in order."""
-    ends = (end for interval in (*ranges.intervals, *others.intervals) for end in interval)
+    ends = (end for interval in (*ranges.intervals, *excluded.intervals) for end in interval)
     step = 0 if any(isinstance(end, float) for end in ends) else 1
-    merged_others = merged(others.intervals, step)
+    merged_others = merged(excluded.intervals, step)
     rest = [part for low, high in sorted(ranges.intervals) for part in uncovered(low, high, merged_others, step)]
     return Ranges(tuple(dict.fromkeys(rest)))
 
 
 def text(ranges: Ranges) -> str:
-    """Intervals as the spec writes them."""
+    """The text of intervals as the spec writes them."""
     return "anything" if ranges == ANY else ranges.text()

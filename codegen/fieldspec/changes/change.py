@@ -22,7 +22,7 @@ class Effect(Enum):
 
     @property
     def rank(self) -> int:
-        """0 for the gravest."""
+        """The rank of the effect; that of the gravest is 0."""
         return _ORDER.index(self)
 
     @property

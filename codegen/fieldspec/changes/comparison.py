@@ -85,7 +85,7 @@ class Rename:
 
 
 class Comparison:
-    """Two versions of a device, paired.
+    """The pairs of corresponding objects in two versions of a device, and the objects that only one version has.
 
     `renames` are the new paths of objects that the spec itself says to have another name, by their old paths.
     `reserved_changes` are the pairs of which one object has a meaning and the other is reserved; nothing else in them
@@ -192,8 +192,8 @@ class Comparison:
             added = [item for item in added if id(item) not in stated_items]
         if removed and added:
             surroundings = [
-                Surroundings(each.by_identity, side.places_of_signals())
-                for each, side in zip(offsets, self._sides, strict=True)
+                Surroundings(item_offsets.by_identity, side.places_of_signals())
+                for item_offsets, side in zip(offsets, self._sides, strict=True)
             ]
             for pair, evidence in _proven(model_class, removed, added, surroundings[0], surroundings[1], containers):
                 pairs.append(pair)
@@ -256,28 +256,30 @@ class _Offsets:
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
-        ends = [at for number, item in enumerate(items) if (at := _end_of_run(number, item)) is not None]
+        ends = [position for number, item in enumerate(items) if (position := _end_of_run(number, item)) is not None]
         lists = [items[end - 1].name for end in ends if end and isinstance(items[end - 1], Field)]
         self.lists = ["", *lists]
         self.by_identity: dict[int, tuple[int, int]] = {}
         size, is_open = 0, False
         for run, run_items in enumerate(items[start:end] for start, end in pairwise([0, *ends, len(items)])):
             offsets = field_offsets(sizes, run_items)
-            self.by_identity |= {id(item): (run, at) for item, at in zip(run_items, offsets.offsets, strict=True)}
+            self.by_identity |= {
+                id(item): (run, position) for item, position in zip(run_items, offsets.offsets, strict=True)
+            }
             size, is_open = size + offsets.size, is_open or offsets.is_open
         self.size = size, is_open
 
     def text(self, item: Any) -> str:
         """The offset of a field or a part: `4`, or `0 behind samples`."""
-        run, at = self.by_identity[id(item)]
-        return f"{at} behind {self.lists[run]}" if 0 < run < len(self.lists) else str(at)
+        run, offset = self.by_identity[id(item)]
+        return f"{offset} behind {self.lists[run]}" if 0 < run < len(self.lists) else str(offset)
 
 
-def _end_of_run(at: int, item: Any) -> int | None:
+def _end_of_run(index: int, item: Any) -> int | None:
     """Where the first run ends, if it does so at an item: before the body of a frame, and behind a list."""
     if isinstance(item, Part):
-        return at if item.role == "body" else None
-    return at + 1 if isinstance(item, Field) and item.repeat is not None else None
+        return index if item.role == "body" else None
+    return index + 1 if isinstance(item, Field) and item.repeat is not None else None
 
 
 def _field_lists(

@@ -43,7 +43,7 @@ def change(
 
 
 def kind(item: Any) -> str:
-    """What users call the class of an object."""
+    """The word of users for the class of an object."""
     return MODEL_CLASSES[type(item)].title
 
 
@@ -87,6 +87,6 @@ def around(container: Any, key: str) -> Span | None:
     return None if isinstance(container, Device) else span(container, key, None)
 
 
-def difference_text(what: str, old: object, new: object) -> str:
+def difference_text(subject: str, old: object, new: object) -> str:
     """`the unit is mm, and was nothing`"""
-    return f"{what} is {quoted(new)}, and was {quoted(old)}"
+    return f"{subject} is {quoted(new)}, and was {quoted(old)}"

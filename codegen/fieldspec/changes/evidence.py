@@ -69,11 +69,11 @@ def quoted(value: object) -> str:
     return value_text(value) or NOTHING
 
 
-def enumeration(words: Sequence[object], most: int = 6) -> str:
+def enumeration(words: Sequence[object], limit: int = 6) -> str:
     """Words as a list: `a, b and c`, or `a, b, c, d, e and 12 more`."""
     texts = [str(word) for word in words]
-    if len(texts) > most:
-        texts = [*texts[: most - 1], f"{len(texts) - most + 1} more"]
+    if len(texts) > limit:
+        texts = [*texts[: limit - 1], f"{len(texts) - limit + 1} more"]
     return texts[0] if len(texts) == 1 else ", ".join(texts[:-1]) + " and " + texts[-1]
 
 

@@ -59,5 +59,5 @@ def steps_text(comparison: Comparison | None, message: Message) -> str:
 
 def _renamed(comparison: Comparison, message: Message, name: str) -> str:
     """The new name of a field of the request or of the response."""
-    asked = comparison.renamed_to(f"messages/{message.name}/request", name)
-    return asked if asked != name else comparison.renamed_to(f"messages/{message.name}/response", name)
+    request_name = comparison.renamed_to(f"messages/{message.name}/request", name)
+    return request_name if request_name != name else comparison.renamed_to(f"messages/{message.name}/response", name)

@@ -48,11 +48,11 @@ def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
 
 def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterator[Diagnostic]:
     does = f"{message.name} {step.operation}s"
-    there = () if not space.name else (label(space.place, "name", "the space"),)
+    related_labels = () if not space.name else (label(space.place, "name", "the space"),)
     if space.unit == BIT:
         text = f"a step of {does} single bits"
         help = "leave out `access_steps`, or state messages with `accesses` for the bits"
-        yield finding(_CODE, message.place, "access_steps", text, help, *there)
+        yield finding(_CODE, message.place, "access_steps", text, help, *related_labels)
         return
     has_masks = bool(step.and_mask and step.or_mask)
     wrong = ""
@@ -76,11 +76,11 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
         record = holder if name == step.values else message.request
         field = record.named(name)
         if field is not None:
-            yield from _number(message, field, space, name in carried, name == step.values)
+            yield from _number_findings(message, field, space, name in carried, name == step.values)
     yield from _count(message, step, message.request.named(step.count) if step.count else None)
 
 
-def _number(
+def _number_findings(
     message: Message, field: Field, space: AddressSpace, is_carried: bool, may_be_list: bool
 ) -> Iterator[Diagnostic]:
     """The finding of a field that is no number, or no register where it `is_carried`."""

@@ -62,8 +62,8 @@ def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
         if allows(field.access) and not any(allows(narrowed(use.access, field.access)) for use in uses):
             names = enumeration(list(dict.fromkeys(use.name for use in uses)))
             text = f"{field.name} can be {verb} by its access, {field.access}, but not as a part of {names}"
-            there = label(uses[0].place, "access", f"the access of {uses[0].name}")
-            yield finding(_CODE, field.place, "access", text, _HELP, there)
+            related_label = label(uses[0].place, "access", f"the access of {uses[0].name}")
+            yield finding(_CODE, field.place, "access", text, _HELP, related_label)
 
 
 def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
@@ -74,5 +74,5 @@ def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
     for verb, allows in _VERBS:
         if allows(table.access) and not any(allows(field.access) for field in fields):
             text = f"{table.name} can be {verb} by its access, {table.access}, but no field of {record.name} can"
-            there = label(fields[0].place, "access", f"the access of {fields[0].name}")
-            yield finding(_CODE, table.place, "access", text, _HELP, there)
+            related_label = label(fields[0].place, "access", f"the access of {fields[0].name}")
+            yield finding(_CODE, table.place, "access", text, _HELP, related_label)

@@ -29,17 +29,17 @@ def accesses_complete(device: Device) -> Iterator[Diagnostic]:
         access = message.accesses
         if access is None:
             continue
-        named = [access.start, access.count, access.values if access.operation == "write" else ""]
-        stated = [name for name in named if name]
+        field_names = [access.start, access.count, access.values if access.operation == "write" else ""]
+        stated = [name for name in field_names if name]
         if len(set(stated)) < len(stated) or not all(message.request.named(name) for name in stated):
             continue  # other rules say which field is meant
         for field in message.request.fields:
-            if field.name not in named and not _is_filled(field):
+            if field.name not in field_names and not _is_filled(field):
                 text = f"{field.name} of {message.name} is neither stated nor computed, so no client can "
                 text += f"{access.operation} registers by the message"
                 help = "state its `const`, or remove `accesses` from the message"
-                there = label(message.place, "accesses", "the fields that clients fill")
-                yield finding(_CODE, field.place, "name", text, help, there)
+                related_label = label(message.place, "accesses", "the fields that clients fill")
+                yield finding(_CODE, field.place, "name", text, help, related_label)
         yield from _constants(message, access, packed=device.bit_access(message) is not None)
 
 
@@ -48,13 +48,13 @@ def _constants(message: Message, access: RegisterAccess, packed: bool) -> Iterat
     start, count = message.request.named(access.start), message.request.named(access.count)
     holder = message.response if access.operation == "read" else message.request
     values = holder.named(access.values)
-    several = values is not None and values.repeat is not None and (packed or values.repeat.high > 1)
-    for field, what, is_wrong in ((start, "address", True), (count, "number", several)):
+    has_several_values = values is not None and values.repeat is not None and (packed or values.repeat.high > 1)
+    for field, noun, is_wrong in ((start, "address", True), (count, "number", has_several_values)):
         if field is None or not is_wrong or not _is_filled(field) or (field is count and field.measures is not None):
             continue
         key = "reserved" if field.reserved else "const" if field.measures is None else "measures"
         text = (
-            f"{field.name} is the {what} in {message.name}, but `{key}` says what is sent, whatever register is meant"
+            f"{field.name} is the {noun} in {message.name}, but `{key}` says what is sent, whatever register is meant"
         )
         help = f"remove `{key}`, or remove `accesses`: users then send the message as any other"
         yield finding(_CODE, field.place, key, text, help)

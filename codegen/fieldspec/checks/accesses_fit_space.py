@@ -110,8 +110,8 @@ def _words(message: Message, access: RegisterAccess, field: Field, space: Addres
         text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)
     if field.value is not None and (field.value.type.kind is not Kind.INTEGER or field.value.size != space.unit_size):
-        what = digits_text(field.value) if field.value.digits else field.value.type.name
-        text = f"{field.name} is {what}, but {message.name} accesses {space.unit}s"
+        form = digits_text(field.value) if field.value.digits else field.value.type.name
+        text = f"{field.name} is {form}, but {message.name} accesses {space.unit}s"
         help = f"use `u{8 * space.unit_size}`, and give the registers their types"
         if field.value.digits:
             help = "registers are not sent as digits: state them as `parameters`, which messages may carry as digits"
@@ -124,8 +124,8 @@ def _words(message: Message, access: RegisterAccess, field: Field, space: Addres
 def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
     if field.value is not None and field.value.type.name != "u8":
         text = f"{field.name} is {field.value.type.name}, but bits are packed into bytes"
-        there = label(space.place, "unit", "the unit of the space")
-        yield finding(_CODE, field.place, "type", text, "use `u8`", there)
+        related_label = label(space.place, "unit", "the unit of the space")
+        yield finding(_CODE, field.place, "type", text, "use `u8`", related_label)
     if not access.count:
         text = f"{message.name} does not state how many bits {field.name} has"
         yield _of(message, text, "name the field with the number under `count`", space)
@@ -148,15 +148,17 @@ def _packed(message: Message, access: RegisterAccess, field: Field, space: Addre
 def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagnostic]:
     """The findings of the field with the number of bits that a request writes, which codecs compare with the bytes."""
     value = count.value
-    there = label(packed.place, "repeat", f"the bytes of {packed.name}")
+    related_label = label(packed.place, "repeat", f"the bytes of {packed.name}")
     is_number = value is not None and value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
     if value is None or not is_number or value.size > 2 or value.flags or value.enum or count.is_list or count.reserved:
         text = f"{count.name} is the number of bits in {message.name}, and no single `u8` or `u16`"
-        yield finding(_CODE, count.place, "name", text, "state it as `u8` or `u16`, without an enum or digits", there)
+        yield finding(
+            _CODE, count.place, "name", text, "state it as `u8` or `u16`, without an enum or digits", related_label
+        )
     elif count.measures is not None:
         text = f"{count.name} is the number of bits in {message.name}, but `measures` {count.measures.of}"
         help = "remove `measures`: `accesses` says that it is the number of the bits, which codecs compare"
-        yield finding(_CODE, count.place, "measures", text, help, there)
+        yield finding(_CODE, count.place, "measures", text, help, related_label)
     else:
         yield from _bytes_of_bits(count, value, packed)
 
@@ -198,5 +200,5 @@ def _single(message: Message, access: RegisterAccess, field: Field, space: Addre
 
 
 def _of(message: Message, text: str, help: str, space: AddressSpace) -> Diagnostic:
-    there = () if not space.name else (label(space.place, "name", "the space"),)
-    return finding(_CODE, message.place, "accesses", text, help, *there)
+    related_labels = () if not space.name else (label(space.place, "name", "the space"),)
+    return finding(_CODE, message.place, "accesses", text, help, *related_labels)

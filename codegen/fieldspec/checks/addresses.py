@@ -66,8 +66,8 @@ def _elements(fact: Fact, space: str, key: str, first: int, words: int, stride: 
         yield Block(space, first, first + (count - 1) * stride + words - 1, fact, key, fact.name)
         return
     for number in range(min(count, SPACE // stride + 1)):
-        at = first + number * stride
-        yield Block(space, at, at + words - 1, fact, key, fact.name)
+        address = first + number * stride
+        yield Block(space, address, address + words - 1, fact, key, fact.name)
 
 
 def on_wire(parameter_set: ParameterSet, parameter: Parameter) -> tuple[int, int]:

@@ -27,7 +27,7 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
         for number, row in enumerate(rows):
             if number not in in_order:
                 other = rows[number - 1] if number else rows[1]
-                where = "after" if number else "before"
+                relation = "after" if number else "before"
                 yield finding(
                     "addresses_ascending",
                     row.place,
@@ -37,6 +37,6 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
                     label(
                         other.place,
                         "at",
-                        f"it is listed {where} {other.name} at {hexadecimal(other.address)}",
+                        f"it is listed {relation} {other.name} at {hexadecimal(other.address)}",
                     ),
                 )

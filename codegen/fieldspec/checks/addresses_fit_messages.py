@@ -61,5 +61,5 @@ def _contains(value: Value, first: int, last: int) -> bool:
 
 def _finding(message: Message, field: Field, fact: Fact, key: str, address: int) -> Diagnostic:
     text = f"{fact.name} has the address {hexadecimal(address)}, which {field.name} of {message.name} cannot contain"
-    there = label(field.place, "range" if "range" in field.place else "type", "the field with the address")
-    return finding(_CODE, fact.place, key, text, _HELP, there)
+    related_label = label(field.place, "range" if "range" in field.place else "type", "the field with the address")
+    return finding(_CODE, fact.place, key, text, _HELP, related_label)

@@ -45,5 +45,5 @@ def _of(device: Device, fact: Fact, name: str, key: str, first: int, last: int) 
     elif not any(low <= first and last <= high for low, high in space.bounds.intervals):
         bounds = ", ".join(f"{hexadecimal(low)}..{hexadecimal(high)}" for low, high in space.bounds.intervals)
         text = f"{fact.name} at {hexadecimal(first)}..{hexadecimal(last)} is not within {space.name}"
-        there = label(space.place, "bounds", f"{space.name} has the addresses {bounds}")
-        yield finding("addresses_within_space", fact.place, key, text, _HELP, there)
+        related_label = label(space.place, "bounds", f"{space.name} has the addresses {bounds}")
+        yield finding("addresses_within_space", fact.place, key, text, _HELP, related_label)

@@ -43,11 +43,11 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
             same = alike.named(field.name) if alike is not None else None
             yield from _echo(field, same, f"{field.name} is the same as in {record.same_as}")
     for message in device.messages.values():
-        asked = {field.name: field for field in message.request.fields}
+        request_fields = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
             text = f"{field.name} repeats {field.same_as} of the request"
-            yield from _echo(field, asked.get(field.same_as), text)
-            yield from _repeats(field, asked.get(field.same_as), text)
+            yield from _echo(field, request_fields.get(field.same_as), text)
+            yield from _repeats(field, request_fields.get(field.same_as), text)
     for link in device.links.values():
         parts = {part.name: part for part in link.request}
         for part in link.response:
@@ -67,12 +67,14 @@ def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic
     if same is None:
         return
     if _elements(field) != _elements(same):
-        key, there = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
-        yield finding("aliases_agree", field.place, key, f"{text}, but has another number of elements", _HELP, there)
+        key, related_label = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
+        yield finding(
+            "aliases_agree", field.place, key, f"{text}, but has another number of elements", _HELP, related_label
+        )
     mine = field.value.const if field.value is not None else None
     if mine is not None and same.value is not None and mine != same.value.const:
-        there = label(same.place, "const" if "const" in same.place else "name", f"in {same.name}")
-        yield finding("aliases_agree", field.place, "const", f"{text}, but is always the same", _HELP, there)
+        related_label = label(same.place, "const" if "const" in same.place else "name", f"in {same.name}")
+        yield finding("aliases_agree", field.place, "const", f"{text}, but is always the same", _HELP, related_label)
 
 
 def _elements(field: Field) -> object:

@@ -22,12 +22,12 @@ def allowances_used(
 
     An allowance that a block and its copies share counts once.
     """
-    needed = {_position(allowance) for allowance in used}
+    used_positions = {_position(allowance) for allowance in used}
     for allowance in allowances:
         if allowance.check not in names:
             text = f"there is no rule `{allowance.check}` to allow"
             yield _finding(allowance, text, "`fieldspec rule` lists the rules")
-        elif _position(allowance) not in needed:
+        elif _position(allowance) not in used_positions:
             text = f"the fact does not break `{allowance.check}`, so the allowance is not needed"
             yield _finding(allowance, text, "remove the allowance")
 

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 
 from fieldspec.checks.addresses import table_words
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.numbers import no_plain_number
+from fieldspec.checks.numbers import number_objection
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Register, Table
@@ -33,11 +33,11 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
         if register is None:
             continue
         extent = (table.count - 1) * table.stride + table_words(table, sizes)
-        wrong = no_plain_number(register, "address") or _no_address(device, table, register, extent)
+        wrong = number_objection(register, "address") or _no_address(device, table, register, extent)
         if wrong:
             text = f"{register.name} cannot be the address of {table.name}: {wrong}"
-            about = "name the register with the address of the first element, or correct that register"
-            yield finding(_CODE, table.place, "base_by", text, about, label(register.place, "name", "the register"))
+            help = "name the register with the address of the first element, or correct that register"
+            yield finding(_CODE, table.place, "base_by", text, help, label(register.place, "name", "the register"))
         yield from _detections(device, table)
 
 

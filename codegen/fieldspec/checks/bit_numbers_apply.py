@@ -39,43 +39,43 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
         bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
         if bounded and value.sentinels:
             text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
-            there = label(bounded[0].place, range_key(bounded[0].place), "the range")
+            related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
             help = "remove one of them, or use a word of bits without a range"
-            yield finding(_CODE, fact.place, "sentinels", text, help, there)
+            yield finding(_CODE, fact.place, "sentinels", text, help, related_label)
     for link in device.links.values():
         for part in (*link.request, *link.response):
             bounded = device.flags[part.value.flags].bounded if part.value and part.value.flags in device.flags else ()
             if bounded:
                 text = f"{part.name} is a part of a frame, to which the range of {bounded[0].name} does not apply"
-                there = label(bounded[0].place, range_key(bounded[0].place), "the range")
-                yield finding(_CODE, part.place, "flags", text, "use a word of bits without a range", there)
+                related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
+                yield finding(_CODE, part.place, "flags", text, "use a word of bits without a range", related_label)
 
 
 def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
     keys = [key for key in _KEYS if key in bit.place] if bit.is_number else []
     if not keys:
         return
-    why = ""
+    reason = ""
     if bit.width == 1:
-        why, help = "is a single bit", "remove it, or correct the bits"
+        reason, help = "is a single bit", "remove it, or correct the bits"
     elif bit.enum or bit.edge:
-        why, help = f"has an {'enum' if bit.enum else 'edge'}", "remove one of them"
+        reason, help = f"has an {'enum' if bit.enum else 'edge'}", "remove one of them"
     elif bit.signed and bit.width >= 8 * word.type.size:
-        why, help = f"fills {word.name}", "state the word as a value of a signed type"
-    if why:
-        text = f"{bit.name} {why}, to which `{keys[0]}` does not apply"
+        reason, help = f"fills {word.name}", "state the word as a value of a signed type"
+    if reason:
+        text = f"{bit.name} {reason}, to which `{keys[0]}` does not apply"
         yield finding(_CODE, bit.place, keys[0], text, help)
 
 
 def _of_range(bit: Bit) -> Iterator[Diagnostic]:
     if bit.ranges is None:
         return
-    key, why = range_key(bit.place), ""
+    key, reason = range_key(bit.place), ""
     if bit.width == 1:
-        why, help = "is a single bit", "remove it, or correct the bits"
+        reason, help = "is a single bit", "remove it, or correct the bits"
     elif bit.reserved or bit.edge:
-        why, help = "is reserved" if bit.reserved else "has an edge", "remove one of them"
+        reason, help = "is reserved" if bit.reserved else "has an edge", "remove one of them"
     elif bit.when:
-        why, help = "has its meaning under a condition only", "remove it, and state the range in `doc`"
-    if why:
-        yield finding(_CODE, bit.place, key, f"{bit.name} {why}, to which `{key}` does not apply", help)
+        reason, help = "has its meaning under a condition only", "remove it, and state the range in `doc`"
+    if reason:
+        yield finding(_CODE, bit.place, key, f"{bit.name} {reason}, to which `{key}` does not apply", help)

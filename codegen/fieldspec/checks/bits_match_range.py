@@ -40,14 +40,14 @@ def bits_match_range(device: Device) -> Iterator[Diagnostic]:
 def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
     if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
         return
-    every = _union(bit for bit in word.bits)
+    all_bits = _union(bit for bit in word.bits)
     ends = [bound for interval in ranges.intervals for bound in interval]
-    if (len(ranges.intervals) > 1 or ranges.low > 0) and not any(bound & ~every for bound in ends):
+    if (len(ranges.intervals) > 1 or ranges.low > 0) and not any(bound & ~all_bits for bound in ends):
         return  # some words, such as those that tell messages apart
     useful = _union(bit for bit in word.bits if not bit.reserved)
     highest = sum(_highest(device, bit) << bit.first for bit in word.bits if not bit.reserved)
-    whole = word.type.high if every.bit_length() == word.type.high.bit_length() else useful
-    if ranges.intervals not in (((0, every),), ((0, useful),), ((0, highest),), ((0, whole),)):
+    whole = word.type.high if all_bits.bit_length() == word.type.high.bit_length() else useful
+    if ranges.intervals not in (((0, all_bits),), ((0, useful),), ((0, highest),), ((0, whole),)):
         yield finding(
             "bits_match_range",
             fact.place,
@@ -62,8 +62,10 @@ def _compare_words(fact: Fact, value: Value, word: Flags) -> Iterator[Diagnostic
     """A value states a range where its words of bits have one: encoders compare that of the value."""
     if word.ranges is not None and value.ranges is None and value.const is None:
         text = f"{fact.name} states no range, but the words {word.name} have the range {word.ranges.text()}"
-        there = label(word.place, "range", word.name)
-        yield finding("bits_match_range", fact.place, "flags", text, f"add `range: {word.ranges.text()}`", there)
+        related_label = label(word.place, "range", word.name)
+        yield finding(
+            "bits_match_range", fact.place, "flags", text, f"add `range: {word.ranges.text()}`", related_label
+        )
 
 
 def _highest(device: Device, bit: Bit) -> int:

@@ -21,8 +21,8 @@ def bits_unique(device: Device) -> Iterator[Diagnostic]:
     for word in device.flags.values():
         owners: dict[int, list[Bit]] = {}
         for bit in word.bits:
-            others = [other for number in _numbers(bit) for other in owners.get(number, [])]
-            clash = next((other for other in others if not _apart(bit, other)), None)
+            same_bit_owners = [other for number in _numbers(bit) for other in owners.get(number, [])]
+            clash = next((other for other in same_bit_owners if not _apart(bit, other)), None)
             if clash is not None:
                 yield finding(
                     "bits_unique",

@@ -46,8 +46,8 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
             help = (
                 f"correct the type, or state `type: {value.type.name}` for {used.name}: narrower values may use it too"
             )
-            there = label(used.place, "type", f"the type of {used.name}")
-            yield finding("bits_within_width", fact.place, "flags", text, help, there)
+            related_label = label(used.place, "type", f"the type of {used.name}")
+            yield finding("bits_within_width", fact.place, "flags", text, help, related_label)
         if not used.bits:
             continue
         highest = max(used.bits, key=lambda bit: bit.last)

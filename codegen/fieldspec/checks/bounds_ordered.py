@@ -37,10 +37,10 @@ def bounds_ordered(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_list(rows: _Rows) -> Iterator[Diagnostic]:
-    named = {Name.of(fact.name).words: (fact, value) for fact, value in rows}
-    for words, (fact, value) in named.items():
-        for at, word in enumerate(words):
-            upper = named.get((*words[:at], _PAIRS[word], *words[at + 1 :])) if word in _PAIRS else None
+    rows_by_words = {Name.of(fact.name).words: (fact, value) for fact, value in rows}
+    for words, (fact, value) in rows_by_words.items():
+        for index, word in enumerate(words):
+            upper = rows_by_words.get((*words[:index], _PAIRS[word], *words[index + 1 :])) if word in _PAIRS else None
             if upper is not None and _comparable(value, upper[1]):
                 yield from _compare_defaults(fact, value, *upper)
 
@@ -54,5 +54,5 @@ def _compare_defaults(fact: Fact, value: Value, other: Fact, above: Value) -> It
     low, high = value.default, above.default
     if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
         text = f"the default of {fact.name} is {low}, but the default of {other.name} is {high}"
-        there = label(other.place, default_key(other.place), "the upper bound")
-        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "correct one of them", there)
+        related_label = label(other.place, default_key(other.place), "the upper bound")
+        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "correct one of them", related_label)

@@ -28,8 +28,8 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
             continue
         if stations.ranges is not None and stations.broadcast in stations.ranges:
             text = f"{stations.broadcast} is the broadcast address and also a unit address"
-            there = label(stations.place, "range", "the stations")
-            yield finding(_CODE, stations.place, "broadcast", text, "correct one of them", there)
+            related_label = label(stations.place, "range", "the stations")
+            yield finding(_CODE, stations.place, "broadcast", text, "correct one of them", related_label)
         part = next((part for part in link.request if part.role == "unit_address" and part.value), None)
         value = part.value if part is not None else None
         if value is None or value.type.kind is not Kind.INTEGER:

@@ -64,26 +64,26 @@ def _without_foreign_keys(link: Link) -> Iterator[Diagnostic]:
 def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
     assert link.escape is not None
     parts = link.parts(direction)
-    behind = next((at for at, part in enumerate(parts) if part.bits is None), len(parts))
-    for part in parts[behind:]:
+    identifier_end = next((index for index, part in enumerate(parts) if part.bits is None), len(parts))
+    for part in parts[identifier_end:]:
         if part.bits is not None:
-            text = f"{part.name} is a part of the identifier, but comes after {parts[behind].name}"
+            text = f"{part.name} is a part of the identifier, but comes after {parts[identifier_end].name}"
             yield finding(_CODE, part.place, "bits", text, "list the parts of the identifier first")
         if part.role in ("length", "checksum"):
-            yield from _of_span(link, direction, part, behind)
+            yield from _of_span(link, direction, part, identifier_end)
     free = set(range(link.escape.bits))
-    for part in parts[:behind]:
+    for part in parts[:identifier_end]:
         first, last = part.bits or (0, 0)
         wrong = [bit for bit in range(first, last + 1) if bit not in free]
         if wrong:
-            what = "the identifier does not have" if wrong[0] >= link.escape.bits else "another part has"
-            text = f"{part.name} has bit {wrong[0]}, which {what}"
+            objection = "the identifier does not have" if wrong[0] >= link.escape.bits else "another part has"
+            text = f"{part.name} has bit {wrong[0]}, which {objection}"
             yield finding(_CODE, part.place, "bits", text, "correct the bits")
         free -= set(range(first, last + 1))
         if part.value is not None and last - first >= 8 * part.value.size:
             text = f"{part.name} has {plural(last - first + 1, 'bit')}, but is {part.value.type.name}"
-            there = label(part.place, "type", "its type")
-            yield finding(_CODE, part.place, "bits", text, "use a wider type", there)
+            related_label = label(part.place, "type", "its type")
+            yield finding(_CODE, part.place, "bits", text, "use a wider type", related_label)
         if part.value is not None and part.value.type.signed:
             text = f"{part.name} is {part.value.type.name}, but the bits of an identifier have no sign"
             yield finding(_CODE, part.place, "type", text, "use an unsigned type")
@@ -91,19 +91,19 @@ def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
         text = f"no part of a {direction} on {link.name} has bit {max(free)} of the identifier"
         help = "give every bit to a part; one without a meaning is `reserved`"
         yield finding(_CODE, link.place, direction, text, help)
-    if sum(map(part_size, parts[:behind])) > _MOST_PARTS:
+    if sum(map(part_size, parts[:identifier_end])) > _MOST_PARTS:
         text = f"the parts of the identifier on {link.name} have more than {_MOST_PARTS} bytes"
         yield finding(_CODE, link.place, direction, text, "use narrower types, or join neighbouring parts")
 
 
-def _of_span(link: Link, direction: str, part: Part, behind: int) -> Iterator[Diagnostic]:
+def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Iterator[Diagnostic]:
     """A length or a checksum in the data says nothing of the identifier; the bus has a length and a checksum of it."""
     span = link.span(direction, part)
-    if span is None or span[0] >= behind:
+    if span is None or span[0] >= identifier_end:
         return
     verb, key = ("counts", "counts") if part.role == "length" else ("covers", "covers")
     parts = link.parts(direction)
-    own = [other.name for other in parts[behind:] if other is not part or part.role == "length"]
+    own = [other.name for other in parts[identifier_end:] if other is not part or part.role == "length"]
     text = f"{part.name} {verb} {parts[span[0]].name}, whose bits are in the identifier"
     help = f"begin with a part of the data, such as `{key}: {{from: {own[0] if own else part.name}}}`"
     help += f"; remove {part.name} if it is the {part.role} that the bus itself has"
@@ -114,18 +114,21 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
     """The data of every message, and those of an exception response, fit into a frame."""
     sizes = RecordSizes(device)
     for direction in ("request", "response"):
-        around = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
+        parts_size = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
         for message in messages_sent(device, link, direction):
             record = message.request if direction == "request" else message.response
             bounds = sizes.bounds(record)
-            if bounds is not None and bounds[1] + around > CAN_DATA:
-                text = f"the {direction} of {message.name} has {bounds[1] + around} bytes, and a CAN frame {CAN_DATA}"
+            if bounds is not None and bounds[1] + parts_size > CAN_DATA:
+                text = (
+                    f"the {direction} of {message.name} has {bounds[1] + parts_size} bytes, and a CAN frame {CAN_DATA}"
+                )
                 yield finding(_CODE, message.place, direction, text, "divide it into several messages")
     error = link.exception_response
     record_bounds = sizes.bounds(device.records[error.record]) if error and error.record in device.records else None
-    around = sum(part_size(part) for part in link.response if part.bits is None)
-    if record_bounds is not None and record_bounds[1] + around > CAN_DATA:
-        text = f"an exception response on {link.name} has {record_bounds[1] + around} bytes, and a CAN frame {CAN_DATA}"
+    parts_size = sum(part_size(part) for part in link.response if part.bits is None)
+    if record_bounds is not None and record_bounds[1] + parts_size > CAN_DATA:
+        size = record_bounds[1] + parts_size
+        text = f"an exception response on {link.name} has {size} bytes, and a CAN frame {CAN_DATA}"
         yield finding(_CODE, link.place, "exception_response", text, "shorten the record")
 
 

@@ -41,22 +41,22 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
         if record is not None:
             text = f"{record.name} has a choice, so it cannot be part of {holder.name}"
             help = "move the choice to the data of a message"
-            there = label(record.place, "fields", record.name)
-            yield finding(_CODE, holder.place, "record", text, help, there)
+            related_label = label(record.place, "fields", record.name)
+            yield finding(_CODE, holder.place, "record", text, help, related_label)
 
 
 def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
     if field is not layer.fields[-1]:
-        behind = layer.fields[-1]
-        text = f"{behind.name} comes after {field.name}, whose size depends on another field"
-        there = label(behind.place, "name", "comes after it")
-        by = field.choice.by if field.choice else ""
+        last_field = layer.fields[-1]
+        text = f"{last_field.name} comes after {field.name}, whose size depends on another field"
+        related_label = label(last_field.place, "name", "comes after it")
+        selector = field.choice.by if field.choice else ""
         help = (
             "list the fields in the order of the wire"
-            if by in [other.name for other in layer.fields[layer.fields.index(field) :]]
-            else f"where the device has fields behind it, write a message for each case, with a `const` for {by}"
+            if selector in [other.name for other in layer.fields[layer.fields.index(field) :]]
+            else f"where the device has fields behind it, write a message for each case, with a `const` for {selector}"
         )
-        yield finding(_CODE, field.place, "choice", text, help, there)
+        yield finding(_CODE, field.place, "choice", text, help, related_label)
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
@@ -64,24 +64,24 @@ def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
 
 def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:
     names = [other.name for other in layer.fields]
-    by = layer.named(choice.by)
-    if by is None:
+    selector = layer.named(choice.by)
+    if selector is None:
         return
-    if names.index(by.name) >= names.index(field.name):
-        text = f"{by.name} decides {field.name}, but does not come before it"
+    if names.index(selector.name) >= names.index(field.name):
+        text = f"{selector.name} decides {field.name}, but does not come before it"
         help = "list the fields in the order of the wire"
-        yield finding(_CODE, field.place, "choice", text, help, label(by.place, "name", by.name))
-    objection = _objection(device, by)
+        yield finding(_CODE, field.place, "choice", text, help, label(selector.place, "name", selector.name))
+    objection = _objection(device, selector)
     if objection:
-        text = f"{by.name} cannot decide {field.name}: {objection}"
+        text = f"{selector.name} cannot decide {field.name}: {objection}"
         help = "name one unsigned number that has an enum"
-        yield finding(_CODE, field.place, "choice", text, help, label(by.place, "name", by.name))
+        yield finding(_CODE, field.place, "choice", text, help, label(selector.place, "name", selector.name))
 
 
-def _objection(device: Device, by: Field) -> str:
-    """Why a field can decide nothing, or an empty text."""
-    value = by.value
-    if value is None or by.count is not None or by.repeat is not None:
+def _objection(device: Device, selector: Field) -> str:
+    """The reason why a field cannot decide another one, or an empty text."""
+    value = selector.value
+    if value is None or selector.count is not None or selector.repeat is not None:
         return "it is not a single value"
     if value.type.kind is not Kind.INTEGER or value.type.signed:
         return f"it is {value.type.name}"
@@ -102,6 +102,6 @@ def _apart(choice: Choice) -> Iterator[Diagnostic]:
             if member in first:
                 other = first[member]
                 text = f"`{member}` is in the case {case.name} and in {other.name}"
-                there = label(other.place, "when", other.name)
-                yield finding(_CODE, case.place, "when", text, "remove it from one of them", there)
+                related_label = label(other.place, "when", other.name)
+                yield finding(_CODE, case.place, "when", text, "remove it from one of them", related_label)
             first[member] = case

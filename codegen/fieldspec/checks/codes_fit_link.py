@@ -46,8 +46,8 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
         if link.exception_response is not None and link.exception_response.flag and part.value.digits == "decimal":
             text = f"{part.name} is sent as decimal digits, in which no bit marks an exception response"
             help = "state the mark as `code`, `part` or `field`"
-            there = label(part.place, "digits", part.name)
-            yield finding(_CODE, link.place, "exception_response", text, help, there)
+            related_label = label(part.place, "digits", part.name)
+            yield finding(_CODE, link.place, "exception_response", text, help, related_label)
         for message in messages_on(device, link):
             wide = list(_wide(link, message))
             yield from wide
@@ -87,13 +87,13 @@ def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
         return
     # Responses are marked by their own codes.
     key, code = message.codes[-1]
-    there = label(link.place, "exception_response", f"exception responses on {link.name}")
+    related_label = label(link.place, "exception_response", f"exception responses on {link.name}")
     if code == error.code:
         text = f"{message.name} has the code {code:#x} of exception responses"
-        yield finding(_CODE, message.place, key, text, "correct one of the codes", there)
+        yield finding(_CODE, message.place, key, text, "correct one of the codes", related_label)
     if code & error.flag:
         text = f"the code {code:#x} has the bit {error.flag:#x}, which marks an exception response"
         help = "correct the code or the bit"
         if key == "response_code":
             help += ", which exception responses have besides the code of the response"
-        yield finding(_CODE, message.place, key, text, help, there)
+        yield finding(_CODE, message.place, key, text, help, related_label)

@@ -38,10 +38,12 @@ def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
 def _compare_scales(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
     if signal.value.type is not conversion.type:
         text = f"{signal.name} is {signal.value.type.name}, but {conversion.name} is for {conversion.type.name}"
-        there = label(signal.place, "type", signal.name)
-        yield finding(_CODE, conversion.place, "signals", text, "add a separate conversion for the signal", there)
+        related_label = label(signal.place, "type", signal.name)
+        yield finding(
+            _CODE, conversion.place, "signals", text, "add a separate conversion for the signal", related_label
+        )
     whole = signal.value.in_unit(conversion.full_scale)
     if signal.value.unit == _SHARE and whole != 100:
         text = f"{conversion.full_scale:#x} is {whole.normalize():f} % of {signal.name}, not 100 %"
-        there = label(signal.place, "scale", "the scale of the signal")
-        yield finding(_CODE, conversion.place, "full_scale", text, "correct the full scale or the scale", there)
+        related_label = label(signal.place, "scale", "the scale of the signal")
+        yield finding(_CODE, conversion.place, "full_scale", text, "correct the full scale or the scale", related_label)

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.numbers import no_plain_number
+from fieldspec.checks.numbers import number_objection
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Register, Table
@@ -29,8 +29,8 @@ def counts_apply(device: Device) -> Iterator[Diagnostic]:
         wrong = _no_count(device, table, register) if register is not None else ""
         if register is not None and wrong:
             text = f"{register.name} cannot be the number of elements of {table.name}: {wrong}"
-            about = "name the register with the number of elements, or correct that register"
-            yield finding(_CODE, table.place, "count_by", text, about, label(register.place, "name", "the register"))
+            help = "name the register with the number of elements, or correct that register"
+            yield finding(_CODE, table.place, "count_by", text, help, label(register.place, "name", "the register"))
 
 
 def _no_count(device: Device, table: Table, register: Register) -> str:
@@ -38,7 +38,7 @@ def _no_count(device: Device, table: Table, register: Register) -> str:
     value = register.value
     if device.space_name(register.space) != device.space_name(table.space):
         return "it is in another address space"
-    if wrong := no_plain_number(register, "number of elements"):
+    if wrong := number_objection(register, "number of elements"):
         return wrong
     if value.ranges is None or value.ranges.low < 0 or value.ranges.high > table.count:
         return f"its `range` is not within 0..{table.count}"

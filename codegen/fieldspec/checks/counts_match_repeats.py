@@ -35,6 +35,8 @@ def counts_match_repeats(device: Device) -> Iterator[Diagnostic]:
         ranges, repeat = count.value.ranges, values.repeat
         if repeat is not None and (ranges.low, ranges.high) != (repeat.low, repeat.high):
             text = f"{message.name} is for {ranges.text()} {unit}s, but {values.name} has {repeat.text()} elements"
-            there = label(count.place, range_key(count.place), f"the range of {count.name}")
+            related_label = label(count.place, range_key(count.place), f"the range of {count.name}")
             help = "correct the range or the repetitions, or allow it with a reason"
-            yield finding("counts_match_repeats", values.place, "repeat", text, help, there, severity=Severity.WARNING)
+            yield finding(
+                "counts_match_repeats", values.place, "repeat", text, help, related_label, severity=Severity.WARNING
+            )

@@ -25,10 +25,10 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             ("request", message.request_words, message.request),
             ("response", message.response_words, message.response),
         ):
-            both = sizes.bounds(data)
-            if printed is None or both is None or both == (2 * printed, 2 * printed):
+            bounds = sizes.bounds(data)
+            if printed is None or bounds is None or bounds == (2 * printed, 2 * printed):
                 continue
-            actual = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
+            actual = plural(bounds[0], "byte") if bounds[0] == bounds[1] else f"{bounds[0]} to {bounds[1]} bytes"
             text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}, but it has {actual}"
             yield finding(
                 "data_words_match",

@@ -37,18 +37,18 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
             text, help = wrong
             yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
             continue
-        why = (
+        reason = (
             _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
         )
-        if why:
-            text = f"the default of {fact.name} is {value.default}, which {why}"
+        if reason:
+            text = f"the default of {fact.name} is {value.default}, which {reason}"
             help = "correct one of them, or list the value under `sentinels`"
             labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
             yield finding(_CODE, fact.place, key, text, help, *labels)
     for bit in (bit for word in device.flags.values() for bit in word.bits):
-        why = "" if bit.default is None else legal.objection(bit.as_value, bit.default)
-        if why:
-            text = f"the default of {bit.name} is {bit.default}, which {why}"
+        reason = "" if bit.default is None else legal.objection(bit.as_value, bit.default)
+        if reason:
+            text = f"the default of {bit.name} is {bit.default}, which {reason}"
             labels = (label(bit.place, range_key(bit.place), "the range"),) if bit.ranges else ()
             yield finding(_CODE, bit.place, default_key(bit.place), text, "correct one of them", *labels)
 

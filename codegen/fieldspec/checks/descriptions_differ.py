@@ -28,9 +28,9 @@ _NUMBER = re.compile(r"[0-9]+")
 
 def descriptions_differ(device: Device) -> Iterator[Diagnostic]:
     for rows in _families(device):
-        meant = [row for row in rows if row.name and not getattr(row, "reserved", False)]
+        described_rows = [row for row in rows if row.name and not getattr(row, "reserved", False)]
         for key in _KEYS:
-            yield from _of_key(meant, key)
+            yield from _of_key(described_rows, key)
 
 
 def _families(device: Device) -> Iterator[Iterable[Fact]]:

@@ -50,8 +50,8 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
             continue
         if (other.fact, other.form, other.places) != (chosen.fact, chosen.form, chosen.places):
             text = "lines with outputs have their versions in different values"
-            there = label(chosen.place, "fact", "another one")
-            yield finding(_CODE, other.place, "fact", text, "state one of them for all lines", there)
+            related_label = label(chosen.place, "fact", "another one")
+            yield finding(_CODE, other.place, "fact", text, "state one of them for all lines", related_label)
 
 
 def _of_detection(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
@@ -72,8 +72,8 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
         help = (
             "name the value of the firmware, or correct the access; if it does, allow this with a reason at the value"
         )
-        there = label(fact.place, "access", "its access")
-        yield finding(_CODE, detection.place, "fact", text, help, there, severity=Severity.WARNING)
+        related_label = label(fact.place, "access", "its access")
+        yield finding(_CODE, detection.place, "fact", text, help, related_label, severity=Severity.WARNING)
     number = value.type.kind is Kind.INTEGER
     if detection.form and not number:
         text = f"{detection.fact} is a text, which is the version itself"
@@ -97,14 +97,14 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
                 yield finding(_CODE, detection.place, "fact", text, "correct `detected_as` of one of them")
 
 
-def _read_as(detection: Detection, item: int | str, others: list[str]) -> str:
+def _read_as(detection: Detection, item: int | str, other_versions: list[str]) -> str:
     """The other version that a number is in the form of the detection, or an empty text."""
     if isinstance(item, str) or item < 0 or detection.form not in ("decimal", "hexadecimal"):
         return ""
     digits = (f"{item:d}" if detection.form == "decimal" else f"{item:X}").rjust(detection.places + 1, "0")
     places = detection.places
     text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
-    return text if text in others else ""
+    return text if text in other_versions else ""
 
 
 def _fact(device: Device, detection: Detection) -> Fact | None:

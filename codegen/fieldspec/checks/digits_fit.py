@@ -37,7 +37,7 @@ _MOST_BYTES = 8
 
 
 def digits_fit(device: Device) -> Iterator[Diagnostic]:
-    taken = _binary_fields(device)
+    binary_uses = _binary_fields(device)
     for link in device.links.values():
         yield from _sent_twice(device, link)
     for fact, value in values(device):
@@ -51,7 +51,7 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
         if isinstance(fact, Part):
             yield from _of_part(fact, value)
             continue
-        use = taken.get(id(fact)) or _use(fact, value)
+        use = binary_uses.get(id(fact)) or _use(fact, value)
         if use:
             text = f"{fact.name} {use}, and is sent as digits"
             yield finding(
@@ -70,8 +70,8 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
         if digits and digits != BCD:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
             help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
-            there = label(link.place, "encoding", "sends every byte as two characters")
-            yield finding(_CODE, fact.place, "digits", text, help, there, severity=Severity.WARNING)
+            related_label = label(link.place, "encoding", "sends every byte as two characters")
+            yield finding(_CODE, fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
             return
 
 
@@ -112,8 +112,8 @@ def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif value.has_blanks or "padding" not in fact.place:
         return  # defaults of a group are those of the rows that they apply to
     elif value.width or value.digits != "decimal":
-        how = "varies in width" if value.width else f"is sent as {digits_text(value)}"
-        text = f"{fact.name} {how}, and blanks are those before decimal digits of a fixed length"
+        form = "varies in width" if value.width else f"is sent as {digits_text(value)}"
+        text = f"{fact.name} {form}, and blanks are those before decimal digits of a fixed length"
         help = "remove it"
     else:
         text = f"{fact.name} is sent as decimal digits, which have leading zeros where `padding` is left out"

@@ -30,8 +30,10 @@ def directions_agree(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
         parts = link.request, link.response
         names = [[(part.name, part_size(part)) for part in own] for own in parts]
-        both = any(message.is_requested and message.is_answered_on(link.name) for message in messages_on(device, link))
-        if not both or names[0] != names[1]:
+        has_exchange = any(
+            message.is_requested and message.is_answered_on(link.name) for message in messages_on(device, link)
+        )
+        if not has_exchange or names[0] != names[1]:
             continue
         differing = [pair for pair in zip(*parts, strict=True) if pair[0].role != pair[1].role]
         if not differing:
@@ -43,13 +45,12 @@ def directions_agree(device: Device) -> Iterator[Diagnostic]:
 
 def _roles(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]:
     """The finding of a part that is computed in one direction, and a number that users state in the other one."""
-    for own, other, way in ((request, response, "request"), (response, request, "response")):
+    for own, other, direction in ((request, response, "request"), (response, request, "response")):
         if own.role in _COMPUTED and _is_stated(other):
-            text = (
-                f"{own.name} is a {own.role} only in each {way} on {link.name}; users state it in the other direction"
-            )
-            there = label(own.place, "role", f"the role in each {way}")
-            yield finding(_CODE, other.place, "name", text, _HELP, there, severity=Severity.WARNING)
+            text = f"{own.name} is a {own.role} only in each {direction} on {link.name}; "
+            text += "users state it in the other direction"
+            related_label = label(own.place, "role", f"the role in each {direction}")
+            yield finding(_CODE, other.place, "name", text, _HELP, related_label, severity=Severity.WARNING)
 
 
 def _is_stated(part: Part) -> bool:
@@ -69,9 +70,9 @@ def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]
     if len(differing) == 1:
         key = "checksum" if differing == ["algorithm"] and "checksum" in response.place else differing[0]
         text = f"{request.name} of requests and of responses on {link.name} differ in `{key}`"
-        there = label(request.place, key if key in request.place else "name", "the part of requests")
-        at = key if key in response.place else "name"
-        yield finding(_CODE, response.place, at, text, _HELP, there, severity=Severity.WARNING)
+        related_label = label(request.place, key if key in request.place else "name", "the part of requests")
+        response_key = key if key in response.place else "name"
+        yield finding(_CODE, response.place, response_key, text, _HELP, related_label, severity=Severity.WARNING)
 
 
 def _keys(part: Part) -> dict[str, object]:

@@ -64,24 +64,24 @@ def _are_masks(values: list[int]) -> bool:
 def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Iterator[Diagnostic]:
     left = [hole for hole in missing(span, values) if not _covered(hole, declared)]
     if left:
-        behind = min((m for m in enum.members if m.value > left[0][1]), key=lambda member: member.value)
+        next_member = min((m for m in enum.members if m.value > left[0][1]), key=lambda member: member.value)
         yield finding(
             "enum_contiguous",
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",
             "transcribe the missing members, declare the values under `gaps` with a reason, or write `sparse: true`",
-            label(behind.place, "value", f"the next value is {behind.value}"),
+            label(next_member.place, "value", f"the next value is {next_member.value}"),
         )
 
 
 def _covered(hole: tuple[int, int], declared: tuple[tuple[int, int], ...]) -> bool:
     """Whether declared gaps fill a hole; those that touch each other count as one."""
-    at = hole[0]
+    next_value = hole[0]
     for low, high in sorted(declared):
-        if low <= at <= high:
-            at = high + 1
-    return at > hole[1]
+        if low <= next_value <= high:
+            next_value = high + 1
+    return next_value > hole[1]
 
 
 def _declared(enum: Enum) -> tuple[tuple[int, int], ...] | None:
@@ -91,9 +91,9 @@ def _declared(enum: Enum) -> tuple[tuple[int, int], ...] | None:
         match = _INTERVAL.fullmatch(part.strip())
         if match is None:
             return None
-        gaps.append((_number(match[1]), _number(match[2] or match[1])))
+        gaps.append((_parsed_number(match[1]), _parsed_number(match[2] or match[1])))
     return tuple(gaps)
 
 
-def _number(text: str) -> int:
+def _parsed_number(text: str) -> int:
     return int(text, 16) if "x" in text else int(text)

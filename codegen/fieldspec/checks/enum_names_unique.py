@@ -30,15 +30,15 @@ def enum_names_unique(device: Device) -> Iterator[Diagnostic]:
 
 def _of_aliases(enum: Enum) -> Iterator[Diagnostic]:
     """Aliases that are also the name of a member, or an alias of another one."""
-    named = {member.name: member for member in enum.members}
+    members_by_name = {member.name: member for member in enum.members}
     for member in enum.members:
         for alias in member.aliases:
-            other = named.setdefault(alias, member)
+            other = members_by_name.setdefault(alias, member)
             if other is not member or alias == member.name:
                 text = f"the alias `{alias}` of {member.name} is already a name of {other.name}"
-                there = label(other.place, "name", f"the value {other.value}")
+                related_label = label(other.place, "name", f"the value {other.value}")
                 help = "remove it from one of them"
-                yield finding("enum_names_unique", member.place, "aliases", text, help, there)
+                yield finding("enum_names_unique", member.place, "aliases", text, help, related_label)
 
 
 def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:

@@ -25,10 +25,10 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         enum = device.enums.get(value.enum)
         if enum is not None and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
-            out = [member for member in enum.members if _excluded(value, member)]
-            if out:
+            excluded = [member for member in enum.members if _excluded(value, member)]
+            if excluded:
                 key = "type" if value.ranges is None else range_key(fact.place)
-                yield _finding(fact, key, fact.name, out)
+                yield _finding(fact, key, fact.name, excluded)
     for flags in device.flags.values():
         for bit in flags.bits:
             enum = device.enums.get(bit.enum)
@@ -36,9 +36,9 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
             if wide := [member for member in members if not 0 <= member.value < 1 << min(bit.width, 64)]:
                 yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", wide)
             elif bit.ranges is not None:
-                out = [member for member in members if not member.unavailable and member.value not in bit.ranges]
-                if out:
-                    yield _finding(bit, range_key(bit.place), bit.name, out)
+                excluded = [member for member in members if not member.unavailable and member.value not in bit.ranges]
+                if excluded:
+                    yield _finding(bit, range_key(bit.place), bit.name, excluded)
 
 
 def _excluded(value: Value, member: Member) -> bool:
@@ -49,7 +49,7 @@ def _excluded(value: Value, member: Member) -> bool:
     return all(sentinel.value != member.value for sentinel in value.sentinels)
 
 
-def _finding(fact: Fact, key: str, what: str, out: list[Member]) -> Diagnostic:
-    text = f"{what} cannot hold {enumeration([f'{member.name} ({member.value})' for member in out])}"
-    there = label(out[0].place, "value", "listed here")
-    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", there)
+def _finding(fact: Fact, key: str, subject: str, members: list[Member]) -> Diagnostic:
+    text = f"{subject} cannot hold {enumeration([f'{member.name} ({member.value})' for member in members])}"
+    related_label = label(members[0].place, "value", "listed here")
+    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", related_label)

@@ -42,14 +42,14 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
             continue
         if example.id in refused:
             continue
-        asked = example if example.direction == "request" else device.examples.get(example.reply_to)
-        start = _number(device, message, access.start, asked) if asked is not None else None
+        request = example if example.direction == "request" else device.examples.get(example.reply_to)
+        start = _request_count(device, message, access.start, request) if request is not None else None
         if start is None:
             continue
         if example.direction == "request":
             yield from _accessed(device, addresses, access, start, message, example)
         writes = access.operation == "write"
-        data = _data(device, message, example) if bits is None else _bits(device, message, bits, example, asked)
+        data = _data(device, message, example) if bits is None else _bits(device, message, bits, example, request)
         for address, occupant, number in addresses.numbers(access.space, start, data):
             yield from _valued(occupant, address, number, legal, writes, example)
 
@@ -62,13 +62,13 @@ def _accessed(
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
     carried = len(_data(device, message, example)) // device.space(access.space).unit_size
-    count = carried or _number(device, message, access.count, example) or 1
+    count = carried or _request_count(device, message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
         if occupant.access == _REFUSED[access.operation]:
             deed = "reads" if access.operation == "read" else "writes"
             text = f"{example.id} {deed} {occupant.fact.name}, whose access is {occupant.access}"
-            there = label(occupant.holder.place, "access", "the access")
-            yield finding(_CODE, example.place, "values", text, "correct the frame or the access", there)
+            related_label = label(occupant.holder.place, "access", "the access")
+            yield finding(_CODE, example.place, "values", text, "correct the frame or the access", related_label)
 
 
 def _valued(
@@ -81,37 +81,37 @@ def _valued(
     name = f"{occupant.fact.name} at {hexadecimal(address)}"
     if number is None:
         text = f"{name} is not {digits_text(value)} in {example.id}"
-        there = label(occupant.fact.place, "digits", "its digits")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the digits", there)
+        related_label = label(occupant.fact.place, "digits", "its digits")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the digits", related_label)
         return
     if writes and value.const is not None and number != value.const:
         text = f"{name} is {number} in {example.id}, but can only be written with {value.const}"
-        there = label(occupant.fact.place, "const", "its constant")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the constant", there)
+        related_label = label(occupant.fact.place, "const", "its constant")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the constant", related_label)
         return
-    why = legal.objection(value, number, writes)
-    if why:
+    reason = legal.objection(value, number, writes)
+    if reason:
         own = SinglePrecision(number) if isinstance(number, float) and value.size == 4 else number
-        text = f"{name} is {own} in {example.id}, which {why}"
+        text = f"{name} is {own} in {example.id}, which {reason}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
-        there = label(occupant.fact.place, key, "its permitted values")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the range", there)
+        related_label = label(occupant.fact.place, key, "its permitted values")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the range", related_label)
 
 
-def _number(device: Device, message: Message, name: str, example: Example) -> int | None:
+def _request_count(device: Device, message: Message, name: str, example: Example) -> int | None:
     """The count of a field of the request."""
     field = next((field for field in message.request.fields if field.name == name), None)
     return in_counts(device, field.value, example.values.get(name)) if field is not None and field.value else None
 
 
-def _bits(device: Device, message: Message, access: RegisterAccess, example: Example, asked: Example | None) -> bytes:
+def _bits(device: Device, message: Message, access: RegisterAccess, example: Example, request: Example | None) -> bytes:
     """The bits that an example carries, a byte for each; none if it carries none, or if they cannot be read."""
     if (access.operation == "read") != (example.direction == "response"):
         return b""
     value = example.values.get(access.values)
     if access.set is not None:
         return bytes([{access.set: 1, access.clear: 0}[value]]) if value in (access.set, access.clear) else b""
-    count = _number(device, message, access.count, asked) if asked is not None else None
+    count = _request_count(device, message, access.count, request) if request is not None else None
     if not isinstance(value, list) or not all(isinstance(byte, int) and 0 <= byte <= 0xFF for byte in value):
         return b""
     return bytes(byte >> place & 1 for byte in value for place in range(8))[:count]

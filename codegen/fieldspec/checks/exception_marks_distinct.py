@@ -45,7 +45,7 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
             help = near(error.field, [other.name for other in record.fields])
             yield finding(_CODE, link.place, "exception_response", text, help, label(record.place, "name", record.name))
             continue
-        offset = next((at for other, at in sizes.offsets(record) if other is field), None)
+        offset = next((start for other, start in sizes.offsets(record) if other is field), None)
         constant = constant_at(field, offset, device.byte_order) if offset is not None else None
         if constant is None:
             text = f"{record.name}/{field.name} marks exception responses, but it is no constant at a fixed place"
@@ -64,25 +64,25 @@ def _apart(
     offset, size, order = place
     mark = number.to_bytes(size, "little" if order == "little" else "big")
     first: Field | None = None
-    for field, at in sizes.offsets(message.response):
+    for field, start in sizes.offsets(message.response):
         bounds = sizes.field(field)
-        if bounds is not None and at + bounds[1] <= offset:
+        if bounds is not None and start + bounds[1] <= offset:
             continue
-        if at >= offset + size or _is_another(device, field, at, offset, mark):
+        if start >= offset + size or _is_another(device, field, start, offset, mark):
             break
         first = first or field
-        if bounds is None or at + bounds[1] >= offset + size:
+        if bounds is None or start + bounds[1] >= offset + size:
             text = (
                 f"{message.name} may have {number:#x} in {first.name}, which marks exception responses on {link.name}"
             )
             help = "give the field another `const`, an enum that is not open, or a range without this number"
-            there = label(link.place, "exception_response", "exception responses")
-            yield finding(_CODE, first.place, "name", text, help, there)
+            related_label = label(link.place, "exception_response", "exception responses")
+            yield finding(_CODE, first.place, "name", text, help, related_label)
             break
 
 
-def _is_another(device: Device, field: Field, at: int, offset: int, mark: bytes) -> bool:
-    """Whether the bytes that a field, which begins at `at`, shares with those of the mark never are the mark's."""
+def _is_another(device: Device, field: Field, start: int, offset: int, mark: bytes) -> bool:
+    """Whether the bytes that a field, which begins at `start`, shares with those of the mark never are the mark's."""
     value = field.value
     if value is None or value.type.kind is not Kind.INTEGER or value.width or value.has_characters:
         return False
@@ -91,11 +91,11 @@ def _is_another(device: Device, field: Field, at: int, offset: int, mark: bytes)
     order, swapped = orders_of(value, device.byte_order, device.word_order)
     if swapped:
         return False
-    low, high = max(at, offset), min(at + value.size, offset + len(mark))
+    low, high = max(start, offset), min(start + value.size, offset + len(mark))
     own = mark[low - offset : high - offset]
-    behind = at + value.size - high if order == "big" else low - at
+    shift = start + value.size - high if order == "big" else low - start
     bits = int.from_bytes(own, "big" if order == "big" else "little")
-    return not any(_may_have(interval, value, 8 * behind, 8 * len(own), bits) for interval in _numbers(device, value))
+    return not any(_may_have(interval, value, 8 * shift, 8 * len(own), bits) for interval in _numbers(device, value))
 
 
 def _numbers(device: Device, value: Value) -> list[tuple[int, int]]:
@@ -116,12 +116,12 @@ def _may_have(interval: tuple[int, int], value: Value, shift: int, width: int, b
         return low != high or _bits(int.from_bytes(digits_bytes(value, low), "big"), shift, width) == bits
     if low < 0 <= high:
         return any(_may_have(part, value, shift, width, bits) for part in ((low, -1), (0, high)))
-    least = low % (1 << 8 * value.size)
-    most = least + high - low
-    above = least >> shift + width
+    lowest = low % (1 << 8 * value.size)
+    highest = lowest + high - low
+    above = lowest >> shift + width
     for upper in (above, above + 1):
         first = (upper << width | bits) << shift
-        if max(first, least) <= min(first + (1 << shift) - 1, most):
+        if max(first, lowest) <= min(first + (1 << shift) - 1, highest):
             return True
     return False
 

@@ -54,12 +54,12 @@ def _of_field(
 ) -> Iterator[Diagnostic]:
     """The findings of the exponent of a field, which is another field or a register. `tables` have its record."""
     name = field.value.scale_by if field.value is not None else ""
-    beside, register = layer.named(name), registers.get(name)
-    if beside is not None and register is not None:
+    sibling, register = layer.named(name), registers.get(name)
+    if sibling is not None and register is not None:
         text = f"both a field of {layer.name} and a register have the name {name}"
         yield finding(_CODE, field.place, "scale_by", text, "rename one of them")
-    elif beside is not None:
-        yield from _unfit(field, beside, _no_exponent_beside(field, beside))
+    elif sibling is not None:
+        yield from _unfit(field, sibling, _no_exponent_beside(field, sibling))
     elif register is not None:
         wrong = _no_register(register)
         for table in tables:
@@ -69,7 +69,7 @@ def _of_field(
 
 
 def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
-    """The findings of what has its scale elsewhere."""
+    """The findings of a value that takes its scale from an exponent and cannot do so."""
     if value.type.kind is not Kind.INTEGER:
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
         yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
@@ -81,13 +81,13 @@ def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
 
 def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Iterator[Diagnostic]:
     if wrong:
-        what = "register" if isinstance(exponent, Register) else "field"
+        kind = "register" if isinstance(exponent, Register) else "field"
         text = f"{exponent.name} cannot be the exponent of {fact.name}: {wrong}"
-        yield finding(_CODE, fact.place, "scale_by", text, f"name the {what} with the power of ten")
+        yield finding(_CODE, fact.place, "scale_by", text, f"name the {kind} with the power of ten")
 
 
 def _no_exponent(device: Device, register: Register, exponent: Register) -> str:
-    """Why a register is not the exponent of another one; empty where it may be."""
+    """The reason why a register cannot be the exponent of another one; empty where it can."""
     if exponent is register:
         return "it is the register itself"
     if device.space_name(exponent.space) != device.space_name(register.space):
@@ -96,7 +96,7 @@ def _no_exponent(device: Device, register: Register, exponent: Register) -> str:
 
 
 def _no_register(exponent: Register) -> str:
-    """Why a register is no exponent; empty where it may be one."""
+    """The reason why a register cannot be an exponent; empty where it can."""
     if not _is_number(exponent.value):
         return _NO_NUMBER
     if exponent.count > 1:

@@ -67,14 +67,14 @@ def nested_fields(device: Device, outer: Sequence[Field]) -> Iterator[Field]:
 
     The fields of a record come once, so this ends where a record contains itself, and where many hold the same one.
     """
-    seen: set[str] = set()
+    visited: set[str] = set()
     waiting = [*reversed(outer)]
     while waiting:
         field = waiting.pop()
         yield field
         record = device.records.get(field.record)
-        if record is not None and record.name not in seen:
-            seen.add(record.name)
+        if record is not None and record.name not in visited:
+            visited.add(record.name)
             waiting += reversed(record.fields)
 
 

@@ -81,9 +81,9 @@ def outside(ranges: Ranges | None, low: int, high: int) -> bool:
     return ranges is not None and any(a < low or b > high for a, b in ranges.intervals)
 
 
-def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
+def missing(ranges: Ranges, numbers: Collection[int]) -> list[tuple[int, int]]:
     """The parts of the intervals that none of the values lies in, in order."""
-    known = merged((value, value) for value in have)
+    known = merged((value, value) for value in numbers)
     return [hole for low, high in sorted(ranges.intervals) for hole in uncovered(low, high, known)]
 
 
@@ -106,10 +106,10 @@ def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
     ends: list[int] = []
     before: list[int] = []
     for index, number in enumerate(numbers):
-        at = bisect_left(tails, number + 1)
-        before.append(ends[at - 1] if at else -1)
-        tails[at : at + 1] = [number]
-        ends[at : at + 1] = [index]
+        length = bisect_left(tails, number + 1)
+        before.append(ends[length - 1] if length else -1)
+        tails[length : length + 1] = [number]
+        ends[length : length + 1] = [index]
     ascent = set()
     index = ends[-1] if ends else -1
     while index >= 0:

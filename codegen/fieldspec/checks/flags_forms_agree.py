@@ -44,9 +44,9 @@ def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Di
     ):
         if mine != theirs:
             text = f"{bit.name} has {theirs} in {other.name} and {mine} in {word.name}, forms of one word"
-            there = label(same.place, key if key in same.place else "name", f"in {other.name}")
+            related_label = label(same.place, key if key in same.place else "name", f"in {other.name}")
             help = "correct one of them, or allow it with a reason"
-            yield finding(_CODE, bit.place, key, text, help, there)
+            yield finding(_CODE, bit.place, key, text, help, related_label)
 
 
 def _place(bit: Bit) -> str:

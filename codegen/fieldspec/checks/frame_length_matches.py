@@ -37,11 +37,11 @@ def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
 def _compare_lengths(
     message: Message, direction: str, printed: int, data: Record, links: list[Shape], sizes: RecordSizes
 ) -> Iterator[Diagnostic]:
-    both = sizes.bounds(data)
-    if both is None or not links:
+    bounds = sizes.bounds(data)
+    if bounds is None or not links:
         return
-    lengths = [(link.length(both[0]), link.length(both[1])) for link in links]
-    if both[0] == both[1] and any(printed == least for least, _ in lengths):
+    lengths = [(link.length(bounds[0]), link.length(bounds[1])) for link in links]
+    if bounds[0] == bounds[1] and any(printed == minimum for minimum, _ in lengths):
         return
     actual = " or ".join(sorted({interval(*pair) for pair in lengths}))
     yield finding(

@@ -26,18 +26,18 @@ def gaps_declared(device: Device) -> Iterator[Diagnostic]:
     extent = list(extents(device))
     for group in device.groups:
         own = device.space_name(group.space)
-        taken = merged((first, last) for space, first, last in extent if space == own)
+        occupied = merged((first, last) for space, first, last in extent if space == own)
         if group.ascending and group.registers:
-            yield from _undeclared(group, taken)
-        yield from _wrong(group, taken)
+            yield from _undeclared(group, occupied)
+        yield from _wrong(group, occupied)
 
 
-def _undeclared(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
+def _undeclared(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterator[Diagnostic]:
     # A row that breaks the order is addresses_ascending's; it would make one more hole.
     ascent = longest_ascent([row.address for row in group.registers])
     rows = [row for number, row in enumerate(group.registers) if number in ascent]
     declared = (pair for gap in group.gaps for pair in gap.addresses.intervals)
-    known = merged([*taken, *declared])
+    known = merged([*occupied, *declared])
     ends = rows[0]
     for row in rows[1:]:
         if row.address > ends.end:
@@ -46,10 +46,10 @@ def _undeclared(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[
         ends = max(ends, row, key=lambda register: register.end)
 
 
-def _hole(group: RegisterGroup, before: Register, behind: Register, low: int, high: int) -> Diagnostic:
+def _hole(group: RegisterGroup, before: Register, following: Register, low: int, high: int) -> Diagnostic:
     return finding(
         "gaps_declared",
-        behind.place,
+        following.place,
         "at",
         f"no register and no gap of {group.name} contains {addresses(low, high)}",
         "correct an address or a number of words, or declare the addresses under `gaps` with a reason",
@@ -57,7 +57,7 @@ def _hole(group: RegisterGroup, before: Register, behind: Register, low: int, hi
     )
 
 
-def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
+def _wrong(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterator[Diagnostic]:
     help = "a gap contains only unused addresses between the rows of its group"
     if not group.registers:
         return
@@ -68,6 +68,6 @@ def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagn
             if low < first or high > last:
                 text = f"the gap {addresses(low, high)} goes beyond the group at {addresses(first, last)}"
                 yield finding("gaps_declared", gap.place, "at", text, help)
-            elif uncovered(low, high, taken) != [(low, high)]:
+            elif uncovered(low, high, occupied) != [(low, high)]:
                 text = f"the gap {addresses(low, high)} contains a register or table"
                 yield finding("gaps_declared", gap.place, "at", text, help)

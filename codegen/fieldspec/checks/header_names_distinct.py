@@ -32,9 +32,9 @@ def header_names_distinct(device: Device) -> Iterator[Diagnostic]:
                     if part is not None and id(field) not in reported:
                         reported.add(id(field))
                         text = f"{field.name} has the name of a part before the body in the {direction}s of {link.name}"
-                        there = label(part.place, "name", "the part")
+                        related_label = label(part.place, "name", "the part")
                         help = "rename one of them; its `printed_name` keeps the word of the manual"
-                        yield finding("header_names_distinct", field.place, "name", text, help, there)
+                        yield finding("header_names_distinct", field.place, "name", text, help, related_label)
 
 
 def _header(parts: Sequence[Part]) -> Sequence[Part]:

@@ -58,16 +58,16 @@ def _printed(device: Device) -> Iterator[tuple[Place, str, str]]:
 
 def _shorter(word: str) -> Iterator[str]:
     """A word without one of its letters, unless that is doubled."""
-    for at, letter in enumerate(word):
-        if letter.casefold() not in word[max(at - 1, 0) : at].casefold() + word[at + 1 : at + 2].casefold():
-            yield word[:at] + word[at + 1 :]
+    for index, letter in enumerate(word):
+        if letter.casefold() not in word[max(index - 1, 0) : index].casefold() + word[index + 1 : index + 2].casefold():
+            yield word[:index] + word[index + 1 :]
 
 
 def _swapped(word: str) -> Iterator[str]:
     """A word with two neighbouring letters in the other order."""
-    for at in range(len(word) - 1):
-        if word[at] != word[at + 1]:
-            yield word[:at] + word[at + 1] + word[at] + word[at + 2 :]
+    for index in range(len(word) - 1):
+        if word[index] != word[index + 1]:
+            yield word[:index] + word[index + 1] + word[index] + word[index + 2 :]
 
 
 def _misspelt(word: str, other: str) -> bool:
@@ -79,12 +79,12 @@ def _misspelt(word: str, other: str) -> bool:
 def _finding(used: _Used, word: str, other: str) -> Diagnostic:
     """A finding at the rarer of two words; or at the shorter, or at the later one."""
     rare, usual = sorted((word, other), key=lambda spelling: (len(used[spelling]), len(spelling)))
-    (place, key), (there, its_key) = used[rare][0], used[usual][0]
+    (place, key), (usual_place, its_key) = used[rare][0], used[usual][0]
     return finding(
         "identifiers_consistent",
         place,
         key,
         f"`{rare}` differs from `{usual}` by one letter",
         "use one spelling, or allow it with a reason",
-        label(there, its_key, f"`{usual}`"),
+        label(usual_place, its_key, f"`{usual}`"),
     )

@@ -28,9 +28,9 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
         fact = by_path.get(erratum.fact.partition("/restated/")[0])
         if fact is not None and not fact.inferred and _inferred_key(fact):
             text = f"the print is {erratum.illegible}, but no key of {fact.name} is inferred"
-            there = label(fact.place, _inferred_key(fact), "read into the print")
+            related_label = label(fact.place, _inferred_key(fact), "read into the print")
             help = "add the reason under `inferred`"
-            yield finding("illegible_inferred", erratum.place, "illegible", text, help, there)
+            yield finding("illegible_inferred", erratum.place, "illegible", text, help, related_label)
 
 
 def _inferred_key(fact: Fact) -> str:

@@ -46,8 +46,8 @@ _HELP = {
 def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         kind = value.type.kind
-        more = _OF_BITS if value.type.name == BIT else ()
-        for key in dict.fromkeys((*_UNFIT.get(kind, ()), *more)):
+        bit_keys = _OF_BITS if value.type.name == BIT else ()
+        for key in dict.fromkeys((*_UNFIT.get(kind, ()), *bit_keys)):
             if _has(value, key) and not (key == "byte_order" and value.has_order):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])

@@ -30,8 +30,8 @@ def keys_have_effect(device: Device) -> Iterator[Diagnostic]:
         # A trigger is read as something else than what is written.
         if value.const is not None and value.default is not None and not getattr(fact, "trigger", False):
             text = f"{fact.name} is always {value.const}, so that a default has no effect"
-            there = label(fact.place, "const", "the constant")
-            yield finding(_CODE, fact.place, default_key(fact.place), text, "remove one of them", there)
+            related_label = label(fact.place, "const", "the constant")
+            yield finding(_CODE, fact.place, default_key(fact.place), text, "remove one of them", related_label)
         # The manual may print a unit for an address that it does not explain: such rows are documented as printed.
         if isinstance(fact, Field) or (isinstance(fact, Part) and fact.role == "plain"):
             yield from _reserved(fact, fact.reserved)

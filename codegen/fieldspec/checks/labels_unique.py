@@ -26,9 +26,9 @@ _WORDS = {"printed_name": "printed name", "label": "label"}
 def labels_unique(device: Device) -> Iterator[Diagnostic]:
     originals = {register.name: register for register in device.registers()}
     for rows in lists(device):
-        meant = [row for row in rows if not getattr(row, "reserved", False) and not _as_original(row, originals)]
+        own_rows = [row for row in rows if not getattr(row, "reserved", False) and not _as_original(row, originals)]
         for key in _WORDS:
-            yield from _of_key(meant, key)
+            yield from _of_key(own_rows, key)
 
 
 def _as_original(row: Fact, originals: Mapping[str, Register]) -> bool:

@@ -59,24 +59,26 @@ def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Dia
     if field.value is None or field.measures is None or field.value.type.kind is not Kind.INTEGER:
         return
     if field.measures.of == "bytes":
-        both = sizes.field(measured)
+        bounds = sizes.field(measured)
     elif measured.repeat is not None:
-        both = measured.repeat.low, measured.repeat.high
+        bounds = measured.repeat.low, measured.repeat.high
     else:
-        both = measured.count or 1, measured.count or 1
-    if both is None:
+        bounds = measured.count or 1, measured.count or 1
+    if bounds is None:
         return
-    least, most = (size + field.measures.plus for size in both)
-    what = "bytes" if field.measures.of == "bytes" else "elements"
-    there = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
+    minimum, maximum = (size + field.measures.plus for size in bounds)
+    unit = "bytes" if field.measures.of == "bytes" else "elements"
+    related_label = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
     plus = f" plus {field.measures.plus}" if field.measures.plus else ""
-    text = f"{field.name} counts {interval(least, most)} {what} of {measured.name}{plus}"
-    if least < 0:
+    text = f"{field.name} counts {interval(minimum, maximum)} {unit} of {measured.name}{plus}"
+    if minimum < 0:
         help = "correct `plus` or the number of elements"
-        yield finding(_CODE, field.place, "measures", f"{text}, but no number of {what} is below zero", help, there)
-    if most > field.value.type.high:
+        yield finding(
+            _CODE, field.place, "measures", f"{text}, but no number of {unit} is below zero", help, related_label
+        )
+    if maximum > field.value.type.high:
         text += f", but the maximum of {field.value.type.name} is {field.value.type.high}"
-        yield finding(_CODE, field.place, "type", text, _HELP, there)
+        yield finding(_CODE, field.place, "type", text, _HELP, related_label)
 
 
 def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Frame]:
@@ -94,31 +96,31 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
             if part.role != "length" or part.value is None or part.value.type.kind is not Kind.INTEGER:
                 continue
             for name, place, key, record in data:
-                both = sizes.bounds(record)
-                if both is not None:
-                    least, most = (shape.span_size(part, size) for size in both)
-                    yield _Frame(name, place, key, part, part.value, least, most)
+                bounds = sizes.bounds(record)
+                if bounds is not None:
+                    minimum, maximum = (shape.span_size(part, size) for size in bounds)
+                    yield _Frame(name, place, key, part, part.value, minimum, maximum)
 
 
 def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
-    """Whether a length part holds what it counts of the frames with some data."""
-    value, unit, part, what = frame.value, frame.part.unit_size, frame.part, frame.name
+    """The findings of a length part that cannot have the length of frames with some data."""
+    value, unit, part, frame_name = frame.value, frame.part.unit_size, frame.part, frame.name
     low, high = (value.low, value.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
-    there = label(part.place, "type", part.name)
+    related_label = label(part.place, "type", part.name)
     longest, shortest = -(-frame.most // unit) + part.plus, frame.least // unit + part.plus
     if longest > high:
-        text = f"{part.name} would be {longest} in the longest {what}"
+        text = f"{part.name} would be {longest} in the longest {frame_name}"
         if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
-            text = f"the longest {what} has {longest} bytes"
+            text = f"the longest {frame_name} has {longest} bytes"
         text = f"{text}; the maximum of {part.name} is {high}"
-        yield finding(_CODE, frame.place, frame.key, text, _help(part), there)
+        yield finding(_CODE, frame.place, frame.key, text, _help(part), related_label)
     if shortest < low:
-        text = f"{part.name} would be {shortest} in the shortest {what}; its minimum is {low}"
-        yield finding(_CODE, frame.place, frame.key, text, _help(part), there)
+        text = f"{part.name} would be {shortest} in the shortest {frame_name}; its minimum is {low}"
+        yield finding(_CODE, frame.place, frame.key, text, _help(part), related_label)
 
 
 def _help(part: Part) -> str:
-    """What to correct for a length part that cannot hold what it counts."""
+    """The help for a length part that cannot have the length of its frames."""
     return "correct `plus`, the number of elements or the type" if part.plus else _HELP
 
 

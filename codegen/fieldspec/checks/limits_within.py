@@ -36,15 +36,16 @@ def limits_within(device: Device) -> Iterator[Diagnostic]:
         bound = limits.get(limit.within)
         if bound is None or limit.most is None or bound.most is None:
             continue
-        there = label(bound.place, "max" if "max" in bound.place else "value", "the bound")
+        related_label = label(bound.place, "max" if "max" in bound.place else "value", "the bound")
         if limit.unit != bound.unit:
             text = f"{limit.name} is in {limit.unit or 'no unit'}, {bound.name} in {bound.unit or 'no unit'}"
-            yield finding("limits_within", limit.place, "unit", text, "state both in the same unit", there)
+            yield finding("limits_within", limit.place, "unit", text, "state both in the same unit", related_label)
             continue
-        more, frame = _transmission(device, limit)
-        if limit.most + more > bound.most:
-            text = f"{limit.name} goes to {limit.most + more} {limit.unit}{frame}, and {bound.name} to {bound.most}"
-            yield finding("limits_within", limit.place, "within", text, "correct one of them", there)
+        transmission, frame = _transmission(device, limit)
+        if limit.most + transmission > bound.most:
+            text = f"{limit.name} goes to {limit.most + transmission} {limit.unit}{frame}, "
+            text += f"and {bound.name} to {bound.most}"
+            yield finding("limits_within", limit.place, "within", text, "correct one of them", related_label)
 
 
 def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
@@ -55,7 +56,7 @@ def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
     from fractions import Fraction
 
     sizes = RecordSizes(device)
-    longest, taken = 0, Fraction(0)
+    longest, longest_time = 0, Fraction(0)
     for shape in shapes(device, limit.transmits):
         serial = shape.link.serial
         if serial is None or not serial.baud or min(serial.baud) <= 0:
@@ -66,9 +67,11 @@ def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
             bounds = sizes.bounds(message.request if limit.transmits == "request" else message.response)
             length = shape.length(bounds[1]) if bounds is not None else 0
             time = Fraction(length * bits * scale, min(serial.baud))
-            if time > taken:
-                longest, taken = length, time
-    return round(Decimal(taken.numerator) / taken.denominator, 2), f" with a {limit.transmits} of {longest} bytes"
+            if time > longest_time:
+                longest, longest_time = length, time
+    return round(
+        Decimal(longest_time.numerator) / longest_time.denominator, 2
+    ), f" with a {limit.transmits} of {longest} bytes"
 
 
 def _sum(limit: Limit, parts: list[Limit]) -> Iterator[Diagnostic]:
@@ -76,8 +79,8 @@ def _sum(limit: Limit, parts: list[Limit]) -> Iterator[Diagnostic]:
     for part in parts:
         if part.most is None or part.unit != limit.unit:
             text = f"{part.name} has no maximum in {limit.unit or 'no unit'} to add"
-            there = label(part.place, "name", "a part of the sum")
-            yield finding("limits_within", limit.place, "sum_of", text, "name limits of the same unit", there)
+            related_label = label(part.place, "name", "a part of the sum")
+            yield finding("limits_within", limit.place, "sum_of", text, "name limits of the same unit", related_label)
             return
     total = sum(part.most for part in parts if part.most is not None)
     if limit.most is not None and parts and total != limit.most:

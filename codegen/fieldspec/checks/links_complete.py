@@ -61,7 +61,7 @@ def _marked(link: Link) -> Iterator[Diagnostic]:
     error = link.exception_response
     if error is None or error.normal is None:
         return
-    body = next((at for at, part in enumerate(link.response) if part.role == "body"), len(link.response))
+    body = next((index for index, part in enumerate(link.response) if part.role == "body"), len(link.response))
     names = [part.name for part in link.response[:body]]
     part = next((part for part in link.response[:body] if part.name == error.part), None)
     if part is None:
@@ -82,20 +82,20 @@ def _marked(link: Link) -> Iterator[Diagnostic]:
 
 def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
     """A link without codes carries one message, or messages that are known to have none."""
-    sent = messages_on(device, link)
-    odd = next((message for message in sent if message.code is not None or not message.links), None)
-    if len(sent) > 1 and odd is not None and not coded(link):
-        text = f"the link {link.name} has no code in its requests, but it has {len(sent)} messages"
-        what = "has a code" if odd.code is not None else "does not say on which links it is sent"
-        there = label(odd.place, "code" if odd.code is not None else "name", f"{odd.name} {what}")
+    messages = messages_on(device, link)
+    odd = next((message for message in messages if message.code is not None or not message.links), None)
+    if len(messages) > 1 and odd is not None and not coded(link):
+        text = f"the link {link.name} has no code in its requests, but it has {len(messages)} messages"
+        description = "has a code" if odd.code is not None else "does not say on which links it is sent"
+        related_label = label(odd.place, "code" if odd.code is not None else "name", f"{odd.name} {description}")
         help = "add the role `code` to the part with the code, or add `links` to the messages and remove their codes"
-        yield finding(_CODE, link.place, "request", text, help, there)
+        yield finding(_CODE, link.place, "request", text, help, related_label)
 
 
 def _frame(link: Link, direction: str) -> str:
     """What findings call a frame: the same for both directions where the spec states them once."""
-    both = "request" in link.place and link.place["request"] == link.place["response"]
-    return f"the frame of {link.name}" if both else f"the {direction} of {link.name}"
+    is_common = "request" in link.place and link.place["request"] == link.place["response"]
+    return f"the frame of {link.name}" if is_common else f"the {direction} of {link.name}"
 
 
 _REPEATED = {
@@ -150,8 +150,8 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
         enum = device.enums.get(part.value.enum)
         if enum is not None and not enum.open:
             text = f"the enum {enum.name} of the part {part.name} is closed, but frames can contain other values"
-            there = label(enum.place, "name", "the enum")
-            yield finding(_CODE, part.place, "enum", text, "set `open: true` on the enum", there)
+            related_label = label(enum.place, "name", "the enum")
+            yield finding(_CODE, part.place, "enum", text, "set `open: true` on the enum", related_label)
     elif kind.kind is not Kind.INTEGER:
         text = f"the {role} {part.name} is {kind.name}, which is not a number"
         yield finding(_CODE, part.place, "type", text, "use an integer type")
@@ -219,7 +219,7 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
     for name, part in checks.items():
         first, last = link.span(direction, part) or (0, -1)
         covered[name] = {inner.name for inner in parts[first : last + 1]} & checks.keys() - {name}
-    while ready := [name for name, others in covered.items() if not others & covered.keys()]:
+    while ready := [name for name, inner_names in covered.items() if not inner_names & covered.keys()]:
         for name in ready:
             del covered[name]
     for name in list(covered)[:1]:
@@ -232,25 +232,27 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
 def _of_sent_bytes(link: Link, direction: str) -> Iterator[Diagnostic]:
     """Whether no checksum of original bytes covers a part of those that are sent, as each would depend on the other."""
     parts, (start, stop) = link.parts(direction), link.escaped_span(direction) or (0, -1)
-    of_original = [start <= at <= stop or part.span.before_escape for at, part in enumerate(parts)]
-    of_sent = [at for at, part in enumerate(parts) if part.role in ("length", "checksum") and not of_original[at]]
-    for at, part in enumerate(parts):
+    of_original = [start <= index <= stop or part.span.before_escape for index, part in enumerate(parts)]
+    of_sent = [
+        index for index, part in enumerate(parts) if part.role in ("length", "checksum") and not of_original[index]
+    ]
+    for index, part in enumerate(parts):
         first, last = link.span(direction, part) or (0, -1)
-        covered = next((parts[at] for at in of_sent if first <= at <= last), None)
-        if part.role == "checksum" and of_original[at] and covered is not None:
+        covered = next((parts[index] for index in of_sent if first <= index <= last), None)
+        if part.role == "checksum" and of_original[index] and covered is not None:
             is_length = covered.role == "length"
             text = f"{part.name} covers the bytes before they are escaped, but {covered.name} "
             text += "counts what is sent" if is_length else "covers what is sent"
-            there = label(covered.place, "name", f"the {covered.role}")
+            related_label = label(covered.place, "name", f"the {covered.role}")
             help = f"leave the {covered.role} out under `covers`, or escape both parts or neither of them"
-            yield finding(_CODE, part.place, "name", text, help, there)
+            yield finding(_CODE, part.place, "name", text, help, related_label)
 
 
 def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
     """Whether `before_escape` changes anything: where bytes are escaped, for a part that is not escaped itself."""
     start, stop = link.escaped_span(direction) or (0, -1)
-    for at, part in enumerate(link.parts(direction)):
-        if part.span.before_escape and (link.escape is None or link.is_can or start <= at <= stop):
+    for index, part in enumerate(link.parts(direction)):
+        if part.span.before_escape and (link.escape is None or link.is_can or start <= index <= stop):
             key = "counts" if part.role == "length" else "covers"
             text = f"`before_escape` has no effect: {part.name} is escaped itself, so that it is of the original bytes"
             if link.escape is None or link.is_can:
@@ -266,8 +268,13 @@ def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
     if escape is None or (escape.method != "cobs" and escape.pairs != SLIP):
         return
     first, last = link.escaped_span(direction) or (0, len(parts) - 1)
-    beside = [part.value for at, part in enumerate(parts) if not first <= at <= last and part.value is not None]
-    marks = [*link.delimiters(direction), *(_constant_bytes(value) for value in beside if value.const is not None)]
+    unescaped_values = [
+        part.value for index, part in enumerate(parts) if not first <= index <= last and part.value is not None
+    ]
+    marks = [
+        *link.delimiters(direction),
+        *(_constant_bytes(value) for value in unescaped_values if value.const is not None),
+    ]
     if not any(mark in delimiter for delimiter in marks) and not (whole and link.delimiters(direction)[1]):
         name = "COBS" if escape.method == "cobs" else "SLIP"
         text = f"{name} keeps {mark:02X} out of {_frame(link, direction)}, but no such byte marks where it ends"
@@ -304,7 +311,7 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
     for end in dict.fromkeys((link.end, link.response_end)):
         # A mark of several bytes, and one that is doubled within frames, differ from what is sent for a byte.
         pairs = [pair for pair in escape.pairs if len(set(pair)) > 1] if len(end) == 1 else []
-        escape_bytes = {byte for _, *sent in pairs for byte in sent}
+        escape_bytes = {byte for _, *replacement in pairs for byte in replacement}
         bounded = {"replace": bool(end) and end[0] in {byte for byte, _, _ in escape.pairs} - escape_bytes}
         bounded |= {"cobs": end[:1] == b"\0", "insert": True, "add": False}
         if whole and end and not bounded[escape.method]:

@@ -31,29 +31,31 @@ def lookups_agree(device: Device) -> Iterator[Diagnostic]:
     earlier: dict[tuple[str, str], list[tuple[Lookup, _Cells]]] = {}
     for lookup in device.lookups:
         reported: set[int] = set()
-        for (at, key), (of, column) in permutations(enumerate(lookup.columns), 2):
-            cells = _by_key(lookup, at, of)
+        for (key_index, key), (column_index, column) in permutations(enumerate(lookup.columns), 2):
+            cells = _by_key(lookup, key_index, column_index)
             if len(cells) < _FEWEST:
                 continue
-            others = earlier.setdefault((key.name, column.name), [])
-            for other, theirs in others[-_COMPARED:]:
+            earlier_tables = earlier.setdefault((key.name, column.name), [])
+            for other, theirs in earlier_tables[-_COMPARED:]:
                 yield from _compare_cells(f"{column.name} of {key.name}", cells, theirs, other, reported)
-            others.append((lookup, cells))
+            earlier_tables.append((lookup, cells))
 
 
-def _by_key(lookup: Lookup, at: int, of: int) -> _Cells:
+def _by_key(lookup: Lookup, key_index: int, column_index: int) -> _Cells:
     """The cells of one column by those of another, or nothing where these do not tell the rows apart."""
     cells: _Cells = {}
     for row in lookup.rows:
-        key = row.cells[at]
+        key = row.cells[key_index]
         if key in cells:
             return {}
         if key is not None:
-            cells[key] = row.cells[of], row
+            cells[key] = row.cells[column_index], row
     return cells
 
 
-def _compare_cells(what: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]) -> Iterator[Diagnostic]:
+def _compare_cells(
+    subject: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]
+) -> Iterator[Diagnostic]:
     common = [key for key in cells if key in theirs]
     odd = [key for key in common if cells[key][0] != theirs[key][0]]
     if len(common) - len(odd) < _FEWEST or len(odd) * _SMALL > len(common):
@@ -62,7 +64,7 @@ def _compare_cells(what: str, cells: _Cells, theirs: _Cells, other: Lookup, repo
         (mine, row), (their, their_row) = cells[key], theirs[key]
         if id(row) not in reported:
             reported.add(id(row))
-            text = f"the {what} {key} is {mine}, but {their} in {other.name}, which otherwise agrees"
+            text = f"the {subject} {key} is {mine}, but {their} in {other.name}, which otherwise agrees"
             help = "correct one of the cells, or allow the difference with a reason"
-            there = label(their_row.place, "cells", f"the row of {other.name}")
-            yield finding("lookups_agree", row.place, "cells", text, help, there)
+            related_label = label(their_row.place, "cells", f"the row of {other.name}")
+            yield finding("lookups_agree", row.place, "cells", text, help, related_label)

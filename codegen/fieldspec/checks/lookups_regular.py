@@ -28,8 +28,8 @@ _FEWEST_STEPS = 4
 
 def lookups_regular(device: Device) -> Iterator[Diagnostic]:
     for lookup in device.lookups:
-        for at, column in enumerate(lookup.columns):
-            cells = [row.cells[at] for row in lookup.rows if at < len(row.cells)]
+        for index, column in enumerate(lookup.columns):
+            cells = [row.cells[index] for row in lookup.rows if index < len(row.cells)]
             numbers = [cell for cell in cells if isinstance(cell, int) and not isinstance(cell, bool)]
             if len(numbers) == len(lookup.rows) >= _FEWEST:
                 yield from _of_column(lookup, column.name, numbers)
@@ -41,9 +41,9 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
             for index, right in odd.items():
                 row, before = lookup.rows[index], lookup.rows[index - 1]
                 text = f"{name} is {numbers[index]}, but its column continues with {right}"
-                there = label(before.place, "cells", "the row before")
+                related_label = label(before.place, "cells", "the row before")
                 help = "correct the cell, or allow it with a reason"
-                yield finding("lookups_regular", row.place, "cells", text, help, there)
+                yield finding("lookups_regular", row.place, "cells", text, help, related_label)
             return
 
 

@@ -40,14 +40,14 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
-    """What a number that encoders compute cannot be."""
+    """The findings of a field that measures another one and is not a number that encoders compute."""
     assert field.measures is not None
-    what = f"{field.name} counts {field.measures.of} of {field.measures.field}"
+    statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
     if value.type.kind is not Kind.INTEGER:
-        yield finding(_CODE, field.place, "type", f"{what}, and is {value.type.name}", "use a whole number")
+        yield finding(_CODE, field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
     for key in _KEYS:
         if key in field.place:
-            text = f"{what}, which encoders compute, so that `{key}` does not apply"
+            text = f"{statement}, which encoders compute, so that `{key}` does not apply"
             yield finding(_CODE, field.place, key, text, "remove it, or remove `measures`")
 
 

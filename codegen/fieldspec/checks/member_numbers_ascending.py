@@ -32,15 +32,15 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
         other = first.setdefault(number, member)
         if other is not member:
             text = f"{enum.name} has the number {number} twice, as {other.name} and as {member.name}"
-            there = label(other.place, "number", other.name)
-            yield finding(_CODE, member.place, "number", text, "correct one of the numbers", there)
+            related_label = label(other.place, "number", other.name)
+            yield finding(_CODE, member.place, "number", text, "correct one of the numbers", related_label)
     ascent = longest_ascent([number for number, _ in rows])
     if (len(rows) - len(ascent)) * _SMALL > len(rows):
         return
     for index, (number, member) in enumerate(rows):
         if index not in ascent:
             last, other = rows[index - 1] if index else rows[1]
-            where = "after" if index else "before"
+            relation = "after" if index else "before"
             text = f"{member.name} has the number {number}, which breaks the order of {enum.name}"
-            there = label(other.place, "number", f"it is listed {where} {other.name}, {last}")
-            yield finding(_CODE, member.place, "number", text, "correct the number", there)
+            related_label = label(other.place, "number", f"it is listed {relation} {other.name}, {last}")
+            yield finding(_CODE, member.place, "number", text, "correct the number", related_label)

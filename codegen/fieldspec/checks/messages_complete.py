@@ -75,22 +75,22 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
 
 def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
     """What the device sends of its own accord is known without a request."""
-    sent = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
+    answered_messages = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
     is_coded = any(part.role == "code" for part in link.response)
-    for message in (message for message in sent if not message.is_requested):
+    for message in (message for message in answered_messages if not message.is_requested):
         if not is_coded:
             text = f"nothing tells that a frame on {link.name} is {message.name}, which only the device sends"
             help = "give a part of `response` the role `code`, or name under `links` only links without codes"
             yield finding(_CODE, message.place, "requested", text, help)
             continue
         code = message.code_of("response")
-        same = [other for other in sent if other is not message and other.code_of("response") == code]
+        same = [other for other in answered_messages if other is not message and other.code_of("response") == code]
         places = [_places(device, sizes, other.response) for other in (message, *same)]
         if same and distinct_place(places) is None:
             text = f"nothing tells {message.name} from the response to {same[0].name}, and only the device sends it"
             help = "correct one of the codes, or give each of them a field with a `const` at the same place"
-            there = label(same[0].place, "code", same[0].name)
-            yield finding(_CODE, message.place, "requested", text, help, there)
+            related_label = label(same[0].place, "code", same[0].name)
+            yield finding(_CODE, message.place, "requested", text, help, related_label)
 
 
 def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, Numbers]:
@@ -105,8 +105,8 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
         other = first.setdefault(message.number, message) if message.number is not None else message
         if other is not message:
             text = f"{message.name} and {other.name} have the number {message.number}"
-            there = label(other.place, "number", other.name)
-            yield finding(_CODE, message.place, "number", text, "correct one of the numbers", there)
+            related_label = label(other.place, "number", other.name)
+            yield finding(_CODE, message.place, "number", text, "correct one of the numbers", related_label)
 
 
 def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -118,8 +118,8 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
         if link is not None and not sent_on(link, message):
             text = f"{message.name} is answered on {name}, but not sent there"
             yield finding(_CODE, message.place, "answered_on", text, "leave the link out, or add it to `links`")
-    sent = [link.name for link in device.links.values() if sent_on(link, message)]
-    silent = [name for name in sent if not message.is_answered_on(name)]
+    link_names = [link.name for link in device.links.values() if sent_on(link, message)]
+    silent = [name for name in link_names if not message.is_answered_on(name)]
     if not silent:
         return
     for key, accesses in (("accesses", (message.accesses,)), ("access_steps", message.access_steps)):
@@ -157,8 +157,8 @@ def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]
             continue
         apart = not any(sent_on(link, message) and sent_on(link, other) for link in device.links.values())
         if apart or other.supplements:
-            why = "no link carries both" if apart else "that message is never sent alone either"
-            text = f"{message.name} is sent beside {name}, but {why}"
-            there = label(other.place, "supplements" if other.supplements else "name", name)
+            reason = "no link carries both" if apart else "that message is never sent alone either"
+            text = f"{message.name} is sent beside {name}, but {reason}"
+            related_label = label(other.place, "supplements" if other.supplements else "name", name)
             help = "name messages of the same link that are sent alone"
-            yield finding(_CODE, message.place, "supplements", text, help, there)
+            yield finding(_CODE, message.place, "supplements", text, help, related_label)

@@ -29,14 +29,14 @@ _RESERVED = frozenset(word for target in TARGETS.values() for word in target.wor
 
 
 def names_unique(device: Device) -> Iterator[Diagnostic]:
-    for what, named in _spaces(device):
-        yield from _apart(what, named)
+    for space_name, names in _spaces(device):
+        yield from _apart(space_name, names)
     yield from _elements(device)
     yield from _paths(device)
 
 
 def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
-    """Every space of names, with what it holds."""
+    """All spaces of names, each with the names in it and their places."""
     yield "registers", ((register.name, register.place) for register in device.registers())
     yield "groups", ((group.name, group.place) for group in device.groups)
     yield "types", _types(device)
@@ -71,8 +71,8 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
     for parameter_set in device.parameters.values():
         yield parameter_set.name, ((parameter.name, parameter.place) for parameter in parameter_set.parameters)
         for parameter in parameter_set.parameters:
-            named = [inner for inner in parameter.subindices if inner.name]
-            yield f"the elements of {parameter.name}", ((inner.name, inner.place) for inner in named)
+            named_elements = [inner for inner in parameter.subindices if inner.name]
+            yield f"the elements of {parameter.name}", ((inner.name, inner.place) for inner in named_elements)
 
 
 def _types(device: Device) -> Iterator[_Named]:
@@ -85,17 +85,17 @@ def _types(device: Device) -> Iterator[_Named]:
         yield f"{message.name}_response", message.place
 
 
-def _apart(what: str, named: Iterable[_Named]) -> Iterator[Diagnostic]:
+def _apart(space_name: str, names: Iterable[_Named]) -> Iterator[Diagnostic]:
     first: dict[str, _Named] = {}
-    for name, place in named:
+    for name, place in names:
         for case in _cases(name):
-            other, there = first.setdefault(case, (name, place))
-            if there is not place or other != name:
+            other, other_place = first.setdefault(case, (name, place))
+            if other_place is not place or other != name:
                 if other == name:
-                    text = f"two of {what} have the name `{name}`"
+                    text = f"two of {space_name} have the name `{name}`"
                 else:
-                    text = f"`{name}` and `{other}` of {what} become the same name in an output"
-                there_too = label(there, "name", f"`{other}`")
+                    text = f"`{name}` and `{other}` of {space_name} become the same name in an output"
+                there_too = label(other_place, "name", f"`{other}`")
                 yield finding("names_unique", place, "name", text, "rename one of them", there_too)
                 break
 
@@ -121,8 +121,8 @@ def _paths(device: Device) -> Iterator[Diagnostic]:
         group = groups.get(register.name)
         if group is not None:
             text = f"`registers/{register.name}` is the path of a register and of a group"
-            there = label(group.place, "group", "the group")
-            yield finding("names_unique", register.place, "name", text, "rename one of them", there)
+            related_label = label(group.place, "group", "the group")
+            yield finding("names_unique", register.place, "name", text, "rename one of them", related_label)
 
 
 def _elements(device: Device) -> Iterator[Diagnostic]:
@@ -135,5 +135,5 @@ def _elements(device: Device) -> Iterator[Diagnostic]:
             continue
         if array.index_from <= int(number) < array.index_from + array.count:
             text = f"`{register.name}` is also an element of the array `{stem}`"
-            there = label(array.place, "name", f"it has {array.count} elements")
-            yield finding("names_unique", register.place, "name", text, "rename one of them", there)
+            related_label = label(array.place, "name", f"it has {array.count} elements")
+            yield finding("names_unique", register.place, "name", text, "rename one of them", related_label)

@@ -98,12 +98,12 @@ def _of_fields(
 
 def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, texts: Mapping[str, object]) -> Case | None:
     """The case that the written value of the deciding field chooses."""
-    by = next((field for field in fields if field.name == choice.by), None)
-    enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
+    selector = next((field for field in fields if field.name == choice.by), None)
+    enum = device.enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
     text = texts.get(choice.by)
-    if enum is None or by is None or by.value is None:
+    if enum is None or selector is None or selector.value is None:
         return None
-    count = in_counts(device, by.value, text)
+    count = in_counts(device, selector.value, text)
     member = enum.member(count) if count is not None else enum.named(str(text))
     return next((case for case in choice.cases if member is not None and member.name in case.when), None)
 
@@ -119,7 +119,7 @@ def in_counts(device: Device, value: Value, text: object) -> int | None:
     return value.from_unit(number) if number is not None else None
 
 
-def no_plain_number(register: Register, meaning: str) -> str:
+def number_objection(register: Register, meaning: str) -> str:
     """Why a register has no whole number that can be read, such as an address; empty where it has."""
     value = register.value
     if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:

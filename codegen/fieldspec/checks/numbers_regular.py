@@ -32,19 +32,20 @@ def numbers_regular(device: Device) -> Iterator[Diagnostic]:
             other = first.setdefault(number, row)
             if other is not row:
                 text = f"{other.name} and {row.name} have the number {number}"
-                there = label(other.place, "number", other.name)
-                yield finding(_CODE, row.place, "number", text, _HELP, there)
+                related_label = label(other.place, "number", other.name)
+                yield finding(_CODE, row.place, "number", text, _HELP, related_label)
         yield from _uneven(list(first.items()))
 
 
 def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
-    """Rows that are not where most of them say."""
+    """The findings of rows whose address is not the one that most rows give their number."""
     if len(rows) < 2:
         return
     from fractions import Fraction
 
     steps = Counter(
-        Fraction(behind.address - before.address, number - last) for (last, before), (number, behind) in pairwise(rows)
+        Fraction(following.address - before.address, number - last)
+        for (last, before), (number, following) in pairwise(rows)
     )
     step, _ = steps.most_common(1)[0]
     bases = Counter(row.address - step * number for number, row in rows)
@@ -53,7 +54,7 @@ def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
     for number, row in rows:
         right = base + step * number
         if row.address != right:
-            where = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
-            text = f"{row.name} is number {number} at {hexadecimal(row.address)}, but the others give {where}"
-            there = label(usual.place, "number", f"{usual.name} is one of the others")
-            yield finding(_CODE, row.place, "at", text, _HELP, there)
+            right_place = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
+            text = f"{row.name} is number {number} at {hexadecimal(row.address)}, but the others give {right_place}"
+            related_label = label(usual.place, "number", f"{usual.name} is one of the others")
+            yield finding(_CODE, row.place, "at", text, _HELP, related_label)

@@ -44,8 +44,8 @@ class Addresses:
         self._fields: dict[str, dict[int, list[tuple[Field, int]]]] = {}
         for table in device.tables.values():
             placed = self._fields.setdefault(table.name, {})
-            for field, at in self._placed(device.records.get(table.record), 0):
-                placed.setdefault(at // 2, []).append((field, at % 2))
+            for field, offset in self._placed(device.records.get(table.record), 0):
+                placed.setdefault(offset // 2, []).append((field, offset % 2))
 
     def _placed(self, record: Record | None, start: int) -> Iterator[tuple[Field, int]]:
         """The values in a record with their offsets in bytes, those in inner records and in lists too."""
@@ -55,11 +55,11 @@ class Addresses:
         for field, offset in self._sizes.offsets(record):
             element = self._sizes.element(field)
             for number in range(field.count or 1) if element else ():
-                at = start + offset + number * (element or 0)
+                element_offset = start + offset + number * (element or 0)
                 if field.record:
-                    yield from self._placed(self._device.records.get(field.record), at)
+                    yield from self._placed(self._device.records.get(field.record), element_offset)
                 else:
-                    yield field, at
+                    yield field, element_offset
 
     def at(self, space: str, address: int) -> list[Addressed]:
         """The values that begin at an address of a space; an empty name means the first space.

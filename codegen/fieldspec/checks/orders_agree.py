@@ -36,14 +36,14 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
             if getattr(link, key) != getattr(ordered[0], key):
                 text = f"the links {ordered[0].name} and {link.name} have different orders"
                 help = "a device has one order; correct one of the links"
-                there = label(ordered[0].place, key, f"in {ordered[0].name}")
-                yield finding(_CODE, link.place, key, text, help, there)
+                related_label = label(ordered[0].place, key, f"in {ordered[0].name}")
+                yield finding(_CODE, link.place, key, text, help, related_label)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
             if value.has_words and not value.word_order and not isinstance(fact, Part):
                 text = f"{fact.name} has several words, but no link states the word order"
-                there = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
-                yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", there)
+                related_label = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
+                yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", related_label)
                 return
     for link in links:
         yield from _in_words(device, link)
@@ -64,13 +64,13 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
                     continue
                 text = f"{field.name} has several words, but {link.name} does not state the word order"
                 if isinstance(field, Field) and field.word_span is not None:
-                    there = label(field.place, "word_span", "the words")
-                    yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", there)
+                    related_label = label(field.place, "word_span", "the words")
+                    yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", related_label)
                     return
                 if other is not None:
-                    there = label(other.place, "word_order", f"{other.name} exchanges the words")
+                    related_label = label(other.place, "word_order", f"{other.name} exchanges the words")
                     help = "add `word_order` to the value, or to the link for all values of several words"
-                    yield finding(_CODE, field.place, "type", text, help, there)
+                    yield finding(_CODE, field.place, "type", text, help, related_label)
                     return
 
 

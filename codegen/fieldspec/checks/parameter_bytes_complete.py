@@ -72,14 +72,14 @@ def _of_field(device: Device, record: Record, field: Field) -> Iterator[Diagnost
         yield finding(_CODE, field.place, "parameter", text, "remove `sizes`, or use `part: value` and `type: bytes`")
         return
     before = {own.name: own for own in record.fields[: record.fields.index(field)]}
-    by = before.get(part.sizes.by)
-    if by is None:
+    selector = before.get(part.sizes.by)
+    if selector is None:
         text = f"there is no field `{part.sizes.by}` before {field.name}"
         yield finding(_CODE, field.place, "parameter", text, near(part.sizes.by, before))
         return
-    enum = device.enums.get(by.value.enum) if by.value is not None else None
-    if enum is None or by.count is not None or by.repeat is not None:
-        text = f"{by.name} has no enum that says how many bytes of {field.name} count"
+    enum = device.enums.get(selector.value.enum) if selector.value is not None else None
+    if enum is None or selector.count is not None or selector.repeat is not None:
+        text = f"{selector.name} has no enum that says how many bytes of {field.name} count"
         yield finding(_CODE, field.place, "parameter", text, "give it an `enum`, and name its members in the cases")
         return
     yield from _of_sizes(field, value.size, part.sizes, enum)
@@ -110,14 +110,16 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
     """The values of a set against the numbers of bytes that messages read and write."""
     names = (parameter_set.name, parameter_set.space)
     messages = device.messages.values()
-    answered = (_carrier(message.response, names) for message in messages)
-    asked = (_carrier(message.request, names) for message in messages)
+    response_carriers = (_carrier(message.response, names) for message in messages)
+    request_carriers = (_carrier(message.request, names) for message in messages)
     pieces = {
         "read" if message.segments.reads else "write"
         for message in messages
         if message.segments is not None and _numbers(message.request, names)
     }
-    reads, writes = ([field for field in fields if field is not None] for fields in (answered, asked))
+    reads, writes = (
+        [field for field in fields if field is not None] for fields in (response_carriers, request_carriers)
+    )
     for carriers, verb, may in ((reads, "read", readable), (writes, "write", writable)):
         own = [_sizes(field) for field in carriers]
         # Any message may read a value, and the one with the right number of bytes writes it.
@@ -125,11 +127,11 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
         for parameter in parameter_set.parameters if carriers else ():
             for fact, value, access in _elements(parameter):
                 if may(access or "rw") and value.size not in sizes and verb not in pieces:
-                    have = plural(value.size, "byte")
-                    text = f"{fact.name or parameter.name} has {have}, and no message can {verb} as many"
-                    there = label(carriers[0].place, "name", "a field with the values of these parameters")
+                    actual_size = plural(value.size, "byte")
+                    text = f"{fact.name or parameter.name} has {actual_size}, and no message can {verb} as many"
+                    related_label = label(carriers[0].place, "name", "a field with the values of these parameters")
                     help = "correct the type, or state a message that carries it, or `segments` for values in pieces"
-                    yield finding(_CODE, fact.place, "type", text, help, there)
+                    yield finding(_CODE, fact.place, "type", text, help, related_label)
 
 
 def _carrier(record: Record, names: tuple[str, ...]) -> Field | None:

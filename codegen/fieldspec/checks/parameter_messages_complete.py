@@ -54,9 +54,9 @@ def _carried(device: Device) -> _Signals:
 
 def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Iterator[Diagnostic]:
     for name, signals in carried.items():
-        within = [message for message in parameter.messages if carried.get(message) and carried[message] <= signals]
-        if name not in parameter.messages and within:
-            text = f"{parameter.name} has an effect with {within[0]}, and {name} carries all of its signals"
+        narrower = [message for message in parameter.messages if carried.get(message) and carried[message] <= signals]
+        if name not in parameter.messages and narrower:
+            text = f"{parameter.name} has an effect with {narrower[0]}, and {name} carries all of its signals"
             yield _finding(device, parameter, name, text)
 
 
@@ -73,6 +73,6 @@ def _referring(
 
 
 def _finding(device: Device, parameter: Parameter, name: str, text: str) -> Diagnostic:
-    there = label(device.messages[name].place, "name", name)
+    related_label = label(device.messages[name].place, "name", name)
     help = "add the message under `messages`, or allow it with a reason"
-    return finding(_CODE, parameter.place, "messages", text, help, there)
+    return finding(_CODE, parameter.place, "messages", text, help, related_label)

@@ -26,7 +26,7 @@ _FEW = 4
 def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
     for parameter_set in device.parameters.values():
         pairs = list(pairwise(parameter_set.parameters))
-        skips = sum(behind.number > before.number + before.count for before, behind in pairs)
+        skips = sum(following.number > before.number + before.count for before, following in pairs)
         holes_meant = parameter_set.numbers is not None or skips * _FEW > len(pairs)
         for before, parameter in pairs:
             number, last = parameter.number, before.number + before.count - 1
@@ -38,5 +38,5 @@ def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
             else:
                 text = f"parameter {number} is listed after {last}"
                 help = "correct one of the numbers"
-            there = label(before.place, "number", f"the one before is {last}")
-            yield finding("parameter_numbers_ascending", parameter.place, "number", text, help, there)
+            related_label = label(before.place, "number", f"the one before is {last}")
+            yield finding("parameter_numbers_ascending", parameter.place, "number", text, help, related_label)

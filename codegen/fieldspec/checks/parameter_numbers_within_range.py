@@ -46,33 +46,35 @@ def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
     numbers = parameter_set.numbers
     if numbers is None:
         return
-    inside = merged(numbers.intervals)
+    permitted = merged(numbers.intervals)
     for parameter in parameter_set.parameters:
         last = parameter.number + parameter.count - 1
-        if not any(low <= parameter.number and last <= high for low, high in inside):
+        if not any(low <= parameter.number and last <= high for low, high in permitted):
             text = f"{parameter_set.name} has the numbers {numbers.text()}, not {interval(parameter.number, last)}"
-            there = label(parameter_set.place, "numbers", "the numbers")
-            yield finding(_CODE, parameter.place, "number", text, "correct the number or the set", there)
+            related_label = label(parameter_set.place, "numbers", "the numbers")
+            yield finding(_CODE, parameter.place, "number", text, "correct the number or the set", related_label)
 
 
 def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
     """Whether a field has one value for each number of a set, and each parameter has one value."""
-    have = sum(parameter.count for parameter in parameter_set.parameters)
+    parameter_count = sum(parameter.count for parameter in parameter_set.parameters)
     ranges = field.repeat or Ranges(((field.count or 1, field.count or 1),))
-    if merged(ranges.intervals) != [(have, have)]:
-        many = f"{ranges.text()} {'value' if ranges.text() == '1' else 'values'}"
-        text = f"{field.name} has {many}, but {parameter_set.name} has {plural(have, 'parameter')}"
+    if merged(ranges.intervals) != [(parameter_count, parameter_count)]:
+        value_count = f"{ranges.text()} {'value' if ranges.text() == '1' else 'values'}"
+        text = f"{field.name} has {value_count}, but {parameter_set.name} has {plural(parameter_count, 'parameter')}"
         key = "repeat" if field.repeat is not None else "count" if field.count is not None else "name"
         instead = " instead of `repeat`" if key == "repeat" else ""
-        help = f"state `count: {have}`{instead}" if have > 1 else f"remove `{key}`"
+        help = f"state `count: {parameter_count}`{instead}" if parameter_count > 1 else f"remove `{key}`"
         help += ", or correct the list"
         yield finding(_CODE, field.place, key, text, help, _list(parameter_set))
-    parameter = next((each for each in parameter_set.parameters if each.elements or each.subindices), None)
+    parameter = next(
+        (candidate for candidate in parameter_set.parameters if candidate.elements or candidate.subindices), None
+    )
     if parameter is not None:
         text = f"{field.name} has one value for each parameter, but {parameter.name} has elements"
         help = "read the elements by messages of their own, or state them as parameters"
-        there = label(parameter.place, "elements" if parameter.elements else "subindices", "the elements")
-        yield finding(_CODE, field.place, "parameter", text, help, there)
+        related_label = label(parameter.place, "elements" if parameter.elements else "subindices", "the elements")
+        yield finding(_CODE, field.place, "parameter", text, help, related_label)
 
 
 def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
@@ -80,10 +82,10 @@ def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSe
     if value.type.kind is not Kind.INTEGER:
         return
     numbers = wire_numbers(sets)
-    taken = merged(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
-    refused = [hole for low, high in numbers for hole in uncovered(low, high, taken)]
+    permitted = merged(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
+    refused = [hole for low, high in numbers for hole in uncovered(low, high, permitted)]
     unlisted = (
-        [hole for low, high in taken for hole in uncovered(low, high, numbers)] if value.ranges is not None else []
+        [hole for low, high in permitted for hole in uncovered(low, high, numbers)] if value.ranges is not None else []
     )
     if refused or unlisted:
         faults = []

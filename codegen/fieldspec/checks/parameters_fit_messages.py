@@ -49,9 +49,9 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
                 stated.add(parameter.place["type"])  # a type may be stated once for all parameters
                 field = known[0][1]
                 text = f"{parameter.name} has {parameter.value.size} bytes, which no message can carry"
-                there = label(field.place, "name", "a field with the values of these parameters")
+                related_label = label(field.place, "name", "a field with the values of these parameters")
                 help = "correct the type of the parameter or of the field"
-                yield finding(_CODE, parameter.place, "type", text, help, there, severity=Severity.WARNING)
+                yield finding(_CODE, parameter.place, "type", text, help, related_label, severity=Severity.WARNING)
 
 
 def _references(device: Device) -> Iterator[Diagnostic]:
@@ -59,9 +59,9 @@ def _references(device: Device) -> Iterator[Diagnostic]:
     for record in device.records.values():
         yield from _of_layer(device, record.fields, record.fields)
     for message in device.messages.values():
-        asked, answered = message.request.fields, message.response.fields
-        yield from _of_layer(device, asked, asked)
-        yield from _of_layer(device, answered, (*answered, *asked))
+        request_fields, response_fields = message.request.fields, message.response.fields
+        yield from _of_layer(device, request_fields, request_fields)
+        yield from _of_layer(device, response_fields, (*response_fields, *request_fields))
 
 
 def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]) -> Iterator[Diagnostic]:
@@ -73,11 +73,13 @@ def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]
             if key in field.place:
                 text = f"{field.name} is the {part.part} of a parameter of {part.set}, to which `{key}` does not apply"
                 yield finding(_CODE, field.place, key, text, f"remove `{key}`; the rows of {part.set} have such keys")
-        named = [other for other in known if other.name == part.number]
-        if named and not any(_has_number(device, other, part.set) for other in named):
+        number_fields = [other for other in known if other.name == part.number]
+        if number_fields and not any(_has_number(device, other, part.set) for other in number_fields):
             text = f"{part.number} has no number of {part.set}, of which {field.name} is the {part.part}"
             help = f"name a field with `parameter: {{set: {part.set}, part: number}}`"
-            yield finding(_CODE, field.place, "parameter", text, help, label(named[0].place, "name", "the field"))
+            yield finding(
+                _CODE, field.place, "parameter", text, help, label(number_fields[0].place, "name", "the field")
+            )
 
 
 def _has_number(device: Device, field: Field, name: str) -> bool:

@@ -55,5 +55,5 @@ def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Di
     for place, name in printed:
         if name and name.casefold() != right.casefold():
             text = f"{row.name} is printed as `{name}`, but its {key} gives `{right}`"
-            there = label(holder.place, "printed_as", "how it is printed")
-            yield finding(_CODE, place, "printed_name", text, f"correct the name or the {key}", there)
+            related_label = label(holder.place, "printed_as", "how it is printed")
+            yield finding(_CODE, place, "printed_name", text, f"correct the name or the {key}", related_label)

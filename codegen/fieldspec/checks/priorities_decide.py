@@ -30,19 +30,19 @@ def _of(lookup: Lookup) -> Iterator[Diagnostic]:
     first: dict[tuple[str, ...], tuple[str, LookupRow]] = {}
     for row in lookup.rows:
         for *states, result in _moments(row):
-            before, where = first.setdefault(tuple(states), (result, row))
+            before, first_row = first.setdefault(tuple(states), (result, row))
             if before != result:
                 text = f"{lookup.name} has {before} and {result} for {', '.join(states)}"
-                there = label(where.place, "cells", f"{before} here")
+                related_label = label(first_row.place, "cells", f"{before} here")
                 help = "correct the row, or write an erratum and add an allowance to the table"
-                yield finding("priorities_decide", row.place, "cells", text, help, there)
+                yield finding("priorities_decide", row.place, "cells", text, help, related_label)
                 break
 
 
 def _moments(row: LookupRow) -> Iterator[tuple[str, ...]]:
     """The states of all columns, moment by moment; a cell of one state has it in all of them."""
     cells = [[part.strip() for part in str(cell).split(_STEP)] for cell in row.cells]
-    most = max(len(cell) for cell in cells)
-    if most > 1 and all(len(cell) in (1, most) for cell in cells):
-        for at in range(most):
-            yield tuple(cell[at] if len(cell) > 1 else cell[0] for cell in cells)
+    moment_count = max(len(cell) for cell in cells)
+    if moment_count > 1 and all(len(cell) in (1, moment_count) for cell in cells):
+        for index in range(moment_count):
+            yield tuple(cell[index] if len(cell) > 1 else cell[0] for cell in cells)

@@ -56,10 +56,10 @@ def _inferred(fact: Fact) -> Iterator[Diagnostic]:
 
 def _standard(fact: Fact) -> Iterator[Diagnostic]:
     for key, standard in fact.standard.items():
-        for what, text in (("name", standard.name), ("clause", standard.clause)):
+        for key_name, text in (("name", standard.name), ("clause", standard.clause)):
             if not text.strip():
-                text = f"the standard for `{key}` of {fact.name} has no {what}"
-                yield finding(_RULE, fact.place, "standard", text, f"add its {what}")
+                text = f"the standard for `{key}` of {fact.name} has no {key_name}"
+                yield finding(_RULE, fact.place, "standard", text, f"add its {key_name}")
         if not has_key(fact, key):
             text = f"{fact.name} has no `{key}` for the standard to define"
             yield finding(_RULE, fact.place, "standard", text, "add it, or remove the standard")
@@ -73,10 +73,10 @@ def _reported(fact: Fact) -> Iterator[Diagnostic]:
         if not report.values:
             text = f"the report about {fact.name} states no value"
             yield finding(_RULE, report.place, "by", text, "add the unit, the scale, or another reported value")
-        for what, text in (("by", report.by), ("how", report.how)):
+        for key_name, text in (("by", report.by), ("how", report.how)):
             if not text.strip():
-                text = f"the report about {fact.name} has no `{what}`"
-                yield finding(_RULE, report.place, what, text, "name the program or the person, and where it shows")
+                text = f"the report about {fact.name} has no `{key_name}`"
+                yield finding(_RULE, report.place, key_name, text, "name the program or the person, and where it shows")
         for key in report.values:
             if key != "doc" and key in fact.place:
                 text = f"`{key}` of {fact.name} is reported, but the fact has it too"

@@ -24,11 +24,11 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
         enum = device.enums.get(value.enum)
         if enum is None or enum.open or value.ranges is None:
             continue
-        named = [
+        named_numbers = [
             *(member.value for member in enum.members),
             *(sentinel.value for sentinel in value.sentinels),
         ]
-        holes = missing(value.ranges, named)
+        holes = missing(value.ranges, named_numbers)
         if holes:
             yield finding(
                 "range_within_enum",

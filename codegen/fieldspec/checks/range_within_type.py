@@ -39,12 +39,12 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
             yield from _of_float(fact, value)
     for flags in device.flags.values():
         if flags.type.kind in _WHOLE and outside(flags.ranges, flags.type.low, flags.type.high):
-            text = f"{flags.name} cannot be {_text(flags.ranges)} as {_type_range(flags.type)}"
+            text = f"{flags.name} cannot be {_ranges_text(flags.ranges)} as {_type_range(flags.type)}"
             yield finding("range_within_type", flags.place, "range", text, _HELP)
         for bit in flags.bits:
             if outside(bit.ranges, bit.low, bit.high):
                 bits = f"{bit.width} bits{' with a sign' * bit.signed}, which have the range {bit.low}..{bit.high}"
-                text = f"{bit.name} cannot be {_text(bit.ranges)} as {bits}"
+                text = f"{bit.name} cannot be {_ranges_text(bit.ranges)} as {bits}"
                 help = "correct the range, or the number of bits"
                 yield finding("range_within_type", bit.place, range_key(bit.place), text, help)
     for link in device.links.values():
@@ -53,7 +53,7 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if outside(value.ranges, value.low, value.high):
-        text = f"{fact.name} cannot be {_text(value.ranges)} as {_range_of(value)}"
+        text = f"{fact.name} cannot be {_ranges_text(value.ranges)} as {_range_of(value)}"
         yield finding("range_within_type", fact.place, range_key(fact.place), text, _HELP)
     for sentinel in value.sentinels:
         if not value.low <= sentinel.value <= value.high:
@@ -124,7 +124,7 @@ def _of_unit_addresses(link: Link) -> Iterator[Diagnostic]:
     if link.unit_addresses is None or part is None or part.value is None or part.value.type.kind not in _WHOLE:
         return
     if outside(link.unit_addresses.ranges, part.value.low, part.value.high):
-        text = f"{part.name} cannot be {_text(link.unit_addresses.ranges)} as {_range_of(part.value)}"
+        text = f"{part.name} cannot be {_ranges_text(link.unit_addresses.ranges)} as {_range_of(part.value)}"
         yield finding("range_within_type", link.unit_addresses.place, "range", text, _HELP)
 
 
@@ -139,5 +139,5 @@ def _range_of(value: Value) -> str:
     return f"{digits_text(value)}, which {verb} the range {value.low}..{value.high}"
 
 
-def _text(ranges: Ranges | None) -> str:
+def _ranges_text(ranges: Ranges | None) -> str:
     return ranges.text() if ranges else ""

@@ -33,13 +33,13 @@ def record_size_matches(device: Device) -> Iterator[Diagnostic]:
 def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
     size = sizes.named(record.name)
     fields = label(record.place, "fields", "the fields")
-    for key, printed, noun, each in (("size", record.size, "byte", 1), ("words", record.words, "word", 2)):
+    for key, printed, noun, unit_size in (("size", record.size, "byte", 1), ("words", record.words, "word", 2)):
         if printed is None or record.name in sizes.endless:
             continue
         if size is None:
             text = f"{record.name} is printed with {plural(printed, noun)}, but its size is not fixed"
             yield finding(_CODE, record.place, key, text, "remove the size or the repetition", fields)
-        elif printed * each != size:
+        elif printed * unit_size != size:
             text = f"{record.name} is printed with {plural(printed, noun)}, but its fields have {plural(size, 'byte')}"
             yield finding(_CODE, record.place, key, text, "correct a field or the size", fields)
 
@@ -52,15 +52,15 @@ def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterat
         text = f"elements of {table.name} are {record.name}, whose size is not fixed"
         yield finding(_CODE, table.place, "record", text, "a table holds records of a fixed size")
         return
-    there = label(record.place, "fields", f"the fields have {plural(size, 'byte')}")
+    related_label = label(record.place, "fields", f"the fields have {plural(size, 'byte')}")
     if size % 2:
         text = f"elements of {table.name} have {plural(size, 'byte')}, which is not a whole number of words"
-        yield finding(_CODE, table.place, "record", text, "correct a field", there)
+        yield finding(_CODE, table.place, "record", text, "correct a field", related_label)
         return
     if table.words is not None and table.words != size // 2:
         text = f"elements of {table.name} are printed with {plural(table.words, 'word')}"
         text += f", but {record.name} has {size // 2}"
-        yield finding(_CODE, table.place, "words", text, "correct a field or the words", there)
+        yield finding(_CODE, table.place, "words", text, "correct a field or the words", related_label)
     if table.count > 1 and table.stride < size // 2:
         text = f"elements of {table.name} have {plural(size // 2, 'word')}, but the stride is {table.stride}"
-        yield finding(_CODE, table.place, "stride", text, "correct a field or the stride", there)
+        yield finding(_CODE, table.place, "stride", text, "correct a field or the stride", related_label)

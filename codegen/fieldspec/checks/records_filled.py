@@ -31,7 +31,9 @@ def records_filled(device: Device) -> Iterator[Diagnostic]:
     for name, record in empty.items():
         if name in users:
             place, user = users[name]
-            there = label(record.place, "fields", name)
-            yield finding(_CODE, place, "record", f"{user} has no bytes, because {name} has no fields", _HELP, there)
+            related_label = label(record.place, "fields", name)
+            yield finding(
+                _CODE, place, "record", f"{user} has no bytes, because {name} has no fields", _HELP, related_label
+            )
         elif name not in excepted:
             yield finding(_CODE, record.place, "fields", f"{name} has no fields", _HELP)

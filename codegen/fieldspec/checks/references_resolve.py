@@ -63,9 +63,9 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(table.place, "space", "address space", table.space, device.spaces)
         yield from _named(table.place, "record", "record", table.record, device.records)
     for link in device.links.values():
-        asked = {part.name for part in link.request if part.role == "plain" and not part.reserved}
+        request_parts = {part.name for part in link.request if part.role == "plain" and not part.reserved}
         for part in link.response:
-            yield from _named(part.place, "same_as", "part of the request", part.same_as, asked)
+            yield from _named(part.place, "same_as", "part of the request", part.same_as, request_parts)
         for part in link.request:
             if part.same_as:
                 text = f"the part {part.name} of a request repeats nothing"
@@ -119,9 +119,9 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _of_example(device, example)
 
 
-def _named(place: Place, key: str, what: str, name: str, known: Collection[str]) -> Iterator[Diagnostic]:
+def _named(place: Place, key: str, kind: str, name: str, known: Collection[str]) -> Iterator[Diagnostic]:
     if name and name not in known:
-        text = f"there is no {what} `{name}`"
+        text = f"there is no {kind} `{name}`"
         yield finding("references_resolve", place, key, text, near(name, known))
 
 
@@ -136,15 +136,15 @@ def _of_exponents(layer: Record, registers: Collection[str]) -> Iterator[Diagnos
 def _holder(path: str) -> str:
     """The path of the fact that holds what a path names; most paths name facts themselves."""
     steps = path.split("/")
-    end = next((at for at in range(2, len(steps)) if steps[at] in _PARTS), len(steps))
+    end = next((index for index in range(2, len(steps)) if steps[index] in _PARTS), len(steps))
     return "/".join(steps[:end])
 
 
 def _check_names(
-    place: Place, key: str, what: str, names: Iterable[str], known: Collection[str]
+    place: Place, key: str, kind: str, names: Iterable[str], known: Collection[str]
 ) -> Iterator[Diagnostic]:
     for name in names:
-        yield from _named(place, key, what, name, known)
+        yield from _named(place, key, kind, name, known)
 
 
 def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diagnostic]:
@@ -178,9 +178,9 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
 
 def _of_access(device: Device, message: Message, key: str, access: RegisterAccess | None) -> Iterator[Diagnostic]:
     if access is not None:
-        asked = {field.name for field in message.request.fields}
-        answered = {field.name for field in message.response.fields}
-        holder = answered if access.operation == "read" else asked
+        request_names = {field.name for field in message.request.fields}
+        response_names = {field.name for field in message.response.fields}
+        holder = response_names if access.operation == "read" else request_names
         place = message.place
         space = access.space
         if space and space not in device.spaces and is_imported(place, device):
@@ -190,7 +190,7 @@ def _of_access(device: Device, message: Message, key: str, access: RegisterAcces
         else:
             yield from _named(place, key, "address space", space, device.spaces)
         for name in (access.start, access.count, access.and_mask, access.or_mask):
-            yield from _named(place, key, "field of the request", name, asked)
+            yield from _named(place, key, "field of the request", name, request_names)
         yield from _named(place, key, "field", access.values, holder)
 
 
@@ -205,18 +205,18 @@ def _codes(device: Device, record: Record) -> frozenset[str]:
 
 
 def _within(
-    device: Device, layer: Record, asked: Record | None, codes: frozenset[str] = frozenset()
+    device: Device, layer: Record, request: Record | None, codes: frozenset[str] = frozenset()
 ) -> Iterator[Diagnostic]:
     """References of a layer's fields: to the layer itself, and to what was asked.
 
     `codes` are the parts of a request with its code, which exception responses may repeat.
     """
     own = {field.name for field in layer.fields}
-    origin = {field.name for field in asked.fields} if asked is not None else codes
-    numbers = own | {field.name for field in asked.fields} if asked is not None else own
+    origin = {field.name for field in request.fields} if request is not None else codes
+    numbers = own | {field.name for field in request.fields} if request is not None else own
     for field in layer.fields:
         yield from _named(field.place, "record", "record", field.record, device.records)
-        if field.same_as and asked is None and not codes:
+        if field.same_as and request is None and not codes:
             text = f"{field.name} is in no response, and only responses repeat what was asked"
             yield finding("references_resolve", field.place, "same_as", text, "remove `same_as`")
         else:
@@ -225,21 +225,21 @@ def _within(
         if field.measures is not None:
             yield from _named(field.place, "measures", "field here", field.measures.field, own)
         for value in [field.value, *(case.value for case in cases(field))]:
-            yield from _number(field, value, numbers)
+            yield from _parameter_references(field, value, numbers)
         if field.choice is not None:
             yield from _named(field.place, "choice", "field here", field.choice.by, own)
             yield from _of_cases(device, layer.named(field.choice.by), field)
 
 
-def _of_cases(device: Device, by: Field | None, field: Field) -> Iterator[Diagnostic]:
-    enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
+def _of_cases(device: Device, selector: Field | None, field: Field) -> Iterator[Diagnostic]:
+    enum = device.enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
     if enum is not None:
         members = {member.name for member in enum.members}
         for case in cases(field):
             yield from _check_names(case.place, "when", f"member of {enum.name}", case.when, members)
 
 
-def _number(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
+def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
     part = value.parameter if value is not None else None
     if part is None or part.part not in ("value", "subindex"):
         return

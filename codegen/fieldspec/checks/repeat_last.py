@@ -51,8 +51,8 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
                     "list it with `repeat` in a message, and let one field of it, a `u8` or `u16`, count its last one"
                 )
                 ending = "repeats" if inner.fields[-1].repeat is not None else "varies in width"
-                there = label(inner.place, "fields", f"its last field {ending}")
-                yield finding(_CODE, field.place, "record", text, help, there)
+                related_label = label(inner.place, "fields", f"its last field {ending}")
+                yield finding(_CODE, field.place, "record", text, help, related_label)
 
 
 def _differing(layer: Record, field: Field) -> Iterator[Diagnostic]:
@@ -67,33 +67,38 @@ def _differing(layer: Record, field: Field) -> Iterator[Diagnostic]:
 
 def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Diagnostic]:
     """The findings of a list with fields behind it; `message` is the one of which the fields are the data."""
-    at = next(number for number, other in enumerate(layer.fields) if other is field)
-    behind = layer.fields[at + 1 :]
-    last = behind[-1]
+    index = next(number for number, other in enumerate(layer.fields) if other is field)
+    later_fields = layer.fields[index + 1 :]
+    last = later_fields[-1]
     counts = [other for other in layer.fields if other.measures is not None and other.measures.field == field.name]
     if message is None:
         text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
         help = "state its `count`, or list the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
         return
-    if not any(other in layer.fields[:at] for other in counts):
+    if not any(other in layer.fields[:index] for other in counts):
         text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
         return
-    following = next((other for other in behind if other.repeat is not None), None)
+    following = next((other for other in later_fields if other.repeat is not None), None)
     if following is not None and list_count(layer, field) is None:
-        count = next(other for other in layer.fields[:at] if other in counts)
+        count = next(other for other in layer.fields[:index] if other in counts)
         text = f"{count.name} counts {field.name}, which {following.name} follows, and is no binary `u8` or `u16`"
-        there = label(following.place, "repeat", "repeats too")
+        related_label = label(following.place, "repeat", "repeats too")
         yield finding(
-            _CODE, count.place, "type", text, "state the number as `u8` or `u16`, or a message of its own", there
+            _CODE,
+            count.place,
+            "type",
+            text,
+            "state the number as `u8` or `u16`, or a message of its own",
+            related_label,
         )
-    for other in behind:
+    for other in later_fields:
         if other.choice is not None:
             text = f"{other.name} has several types behind {field.name}, which repeats"
-            there = label(field.place, "repeat", "is counted by a field")
-            yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", there)
+            related_label = label(field.place, "repeat", "is counted by a field")
+            yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", related_label)
         for key in ("span", "word_span"):
             if key in other.place:
                 text = f"{other.name} has no place of its own, as {field.name} before it repeats"

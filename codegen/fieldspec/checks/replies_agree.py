@@ -31,35 +31,35 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
         request = device.examples.get(reply.reply_to)
         if request is None or request.direction != "request" or request.refused:
             continue
-        there = label(request.place, "id", "the request")
+        related_label = label(request.place, "id", "the request")
         for key, mine, theirs in (
             ("link", reply.link, request.link),
             ("message", reply.message, request.message),
         ):
             if mine != theirs:
                 text = f"{reply.id} has the {key} {mine}, its request {theirs}"
-                yield finding(_CODE, reply.place, key, text, _HELP, there)
-        for name, asked in _echoed(device, reply):
-            repeated, echoed = reply.values.get(name), request.values.get(asked)
+                yield finding(_CODE, reply.place, key, text, _HELP, related_label)
+        for name, request_name in _echoed(device, reply):
+            repeated, echoed = reply.values.get(name), request.values.get(request_name)
             if repeated is not None and echoed is not None and repeated != echoed:
                 text = f"{name} is {repeated} in {reply.id} and {echoed} in its request"
-                yield finding(_CODE, reply.place, "values", text, _HELP, there)
+                yield finding(_CODE, reply.place, "values", text, _HELP, related_label)
         message = device.messages.get(reply.message)
         if message is not None and request.message == reply.message and not reply.exception_response:
-            why = _count_mismatch(device, message, request, reply)
-            if why:
+            mismatch = _count_mismatch(device, message, request, reply)
+            if mismatch:
                 help = f"{_HELP}, or the fields under `accesses` of {message.name}"
-                yield finding(_CODE, reply.place, "values", why, help, there)
+                yield finding(_CODE, reply.place, "values", mismatch, help, related_label)
 
 
 def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:
-    """Why a response does not have what its request asks for, or an empty text."""
+    """The reason why a response has another number of values than its request asks for, or an empty text."""
     access = message.accesses
     if access is None or access.operation != "read" or reply.direction != "response":
         return ""
     count, values = message.request.named(access.count), message.response.named(access.values)
-    have = reply.values.get(access.values)
-    if count is None or count.value is None or values is None or values.value is None or not isinstance(have, list):
+    elements = reply.values.get(access.values)
+    if count is None or count.value is None or values is None or values.value is None or not isinstance(elements, list):
         return ""
     stated = in_counts(device, count.value, request.values.get(count.name))
     want = count.value.const if stated is None else stated
@@ -67,12 +67,12 @@ def _count_mismatch(device: Device, message: Message, request: Example, reply: E
         return ""
     if device.bit_access(message) is not None:
         size = -(-want // 8)
-        if len(have) == size or values.value.size != 1:
+        if len(elements) == size or values.value.size != 1:
             return ""
         text = f"{request.id} asks for {plural(want, 'bit')}, which take {plural(size, 'byte')}"
-        return f"{text}, but {reply.id} has {len(have)}"
+        return f"{text}, but {reply.id} has {len(elements)}"
     space = device.space(access.space)
-    carried, rest = divmod(len(have) * values.value.type.size, space.unit_size)
+    carried, rest = divmod(len(elements) * values.value.type.size, space.unit_size)
     if rest or carried == want:
         return ""
     return f"{request.id} asks for {plural(want, space.unit)}, but {reply.id} has {carried}"
@@ -82,9 +82,9 @@ def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:
     """The fields of a reply that repeat one of the request, with the name of that one."""
     link = device.links.get(reply.link)
     if link is not None:
-        asked = [part.name for part in link.request if part.role == "unit_address"]
+        request_addresses = [part.name for part in link.request if part.role == "unit_address"]
         repeated = [part.name for part in link.response if part.role == "unit_address"]
-        yield from zip(repeated, asked, strict=False)
+        yield from zip(repeated, request_addresses, strict=False)
         yield from ((part.name, part.same_as) for part in link.response if part.same_as)
     if not reply.exception_response:
         for field in body(device, reply):

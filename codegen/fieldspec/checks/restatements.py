@@ -111,10 +111,10 @@ def _other(device: Device, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Conversion):
         return {"value": fact.full_scale, "type": fact.type.name}
     if isinstance(fact, Limit):
-        both: dict[str, object] = {"value": fact.value, "unit": fact.unit or None}
+        limit_values: dict[str, object] = {"value": fact.value, "unit": fact.unit or None}
         if fact.low is None or fact.high is None:
-            return both
-        return {**both, "range": ((fact.low, fact.high),), "unit_range": ((fact.low, fact.high),)}
+            return limit_values
+        return {**limit_values, "range": ((fact.low, fact.high),), "unit_range": ((fact.low, fact.high),)}
     if isinstance(fact, Link) and fact.unit_addresses is not None:
         return {"range": _merged(fact.unit_addresses.ranges)}
     return {}
@@ -167,8 +167,8 @@ def _value(device: Device, value: Value) -> dict[str, object]:
 
 
 def _field(device: Device, sizes: RecordSizes, field: Field) -> dict[str, object]:
-    both = sizes.field(field)
-    fixed = both[0] if both is not None and both[0] == both[1] else None
+    bounds = sizes.field(field)
+    fixed = bounds[0] if bounds is not None and bounds[0] == bounds[1] else None
     repeat = field.repeat
     count = repeat.low if repeat is not None and repeat.low == repeat.high else None
     return {

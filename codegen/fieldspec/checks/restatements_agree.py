@@ -62,14 +62,14 @@ def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator
                 help = "set `present: true` and write an erratum"
                 yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
             continue
-        have = own.get(key)
-        if have is None:
+        actual = own.get(key)
+        if actual is None:
             text = f"{fact.name} has no `{key}` for {_place_text(claim)} to restate"
             help = "add it to the fact, or remove it from `restated`"
             yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
-        elif claimed_value(key, claimed) != have:
+        elif claimed_value(key, claimed) != actual:
             text = (
-                f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_place_text(claim)}"
+                f"`{key}` of {fact.name} is {as_text(key, actual)}, but {as_text(key, claimed)} in {_place_text(claim)}"
             )
             help = "use the right value in both places, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))

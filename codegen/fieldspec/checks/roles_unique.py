@@ -30,5 +30,7 @@ def roles_unique(device: Device) -> Iterator[Diagnostic]:
                 continue
             reported.add(key)
             text = f"{before.path} and {operand.path} have the role `{role}`"
-            there = label(before.fact.place, "roles", "the first one")
-            yield finding("roles_unique", operand.fact.place, "roles", text, "remove it from one of them", there)
+            related_label = label(before.fact.place, "roles", "the first one")
+            yield finding(
+                "roles_unique", operand.fact.place, "roles", text, "remove it from one of them", related_label
+            )

@@ -43,8 +43,8 @@ def _of_message(device: Device, first: Message, stated: Segments) -> Iterator[Di
     piece = device.messages.get(stated.message)
     if piece is None or piece is first or piece.segments is not None:
         text = f"{stated.message} is no other message that carries a piece"
-        others = [name for name, other in device.messages.items() if other is not first and other.segments is None]
-        yield _finding(first, text, near(stated.message, others))
+        candidates = [name for name, other in device.messages.items() if other is not first and other.segments is None]
+        yield _finding(first, text, near(stated.message, candidates))
         return
     for link in device.links.values():
         is_answered = first.is_answered_on(link.name) and piece.is_answered_on(link.name)
@@ -160,8 +160,8 @@ def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[
     enum = device.enums.get(field.value.enum) if field is not None and field.value is not None else None
     if enum is None:
         text = f"{message.name} has no field `{abort.reason}` with an enum"
-        others = [own.name for own in message.request.fields if own.value is not None and own.value.enum]
-        yield _finding(first, text, near(abort.reason, others))
+        candidates = [own.name for own in message.request.fields if own.value is not None and own.value.enum]
+        yield _finding(first, text, near(abort.reason, candidates))
     else:
         for name in (abort.counter, abort.size):
             if enum.named(name) is None:
@@ -197,8 +197,8 @@ def _sizes(record: Record) -> ParameterSizes | None:
 
 
 def _enum(device: Device, record: Record, sizes: ParameterSizes | None) -> Enum | None:
-    by = record.named(sizes.by) if sizes is not None else None
-    return device.enums.get(by.value.enum) if by is not None and by.value is not None else None
+    selector = record.named(sizes.by) if sizes is not None else None
+    return device.enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
 
 
 def _finding(first: Message, text: str, help: str) -> Diagnostic:

@@ -21,5 +21,5 @@ def senses_differ(device: Device) -> Iterator[Diagnostic]:
         for bit in word.bits:
             if bit.zero and bit.zero == bit.one:
                 text = f"{bit.name} means `{bit.one}` both at 0 and at 1"
-                there = label(bit.place, "zero", "at 0")
-                yield finding("senses_differ", bit.place, "one", text, "correct one of the texts", there)
+                related_label = label(bit.place, "zero", "at 0")
+                yield finding("senses_differ", bit.place, "one", text, "correct one of the texts", related_label)

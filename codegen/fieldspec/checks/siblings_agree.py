@@ -36,8 +36,8 @@ def siblings_agree(device: Device) -> Iterator[Diagnostic]:
         if access is not None
     }
     for field in fields(device):
-        meant = not field.reserved and field.measures is None and id(field) not in counts
-        if field.value is not None and meant and field.value.parameter is None:
+        is_comparable = not field.reserved and field.measures is None and id(field) not in counts
+        if field.value is not None and is_comparable and field.value.parameter is None:
             families.setdefault((field.name, field.value.type.name), []).append((field, field.value))
     for family in families.values():
         yield from _odd(family, "range", lambda value: value.ranges.intervals if value.ranges else None)
@@ -47,7 +47,7 @@ def siblings_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _odd(
-    family: list[tuple[Field, Value]], what: str, quality: Callable[[Value], Hashable | None]
+    family: list[tuple[Field, Value]], subject: str, quality: Callable[[Value], Hashable | None]
 ) -> Iterator[Diagnostic]:
     """Findings where all but one, or all but a small part, of those that say something say the same."""
     saying = [(field, statement) for field, value in family if (statement := quality(value)) is not None]
@@ -63,12 +63,12 @@ def _odd(
             yield finding(
                 "siblings_agree",
                 field.place,
-                _key(field, what),
-                f"{field.name} has a different {what} in {times} other places",
+                _key(field, subject),
+                f"{field.name} has a different {subject} in {times} other places",
                 "compare it with the manual, or allow it with a reason",
-                label(example.place, _key(example, what), "one of the others"),
+                label(example.place, _key(example, subject), "one of the others"),
             )
 
 
-def _key(field: Field, what: str) -> str:
-    return range_key(field.place) if what == "range" else "scale" if "scale" in field.place else "unit"
+def _key(field: Field, subject: str) -> str:
+    return range_key(field.place) if subject == "range" else "scale" if "scale" in field.place else "unit"

@@ -45,13 +45,13 @@ def signals_placed(device: Device) -> Iterator[Diagnostic]:
 
 def _astray(field: Field, signal: Signal, holder: str) -> Diagnostic:
     text = f"{signal.name} goes {_WAYS[signal.direction]}, but is part of {holder}"
-    there = label(signal.place, "direction", "its direction")
-    return finding(_CODE, field.place, "signal", text, "correct the direction or the message", there)
+    related_label = label(signal.place, "direction", "its direction")
+    return finding(_CODE, field.place, "signal", text, "correct the direction or the message", related_label)
 
 
 def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
     mine, theirs = ("".join(name.split()).casefold() for name in (field.printed_name, signal.printed_name))
     if mine and theirs and mine != theirs:
         text = f"{field.name} is printed as `{field.printed_name}`, its signal as `{signal.printed_name}`"
-        there = label(signal.place, "printed_name", signal.name)
-        yield finding(_CODE, field.place, "printed_name", text, "correct one of the names", there)
+        related_label = label(signal.place, "printed_name", signal.name)
+        yield finding(_CODE, field.place, "printed_name", text, "correct one of the names", related_label)

@@ -48,6 +48,6 @@ def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
         if number not in ascent:
             other = rows[number - 1] if number else rows[1]
             text = f"{row.name} cites line {row.sources[0].line()}, out of order with the rows around it"
-            there = label(other.place, "source", f"{other.name} cites line {other.sources[0].line()}")
+            related_label = label(other.place, "source", f"{other.name} cites line {other.sources[0].line()}")
             help = "correct the line or the order of the rows"
-            yield finding("sources_ascending", row.place, "source", text, help, there)
+            yield finding("sources_ascending", row.place, "source", text, help, related_label)

@@ -33,16 +33,16 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
     imported: dict[str, list[str]] = {}
     sectionless: list[tuple[str, Place]] = []
-    for what, place, sources, needed in cited_places(device):
-        if not sources and needed and is_imported(place, device):
-            imported.setdefault(place.path.partition("/")[0], []).append(what)
-        elif not sources and needed:
-            text = f"{what} has no source"
+    for subject, place, sources, needs_source in cited_places(device):
+        if not sources and needs_source and is_imported(place, device):
+            imported.setdefault(place.path.partition("/")[0], []).append(subject)
+        elif not sources and needs_source:
+            text = f"{subject} has no source"
             yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
         for citation in sources:
-            yield from _wrong(device, what, place, citation)
+            yield from _wrong(device, subject, place, citation)
         if any(not citation.section for citation in sources):
-            sectionless.append((what, place))
+            sectionless.append((subject, place))
     if sectionless:
         yield from _without_section(device, sectionless)
     if imported:
@@ -67,20 +67,20 @@ def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Iterator
     """The findings of sources that name no section: one for each group, or other fact, with all that it encloses."""
     groups = {fact.place.path: group for group in device.groups for fact in (*group.registers, group)}
     enclosed: dict[str, list[tuple[str, Place]]] = {}
-    for what, place in cited:
+    for subject, place in cited:
         path = "/".join(place.path.split("/")[:2])
         holder = groups[path].place.path if path in groups else path
-        enclosed.setdefault(holder, []).append((what, place))
+        enclosed.setdefault(holder, []).append((subject, place))
     for path, items in enclosed.items():
-        names = [*dict.fromkeys(what for what, _ in items)]
-        (what, place), key = items[0], "source"
-        text, help = f"the source of {what} names no section", "add it like `8.2 L1622`, or add it to the group"
+        names = [*dict.fromkeys(subject for subject, _ in items)]
+        (subject, place), key = items[0], "source"
+        text, help = f"the source of {subject} names no section", "add it like `8.2 L1622`, or add it to the group"
         if len(names) > 1:
             if path in groups:
-                what, place = f"the group {groups[path].name}", groups[path].place
+                subject, place = f"the group {groups[path].name}", groups[path].place
                 key = "source" if "source" in place else "group"
             text = f"the sources of {enumeration(names)} name no section"
-            help = f"add `section` to {what}, or the section to each source like `8.2 L1622`"
+            help = f"add `section` to {subject}, or the section to each source like `8.2 L1622`"
         yield finding("sources_present", place, key, text, help)
 
 
@@ -88,12 +88,12 @@ def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, .
     """Everything that has sources: its name, its place, its sources, and whether it must have some."""
     free = _copied_as_blocks(device) | _added(device)
     for fact in facts(device):
-        needed = not isinstance(fact, _INHERITING) and fact.place.path not in free
+        needs_source = not isinstance(fact, _INHERITING) and fact.place.path not in free
         if isinstance(fact, Task):
-            needed = bool(fact.steps)  # what is not printed has no place
+            needs_source = bool(fact.steps)  # what is not printed has no place
             for step in fact.steps:
                 yield f"a step of {fact.name}", step.place, step.sources, False
-        yield fact.name, fact.place, fact.sources, needed
+        yield fact.name, fact.place, fact.sources, needs_source
         for claim in fact.restated:
             yield fact.name, claim.place, claim.sources, True
         if isinstance(fact, Register):
@@ -139,10 +139,10 @@ def _added(device: Device) -> set[str]:
     return {entry.path for entry in device.stated_changes if entry.kind == "adds"}
 
 
-def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
+def _wrong(device: Device, subject: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
     lines = device.manual.lines
     for first, last in citation.lines:
         if not 1 <= first <= last <= lines:
-            text = f"the source of {what} is {citation.text()}; the manual's text has the lines 1 to {lines}"
+            text = f"the source of {subject} is {citation.text()}; the manual's text has the lines 1 to {lines}"
             yield finding("sources_present", place, "source", text, "correct the lines")
             return

@@ -34,12 +34,12 @@ def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
     starts = _starts(device, sizes)
     for layer in layers(device):
-        begins = starts[layer.name] if device.records.get(layer.name) is layer else [0]
+        layer_starts = starts[layer.name] if device.records.get(layer.name) is layer else [0]
         for field, offset in sizes.offsets(layer):
             for place, key, printed in _printed(field):
-                fitting = (_spans(field, start + offset, sizes, _UNITS[key][1]) for start in begins)
+                fitting = (_spans(field, start + offset, sizes, _UNITS[key][1]) for start in layer_starts)
                 if not any(printed in spans for spans in fitting):
-                    first = _spans(field, begins[0] + offset, sizes, _UNITS[key][1])
+                    first = _spans(field, layer_starts[0] + offset, sizes, _UNITS[key][1])
                     yield _finding(field, place, key, printed, first)
 
 
@@ -56,12 +56,12 @@ def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
 
 def _spans(field: Field, offset: int, sizes: RecordSizes, unit: int) -> list[_Span]:
     """The first and last unit of a field, counted from 1; those of a repeated one for each number of elements."""
-    both = sizes.field(field)
-    if both is None or offset % unit:
+    bounds = sizes.field(field)
+    if bounds is None or offset % unit:
         return []
     ends: set[int] = set()
     for element in sizes.elements(field) or (1,):
-        low, high = both
+        low, high = bounds
         if field.repeat is not None:
             low, high = field.repeat.low * element, field.repeat.high * element
         elif field.choice is not None:
@@ -82,16 +82,16 @@ def _printed(field: Field) -> Iterator[tuple[Place, str, _Span]]:
 
 def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list[_Span]) -> Diagnostic:
     unit = _UNITS[key][0]
-    right = _text(fitting[0], unit) if fitting else f"no fixed {unit}s"
+    right = _span_text(fitting[0], unit) if fitting else f"no fixed {unit}s"
     if len(fitting) > 1:
-        right += f", up to {_text(fitting[-1], unit)}"
-    text = f"{field.name} is printed at {_text(printed, unit)}, but it is at {right}"
+        right += f", up to {_span_text(fitting[-1], unit)}"
+    text = f"{field.name} is printed at {_span_text(printed, unit)}, but it is at {right}"
     holder = "type" if field.value is not None else "record" if field.record else "choice"
     help = "correct a type or the span"
     return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "the field"))
 
 
-def _text(span: _Span, unit: str) -> str:
+def _span_text(span: _Span, unit: str) -> str:
     return f"{unit} {span[0]}" if span[0] == span[1] else f"{unit}s {span[0]}-{span[1]}"
 
 

@@ -26,6 +26,6 @@ def statements_agree(device: Device) -> Iterator[Diagnostic]:
             before = first.setdefault(statement.subject, statement)
             if before.says != statement.says:
                 text = f"{statement.subject} is `{before.says}` in one place, but `{statement.says}` in another"
-                there = label(before.place, "says", "the first one")
+                related_label = label(before.place, "says", "the first one")
                 help = "state the correct fact, and write an erratum for the place that prints something else"
-                yield finding("statements_agree", statement.place, "says", text, help, there)
+                yield finding("statements_agree", statement.place, "says", text, help, related_label)

@@ -31,11 +31,11 @@ def states_disjoint(device: Device) -> Iterator[Diagnostic]:
 
 def _of_word(word: Flags) -> Iterator[Diagnostic]:
     for state in word.states:
-        both = [name for name in state.set if name in state.clear]
-        if both or not (state.set or state.clear):
+        contradictory = [name for name in state.set if name in state.clear]
+        if contradictory or not (state.set or state.clear):
             text = (
-                f"{state.name} requires {enumeration(both)} to be both 1 and 0"
-                if both
+                f"{state.name} requires {enumeration(contradictory)} to be both 1 and 0"
+                if contradictory
                 else f"no bit shows the state {state.name}"
             )
             yield finding(_CODE, state.place, "set", text, "correct the bits of the state")
@@ -45,5 +45,5 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
         same, theirs = word.masked(other)
         if not (value ^ theirs) & mask & same:
             text = f"{state.name} and {other.name} of {word.name} are possible at the same time"
-            there = label(state.place, "name", state.name)
-            yield finding(_CODE, other.place, "name", text, "add the bits that distinguish them", there)
+            related_label = label(state.place, "name", state.name)
+            yield finding(_CODE, other.place, "name", text, "add the bits that distinguish them", related_label)

@@ -55,11 +55,11 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
     for message in sorted(known) or [""]:
         targets = operands.target(step.target, message)
         if len(targets) != 1:
-            where = f" in {message}" if message else ""
-            text = f"there is no `{step.target}`{where}"
+            place_text = f" in {message}" if message else ""
+            text = f"there is no `{step.target}`{place_text}"
             help = "add this role to a fact, or name a fact by its path"
             if targets:
-                text = f"{enumeration([operand.path for operand in targets])} are `{step.target}`{where}"
+                text = f"{enumeration([operand.path for operand in targets])} are `{step.target}`{place_text}"
                 help = "name one of them by its path"
             yield finding(_RULE, step.place, step.action, text, help)
             return
@@ -121,7 +121,7 @@ def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic
 
 
 def _argument_targets(operands: Operands, step: Step, argument: str, message: str) -> Iterator[Operand]:
-    """What a step writes an argument to."""
+    """The operands to which a step writes an argument of the task."""
     for operand in operands.target(step.target, message):
         if not isinstance(operand.fact, Message):
             yield operand
@@ -176,7 +176,7 @@ def _valued(device: Device, step: Step, operand: Operand, value: ScalarValue) ->
 
 
 def _refused(device: Device, operand: Operand, value: object) -> str:
-    """Why an operand cannot have a value, or nothing."""
+    """The reason why an operand cannot have a value, or an empty text."""
     bit, content = operand.bit, operand.value
     if isinstance(value, bool):
         return (

@@ -32,18 +32,18 @@ def subindices_match_elements(device: Device) -> Iterator[Diagnostic]:
 def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
     last = (parameter.elements or 1) - 1
     count = label(parameter.place, "elements", f"it has the elements 0 to {last}" if last else "it has one element")
-    taken: list[tuple[int, int]] = []
+    described: list[tuple[int, int]] = []
     for inner in parameter.subindices:
         for low, high in inner.indices.intervals:
             if low < 0 or high > last:
                 text = f"{inner.name or interval(low, high)} is element {interval(low, high)} of {parameter.name}"
                 help = "correct the subindex or the number of elements"
                 yield finding(_CODE, inner.place, "index", text, help, count)
-            elif uncovered(low, high, merged(taken)) != [(low, high)]:
+            elif uncovered(low, high, merged(described)) != [(low, high)]:
                 text = f"element {interval(low, high)} of {parameter.name} is described twice"
                 yield finding(_CODE, inner.place, "index", text, "correct one of the subindices")
-            taken.append((low, high))
-    holes = uncovered(0, last, merged(taken))
+            described.append((low, high))
+    holes = uncovered(0, last, merged(described))
     if holes:
         text = (
             f"there is no description of element {enumeration([interval(*hole) for hole in holes])} of {parameter.name}"

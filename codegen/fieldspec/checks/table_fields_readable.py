@@ -28,5 +28,5 @@ def table_fields_readable(device: Device) -> Iterator[Diagnostic]:
             done.add(id(field))
             text = f"{field.name} is a constant, but {table.name} can return any value"
             help = f"write `range: {field.value.const}` instead, which restricts only writing"
-            there = label(table.place, "record", "the table")
-            yield finding("table_fields_readable", field.place, "const", text, help, there)
+            related_label = label(table.place, "record", "the table")
+            yield finding("table_fields_readable", field.place, "const", text, help, related_label)

@@ -22,8 +22,8 @@ from fieldspec.schema import schema
 def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     if not device.tasks:
         return
-    answered = {task.kind for task in device.tasks}
-    missing = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in answered]
+    present_kinds = {task.kind for task in device.tasks}
+    missing = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in present_kinds]
     if missing:
         text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
         help = "add a task with `steps`, `not_applicable` or `open` for each"

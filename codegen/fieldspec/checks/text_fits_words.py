@@ -54,7 +54,7 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
 
 
 def _most(value: Value) -> int:
-    """How many characters a text may have."""
+    """The greatest number of characters that a text may have."""
     form = value.text_form
     return value.size if form is None else form.room(value.size) // form.unit
 

@@ -24,6 +24,6 @@ def triggers_writable(device: Device) -> Iterator[Diagnostic]:
     for fact in startable:
         if fact.trigger and fact.access == "ro":
             text = f"{fact.name} starts an action when it is written, but its access is ro"
-            there = label(fact.place, "trigger", "only writing starts an action")
+            related_label = label(fact.place, "trigger", "only writing starts an action")
             help = "correct the access, or remove `trigger`"
-            yield finding("triggers_writable", fact.place, "access", text, help, there)
+            yield finding("triggers_writable", fact.place, "access", text, help, related_label)

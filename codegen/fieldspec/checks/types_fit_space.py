@@ -29,15 +29,15 @@ def types_fit_space(device: Device) -> Iterator[Diagnostic]:
         space = device.space(register.space)
         if space.unit == WORD:
             continue
-        there = label(space.place, "unit", "the unit of the space")
+        related_label = label(space.place, "unit", "the unit of the space")
         if register.words is not None:
             text = f"{register.name} has `words`, but an address of {space.name} is a {space.unit}"
-            yield finding(_CODE, register.place, "words", text, "remove `words`", there)
+            yield finding(_CODE, register.place, "words", text, "remove `words`", related_label)
         if space.unit != BIT:
             continue
         if register.value.type.name != BIT:
             text = f"{register.name} is {register.value.type.name}, but an address of {space.name} is a bit"
-            yield finding(_CODE, register.place, "type", text, "use the type `bit`", there)
+            yield finding(_CODE, register.place, "type", text, "use the type `bit`", related_label)
     for fact, value in values(device):
         if value.type.name == BIT and not _in_bits(device, fact):
             text = f"{fact.name} is a bit, but it is not a register in a space of bits"

@@ -32,9 +32,9 @@ def unit_addresses_match(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_link(link: Link) -> Iterator[Diagnostic]:
-    addresses = {way: _address(link.parts(way)) for way in _DIRECTIONS}
-    for way, other in (_DIRECTIONS, _DIRECTIONS[::-1]):
-        own = addresses[way]
+    addresses = {direction: _address(link.parts(direction)) for direction in _DIRECTIONS}
+    for direction, other in (_DIRECTIONS, _DIRECTIONS[::-1]):
+        own = addresses[direction]
         if own is None or addresses[other] is not None:
             continue
         mark = link.exception_response.part if link.exception_response is not None and other == "response" else ""
@@ -45,11 +45,11 @@ def _of_link(link: Link) -> Iterator[Diagnostic]:
         if part is None:
             continue
         severity = Severity.ERROR if namesake is not None else Severity.WARNING
-        text = f"only each {way} on {link.name} has a unit address, {own.name}"
-        what = "a part of the same name, without the role" if namesake is not None else "a number of the same size"
+        text = f"only each {direction} on {link.name} has a unit address, {own.name}"
+        likeness = "a part of the same name, without the role" if namesake is not None else "a number of the same size"
         help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is no address"
-        there = label(part.place, "name", f"the {other} has {what}")
-        yield finding(_CODE, own.place, "role", text, help, there, severity=severity)
+        related_label = label(part.place, "name", f"the {other} has {likeness}")
+        yield finding(_CODE, own.place, "role", text, help, related_label, severity=severity)
 
 
 def _address(parts: tuple[Part, ...]) -> Part | None:
@@ -57,7 +57,7 @@ def _address(parts: tuple[Part, ...]) -> Part | None:
 
 
 def _before_body(parts: tuple[Part, ...]) -> tuple[Part, ...]:
-    body = next((at for at, part in enumerate(parts) if part.role == "body"), len(parts))
+    body = next((index for index, part in enumerate(parts) if part.role == "body"), len(parts))
     return parts[:body]
 
 

@@ -89,9 +89,9 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             text = f"every spec may use the unit {symbol}"
             yield finding(_CODE, own.place, "symbol", text, f"remove the declaration, and use `{standard.symbol}`")
         elif symbol in declared:
-            there = label(declared[symbol], "symbol", "the first one")
+            related_label = label(declared[symbol], "symbol", "the first one")
             text = f"two units have the symbol {symbol}"
-            yield finding(_CODE, own.place, "symbol", text, "rename one of them", there)
+            yield finding(_CODE, own.place, "symbol", text, "rename one of them", related_label)
         declared.setdefault(symbol, own.place)
         if own.factor and not own.quantity:
             text = f"{symbol} has a factor, but no quantity, so that nothing is converted to it"

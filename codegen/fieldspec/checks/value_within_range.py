@@ -25,16 +25,16 @@ _HELP = "correct one of them, or list the value under `sentinels`"
 def value_within_range(device: Device) -> Iterator[Diagnostic]:
     legal = Legal(device)
     for fact, value in values(device):
-        why = legal.objection(value, value.const, writes=True) if value.const is not None else ""
-        if why:
-            text = f"{fact.name} is always {value.const}, which {why}"
+        reason = legal.objection(value, value.const, writes=True) if value.const is not None else ""
+        if reason:
+            text = f"{fact.name} is always {value.const}, which {reason}"
             yield finding("value_within_range", fact.place, "const", text, _HELP)
     for example in device.examples.values():
         if example.refused:
             continue
         for path, fact, value, number in numbers(device, example):
-            why = legal.objection(value, number)
-            if why:
-                text = f"{path} is {number} in the example {example.id}, which {why}"
-                there = label(fact.place, range_key(fact.place), "its permitted values")
-                yield finding("value_within_range", example.place, "values", text, _HELP, there)
+            reason = legal.objection(value, number)
+            if reason:
+                text = f"{path} is {number} in the example {example.id}, which {reason}"
+                related_label = label(fact.place, range_key(fact.place), "its permitted values")
+                yield finding("value_within_range", example.place, "values", text, _HELP, related_label)

@@ -65,7 +65,7 @@ def _bodies(message: Message) -> tuple[Record, Record]:
 
 
 def _form(value: Value) -> str:
-    """Why a value has one width; empty for one that may vary."""
+    """The reason why a value cannot vary in width; empty where it can."""
     if value.type.kind is Kind.TEXT:
         form = value.text_form
         if form is not None and (
@@ -108,16 +108,18 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
     for field in body.fields:
         other = body.named(field.measures.field) if field.measures is not None else None
         if field.repeat is not None or field.choice is not None:
-            key, what = ("repeat", "a list of free length") if field.repeat is not None else ("choice", "several types")
-            text = f"{field.name} has {what}, and {varying[0].name} varies in width"
+            key, objection = (
+                ("repeat", "a list of free length") if field.repeat is not None else ("choice", "several types")
+            )
+            text = f"{field.name} has {objection}, and {varying[0].name} varies in width"
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
         elif other in varying and other is not None:
             yield from _of_count(body, field, other)
     if message.accesses is not None or message.access_steps:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
-    at = body.fields.index(varying[0])
-    for field in body.fields[at:]:
+    index = body.fields.index(varying[0])
+    for field in body.fields[index:]:
         for key in ("span", "word_span"):
             if key in field.place:
                 text = f"{field.name} has no place of its own, as {varying[0].name} varies in width"
@@ -136,8 +138,8 @@ def _of_record(record: Record) -> Iterator[Diagnostic]:
             yield from _of_count(record, field, text)
     for key in ("span", "word_span"):
         if key in text.place:
-            what = f"{text.name} varies in width, and has no last byte"
-            yield finding(_CODE, text.place, key, what, "remove it")
+            message = f"{text.name} varies in width, and has no last byte"
+            yield finding(_CODE, text.place, key, message, "remove it")
 
 
 def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
@@ -145,29 +147,29 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
     if text.value is None or text.value.type.kind is not Kind.TEXT:
-        what = f"{field.name} measures {text.name}, which varies in width and is no text"
-        yield finding(_CODE, field.place, "measures", what, "let a `length` in the frame count the message")
+        message = f"{field.name} measures {text.name}, which varies in width and is no text"
+        yield finding(_CODE, field.place, "measures", message, "let a `length` in the frame count the message")
         return
     if count is not field or value is None:
-        what = f"{field.name} cannot count the bytes of {text.name}, which varies in width"
+        message = f"{field.name} cannot count the bytes of {text.name}, which varies in width"
         form = f"{{name: {field.name}, type: u8, measures: {{bytes: {text.name}}}}}"
         help = f"state one field before the text, a whole number without a meaning of its own: `{form}`"
-        yield finding(_CODE, field.place, "measures", what, help)
+        yield finding(_CODE, field.place, "measures", message, help)
         return
     low, high = measure.plus, text.value.width + measure.plus
-    there = label(text.place, "length", "the most bytes of the text")
+    related_label = label(text.place, "length", "the most bytes of the text")
     if value.ranges is not None and merged(value.ranges.intervals) != [(low, high)]:
-        what = f"{field.name} has the range {value.ranges.text()}, but {text.name} makes it {low}..{high}"
+        message = f"{field.name} has the range {value.ranges.text()}, but {text.name} makes it {low}..{high}"
         help = "remove the range, or correct the `length` of the text"
-        yield finding(_CODE, field.place, range_key(field.place), what, help, there)
+        yield finding(_CODE, field.place, range_key(field.place), message, help, related_label)
 
 
 def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
     """The finding of a value whose end nobody sees."""
-    at = body.fields.index(field)
-    if at + 1 == len(body.fields) or text_count(body, field) is not None:
+    index = body.fields.index(field)
+    if index + 1 == len(body.fields) or text_count(body, field) is not None:
         return
-    following, value = body.fields[at + 1], field.value
+    following, value = body.fields[index + 1], field.value
     end = following.value
     assert value is not None
     if end is None or end.const is None or end.type.name != "u8" or end.digits or following.count is not None:

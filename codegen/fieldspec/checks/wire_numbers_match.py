@@ -42,16 +42,16 @@ def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
         if parameter.wire_number is not None and parameter.wire_number != right:
             text = f"{parameter.name} has the number {hexadecimal(parameter.wire_number)} on the wire; as"
             text += f" {parameter_set.number_text(parameter.number)} it should have {hexadecimal(right)}"
-            there = label(
+            related_label = label(
                 parameter_set.place, "base", f"{parameter_set.name} begins at {hexadecimal(parameter_set.base)}"
             )
             help = "correct the number, the number on the wire or the base"
-            yield finding(_CODE, parameter.place, "wire_number", text, help, there)
+            yield finding(_CODE, parameter.place, "wire_number", text, help, related_label)
 
 
 def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagnostic]:
     """The first number of a set that another one has too."""
-    taken = wire_numbers([other])
+    other_numbers = wire_numbers([other])
     claims: list[tuple[int, int, str, Place, str]] = [
         (*on_wire(parameter_set, row), row.name, row.place, "number") for row in parameter_set.parameters
     ]
@@ -60,9 +60,11 @@ def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagn
             (parameter_set.base + low, parameter_set.base + high, parameter_set.name, parameter_set.place, "numbers")
         )
     for low, high, name, place, key in claims:
-        if uncovered(low, high, taken) != [(low, high)]:
+        if uncovered(low, high, other_numbers) != [(low, high)]:
             text = f"{name} has {addresses(low, high)} on the wire, which {other.name} also uses"
-            there = label(other.place, "base", f"{other.name} has {addresses(taken[0][0], taken[-1][1])}")
+            related_label = label(
+                other.place, "base", f"{other.name} has {addresses(other_numbers[0][0], other_numbers[-1][1])}"
+            )
             help = "correct a number, a base or the space of one of the sets"
-            yield finding(_CODE, place, key, text, help, there)
+            yield finding(_CODE, place, key, text, help, related_label)
             return

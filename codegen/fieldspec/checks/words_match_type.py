@@ -27,10 +27,10 @@ def words_match_type(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
-            both = sizes.field(field)
-            if both is not None and both[0] == both[1]:
+            bounds = sizes.field(field)
+            if bounds is not None and bounds[0] == bounds[1]:
                 type_name = field.value.type.name if field.value is not None else field.record
-                yield from _compare_words(field, field.words, both[0], type_name)
+                yield from _compare_words(field, field.words, bounds[0], type_name)
 
 
 def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:

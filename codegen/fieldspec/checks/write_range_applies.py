@@ -46,12 +46,12 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(_CODE, fact.place, "write_range", text, "remove it")
     elif value.const is not None:
         text = f"{fact.name} is always {value.const} when it is written"
-        there = label(fact.place, "const", "the values that can be written")
-        yield finding(_CODE, fact.place, "write_range", text, "remove one of them", there)
+        related_label = label(fact.place, "const", "the values that can be written")
+        yield finding(_CODE, fact.place, "write_range", text, "remove one of them", related_label)
     elif getattr(fact, "access", "") == "ro":
         text = f"{fact.name} is read-only, so no value can be written"
-        there = label(fact.place, "access", "its access")
-        yield finding(_CODE, fact.place, "write_range", text, "correct one of them", there)
+        related_label = label(fact.place, "access", "its access")
+        yield finding(_CODE, fact.place, "write_range", text, "correct one of them", related_label)
 
 
 def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
@@ -61,6 +61,8 @@ def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
         values_here += [case.value for case in cases(field)]
         if any(value.write_ranges is not None for value in values_here):
             text = f"{field.name} is in a message, which is either written or read"
-            there = label(outer.place, "name", "the field of the message")
+            related_label = label(outer.place, "name", "the field of the message")
             help = "define a separate field for the message, with its own `range`"
-            yield finding(_CODE, field.place, "write_range", text, help, *([there] if outer is not field else []))
+            yield finding(
+                _CODE, field.place, "write_range", text, help, *([related_label] if outer is not field else [])
+            )

@@ -34,9 +34,9 @@ def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
 def _compare_ranges(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic]:
     read = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
     sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
-    beyond = _beyond(writable, [*read, *sentinels])
-    if beyond is not None:
-        text = f"{beyond} can be written to {fact.name}, but is not in its range"
+    excess = _beyond(writable, [*read, *sentinels])
+    if excess is not None:
+        text = f"{excess} can be written to {fact.name}, but is not in its range"
         key = "type" if value.ranges is None else range_key(fact.place)
         yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
     for sentinel in value.sentinels:

@@ -69,11 +69,11 @@ def _file(name: str, data: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFi
             return SourceFile(label, text), dict(enumerate(starts, 1))
     rows: dict[int, int] = {}
     parts = []
-    at = 0
+    start = 0
     for row in sheet.rows:
-        rows[row.number] = at
+        rows[row.number] = start
         parts.append("\t".join(row.cells) + "\n")
-        at += len(parts[-1])
+        start += len(parts[-1])
     return SourceFile(label, "".join(parts)), rows
 
 
@@ -105,7 +105,7 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.facts import of_versions
     from fieldspec.proofs.running import errata_proofs
 
-    _must_go_together(arguments)
+    _refuse_exclusive_options(arguments)
     if arguments.format in LISTS and not arguments.table:
         raise UsageError(f"{arguments.format} holds a single table; name it with --table, such as --table ledger")
     if arguments.table and arguments.format in WHOLE:
@@ -154,19 +154,22 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if has_errors(findings) and not arguments.as_printed else 0
 
 
-def _must_go_together(arguments: argparse.Namespace) -> None:
+def _refuse_exclusive_options(arguments: argparse.Namespace) -> None:
     """Refuses options that exclude each other. Raises UsageError."""
-    asked = [option for option in ALONE if getattr(arguments, option)]
-    if len(asked) > 1:
-        raise UsageError(f"{_option_text(asked[0])} and {_option_text(asked[1])} cannot be combined; use one at a time")
-    beside = [option for option in ("table", "out", "all") if getattr(arguments, option)]
-    beside += ["format"] if arguments.format != "text" else []
-    if asked and asked[0] in FORMED and beside:
+    chosen = [option for option in ALONE if getattr(arguments, option)]
+    if len(chosen) > 1:
         raise UsageError(
-            f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no effect; leave it out"
+            f"{_option_text(chosen[0])} and {_option_text(chosen[1])} cannot be combined; use one at a time"
         )
-    if asked and asked[0] in ("sign", "dump", "captures", "evidence") and arguments.manual:
-        raise UsageError(f"{_option_text(asked[0])} reads no manual, so --manual has no effect; leave it out")
+    report_options = [option for option in ("table", "out", "all") if getattr(arguments, option)]
+    report_options += ["format"] if arguments.format != "text" else []
+    if chosen and chosen[0] in FORMED and report_options:
+        raise UsageError(
+            f"{_option_text(chosen[0])} prints no report, so {_option_text(report_options[0])} has no effect; "
+            "leave it out"
+        )
+    if chosen and chosen[0] in ("sign", "dump", "captures", "evidence") and arguments.manual:
+        raise UsageError(f"{_option_text(chosen[0])} reads no manual, so --manual has no effect; leave it out")
 
 
 def _option_text(option: str) -> str:
@@ -251,7 +254,7 @@ def _print_table(report: Report, arguments: argparse.Namespace) -> None:
 
     tables = {table.name: table for section in report.sections for table in section.tables}
     if arguments.table not in tables:
-        raise unknown("table", arguments.table, tables, most=len(tables))
+        raise unknown("table", arguments.table, tables, limit=len(tables))
     table = tables[arguments.table]
     if arguments.format == "text":
         if arguments.out:

@@ -66,9 +66,9 @@ def compared(specs_option: str | None, device: str, name: str | None) -> tuple[M
     index = recorded(specs_option, device)
     manual = at_hand(name) if name else None
     if name and index is not None and manual is not None:
-        have = {*manual.digests}
+        digests = {*manual.digests}
         whole = [digest for digest in index.digests if digest]
-        same = sum(digest in have for digest in whole)
+        same = sum(digest in digests for digest in whole)
         if same * 100 < _LEAST_SHARE * len(whole):
             raise UsageError(
                 f"{name} is not this manual: {same} of its {len(whole)} lines that are not empty are there; "

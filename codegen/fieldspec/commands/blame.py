@@ -43,28 +43,28 @@ def _near(spec: DeviceSpec, version: str, path: str) -> str:
     if has_errors(broken) or not has_layout(device):
         return ""
     paths = [str(row["path"]) for row in rows(device_layout(device))]
-    near = [own for own in paths if own.rpartition("/")[2] == path] or get_close_matches(path, paths, 1, 0.8)
-    return f"did you mean {near[0]}? " if near else ""
+    matches = [own for own in paths if own.rpartition("/")[2] == path] or get_close_matches(path, paths, 1, 0.8)
+    return f"did you mean {matches[0]}? " if matches else ""
 
 
-def _rows(node: Mapping, before: str, beside: str = "") -> Iterator[tuple[str, str, str]]:
+def _rows(node: Mapping, before: str, remark: str = "") -> Iterator[tuple[str, str, str]]:
     for key, value in node.values.items():
         name = f"{before}{key}"
         if isinstance(value, Scalar):
-            yield name, _shortened(value.text), _place(value) + beside
+            yield name, _shortened(value.text), _place(value) + remark
         elif isinstance(value, Mapping):
-            yield from _rows(value, f"{name}/", beside)
+            yield from _rows(value, f"{name}/", remark)
         else:
             texts = [item.text for item in value.items if isinstance(item, Scalar)]
             summary = ", ".join(texts) if len(texts) == len(value.items) else f"{len(value.items)} entries"
-            yield name, _shortened(summary), _place(value) + beside
+            yield name, _shortened(summary), _place(value) + remark
 
 
 def _inherited(tree: Mapping, path: str, fact: Mapping) -> Iterator[tuple[str, str, str]]:
     """The attributes that a row takes from the defaults of its group."""
-    at = keys(tree, path) or []
-    for end in range(len(at) - 1, 0, -1):
-        holder = node_at(tree, at[:end])
+    fact_keys = keys(tree, path) or []
+    for end in range(len(fact_keys) - 1, 0, -1):
+        holder = node_at(tree, fact_keys[:end])
         defaults = holder.values.get("defaults") if isinstance(holder, Mapping) else None
         if isinstance(defaults, Mapping):
             for key, value in defaults.values.items():

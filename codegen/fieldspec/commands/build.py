@@ -43,13 +43,13 @@ def run(arguments: argparse.Namespace) -> int:
 def build(arguments: argparse.Namespace) -> int:
     """Builds once. Raises UsageError."""
     anew = arguments.check or arguments.no_cache
-    wanted = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
+    build_request = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
     packages = package_hashes(anew)
-    out = Path(arguments.out)
-    with Staging(out, look=arguments.check) as beside:
-        path, files = spec_files.of_devices(arguments.specs, frozenset(wanted.devices))
-        earlier = EarlierBuild(out, files, packages, trusted=not (anew or wanted.picked))
-        result = build_result(wanted, path, files, earlier, None if arguments.check else beside)
+    output_folder = Path(arguments.out)
+    with Staging(output_folder, look=arguments.check) as staging:
+        path, files = spec_files.of_devices(arguments.specs, frozenset(build_request.devices))
+        earlier = EarlierBuild(output_folder, files, packages, trusted=not (anew or build_request.picked))
+        result = build_result(build_request, path, files, earlier, None if arguments.check else staging)
         if result.findings:
             from fieldspec.commands.terminal import print_findings
             from fieldspec.diagnostics import has_errors
@@ -58,22 +58,22 @@ def build(arguments: argparse.Namespace) -> int:
             if has_errors(result.findings):
                 _print_refusal(result.sound)
                 return 1
-        before = read_manifest(out)
-        hashes = _hashes(wanted, result)
-        hashes |= stage_overviews(wanted, result, before, earlier, None if arguments.check else beside)
-        gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
-        now = before.renewed(wanted, result, hashes, gone, packages).text()
+        before = read_manifest(output_folder)
+        hashes = _hashes(build_request, result)
+        hashes |= stage_overviews(build_request, result, before, earlier, None if arguments.check else staging)
+        removed = before.gone(hashes, build_request.outputs) if build_request.whole else []
+        now = before.renewed(build_request, result, hashes, removed, packages).text()
         stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
             return _report(
-                [(path, before.reason(path, result, earlier, packages)) for path in stale], gone, beside.unfinished
+                [(path, before.reason(path, result, earlier, packages)) for path in stale], removed, staging.unfinished
             )
-        if stale or gone:
-            beside.write(MANIFEST, now)
-            beside.place(stale, gone)
-        if not wanted.picked:
-            earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
-    print_line(f"{len(hashes)} files, {len(result.stale)} written, {len(gone)} removed")
+        if stale or removed:
+            staging.write(MANIFEST, now)
+            staging.place(stale, removed)
+        if not build_request.picked:
+            earlier.keep(result.devices, result.shared, build_request.whole, result.quiet)
+    print_line(f"{len(hashes)} files, {len(result.stale)} written, {len(removed)} removed")
     return 0
 
 
@@ -102,35 +102,35 @@ def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
 def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
     """The requested versions by device; no version means all of them."""
     pairs = [spec_files.split(text) for text in texts]
-    named = {device: {version for name, version in pairs if name == device} for device, _ in pairs}
-    return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in named.items()}
+    versions_of = {device: {version for name, version in pairs if name == device} for device, _ in pairs}
+    return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in versions_of.items()}
 
 
-def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
+def _hashes(build_request: BuildRequest, result: BuildResult) -> Hashes:
     """The hashes of all files of the requested outputs, rebuilt or not. Raises UsageError for a file of two."""
     from fieldspec.commands.plugin_loading import refuse_same_files
 
     devices = {device: built.outputs for device, built in result.devices.items()}
-    for name in wanted.outputs:
+    for name in build_request.outputs:
         owners = {"no device": result.shared, **devices}
         refuse_same_files(name, ((owner, outputs.get(name, ())) for owner, outputs in owners.items()))
     holders = [result.shared, *devices.values()]
     return {
         path: digest
         for hashes_by_output in holders
-        for name in wanted.outputs
+        for name in build_request.outputs
         for path, digest in hashes_by_output.get(name, {}).items()
     }
 
 
-def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: Sequence[str]) -> int:
+def _report(stale: Sequence[tuple[str, str]], removed: Sequence[str], unfinished: Sequence[str]) -> int:
     for text in unfinished:
         print_line(text)
     for path, reason in stale:
         print_line(f"not fresh: {path}" + (f" ({reason})" if path != MANIFEST else ""))
-    for path in gone:
+    for path in removed:
         print_line(f"no longer produced: {path}")
-    if not (stale or gone or unfinished):
+    if not (stale or removed or unfinished):
         print_line("everything is fresh")
         return 0
     print_line("build again with: fieldspec build")

@@ -34,40 +34,48 @@ class _Plan:
 
 
 def build_result(
-    wanted: BuildRequest, path: str, files: Mapping[str, bytes], earlier: EarlierBuild, beside: Staging | None = None
+    build_request: BuildRequest,
+    path: str,
+    files: Mapping[str, bytes],
+    earlier: EarlierBuild,
+    staging: Staging | None = None,
 ) -> BuildResult:
     """Builds what is out of date; nothing where a finding stops the build.
 
-    Files that differ from the ones in place are written to `beside`. Raises UsageError.
+    Files that differ from the ones in place are written to `staging`. Raises UsageError.
     """
-    plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
-    reusable = {name: earlier.unchanged(earlier.shared.get(name)) for name in wanted.outputs}
+    plans = {
+        device: _plan(device, build_request, earlier) for device in sorted(build_request.devices) or devices_in(files)
+    }
+    reusable = {name: earlier.unchanged(earlier.shared.get(name)) for name in build_request.outputs}
     shared = {name: hashes for name, hashes in reusable.items() if hashes is not None}
     stale = frozenset(device for device, plan in plans.items() if plan.check or plan.outputs)
-    everything = wanted.whole and not earlier.confined()
-    if not stale and not everything and len(shared) == len(wanted.outputs):
+    everything = build_request.whole and not earlier.confined()
+    if not stale and not everything and len(shared) == len(build_request.outputs):
         return BuildResult([], {device: earlier.devices[device] for device in plans}, shared, [], True)
-    return _build_stale(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
+    return _build_stale(
+        build_request, plans, shared, frozenset() if everything else stale, path, files, earlier, staging
+    )
 
 
-def _plan(device: str, wanted: BuildRequest, earlier: EarlierBuild) -> _Plan:
+def _plan(device: str, build_request: BuildRequest, earlier: EarlierBuild) -> _Plan:
     if earlier.changed(device):
-        return _Plan(True, wanted.outputs, {})
+        return _Plan(True, build_request.outputs, {})
     before = earlier.devices[device]
     checked = {name: earlier.unchanged(files) for name, files in before.outputs.items()}
     reused = {name: files for name, files in checked.items() if files is not None}
-    return _Plan(before.warned, tuple(name for name in wanted.outputs if name not in reused), reused)
+    return _Plan(before.warned, tuple(name for name in build_request.outputs if name not in reused), reused)
 
 
 def _build_stale(
-    wanted: BuildRequest,
+    build_request: BuildRequest,
     plans: Mapping[str, _Plan],
     shared: Mapping[str, Hashes],
     only: frozenset[str],
     path: str,
     files: Mapping[str, bytes],
     earlier: EarlierBuild,
-    beside: Staging | None,
+    staging: Staging | None,
 ) -> BuildResult:
     """Reads the specs, of all devices or of `only` some, and carries out the plans."""
     from fieldspec import pipeline
@@ -86,14 +94,14 @@ def _build_stale(
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
-        versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
+        versions = frozenset(specs.picked(spec, version) for version in build_request.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
             manual = _manual(spec.id, files) if DOCUMENTATION in plan.outputs else None
-            wanted_outputs = (plan.outputs, wanted.outputs) if outputs else ((), ())
+            wanted_outputs = (plan.outputs, build_request.outputs) if outputs else ((), ())
             tasks.append(Task(spec.id, versions, plan.check, *wanted_outputs, manual))
-    lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
+    lacking = [name for name in build_request.outputs if name not in shared] if outputs else []
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
-    work = Work(project, earlier.out, beside)
+    work = Work(project, earlier.out, staging)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
     located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
@@ -115,7 +123,7 @@ def _build_stale(
         files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
         result = done[device]
         # Warnings of outputs that were not asked for this time come again when they are.
-        was_warned = bool(plan.reused.keys() - set(wanted.outputs)) and earlier.devices[device].warned
+        was_warned = bool(plan.reused.keys() - set(build_request.outputs)) and earlier.devices[device].warned
         devices[device] = Built(
             {file: earlier.now[file] for file in sorted(files_read)},
             result.identities or earlier.devices[device].identities,

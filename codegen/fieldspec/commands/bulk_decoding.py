@@ -49,9 +49,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("--part-frames must be 1 or more")
     numbers_of("--port", arguments.port, 0xFFFF)
     files = source_files(arguments.frame)
-    out = Path(arguments.out)
-    with exclusive_folder(out):
-        return _Job(layout, choices, arguments, files, out).run()
+    output_folder = Path(arguments.out)
+    with exclusive_folder(output_folder):
+        return _Job(layout, choices, arguments, files, output_folder).run()
 
 
 def require_captures() -> None:
@@ -80,13 +80,13 @@ def _choices(layout: DeviceLayout, arguments: argparse.Namespace) -> Choices:
     return Choices(link, options.message, direction, frozenset(numbers_of("--units", arguments.units, 0xFFFFFFFF)))
 
 
-def numbers_of(option: str, text: str | None, most: int) -> list[int]:
-    """`1,3-5` as numbers. Raises UsageError."""
+def numbers_of(option: str, text: str | None, maximum: int) -> list[int]:
+    """The numbers in a text such as `1,3-5`. Raises UsageError."""
     result: list[int] = []
     for part in text.split(",") if text else ():
         low, _, high = part.partition("-")
-        if not (low.isdecimal() and (high or low).isdecimal()) or not int(low) <= int(high or low) <= most:
-            raise UsageError(f"{option} {text} is no list of numbers up to {most}; write it as 1,3-5")
+        if not (low.isdecimal() and (high or low).isdecimal()) or not int(low) <= int(high or low) <= maximum:
+            raise UsageError(f"{option} {text} is no list of numbers up to {maximum}; write it as 1,3-5")
         if int(high or low) - int(low) > 0xFFFF:
             raise UsageError(f"{option} {text} has too many numbers")
         result += range(int(low), int(high or low) + 1)
@@ -101,8 +101,8 @@ def source_files(names: list[str]) -> list[tuple[str, Path]]:
     for name in names:
         path = Path(name)
         if path.is_dir():
-            inside = sorted(each for each in path.rglob("*") if each.is_file() and not each.name.startswith("."))
-            files |= {each.relative_to(path).as_posix(): each for each in inside}
+            folder_files = sorted(file for file in path.rglob("*") if file.is_file() and not file.name.startswith("."))
+            files |= {file.relative_to(path).as_posix(): file for file in folder_files}
         elif path.is_file():
             files[path.name if path.name not in files else path.as_posix()] = path
         else:
@@ -121,12 +121,12 @@ class _Job:
         choices: Choices,
         arguments: argparse.Namespace,
         files: list[tuple[str, Path]],
-        out: Path,
+        output_folder: Path,
     ) -> None:
         from fieldspec.captures.decoding import DeviceDecoder
         from fieldspec.captures.totals import Totals
 
-        self.files, self.out, self.form = files, out, arguments.to
+        self.files, self.out, self.form = files, output_folder, arguments.to
         self.most = arguments.part_frames or PART
         self.ports = numbers_of("--port", arguments.port, 0xFFFF)
         self.device = DeviceDecoder(layout, choices)
@@ -157,15 +157,15 @@ class _Job:
 
             self.totals, first, state = Totals.of_data(journal["totals"]), journal["source"], journal["state"]
             self.sources, part = journal["faults"], journal["part"]
-            where = f"going on in file {first + 1} of {len(self.files)}"
-            print_note(where if first < len(self.files) else "all files are decoded already")
+            place_text = f"going on in file {first + 1} of {len(self.files)}"
+            print_note(place_text if first < len(self.files) else "all files are decoded already")
         parts = TableParts(self.out, self.form, part)
         try:
             with _progress(sum(path.stat().st_size for _, path in self.files)) as advance:
                 done = sum(path.stat().st_size for _, path in self.files[:first])
                 for number in range(first, len(self.files)):
-                    for at in self._file(number, state, parts):
-                        advance(done + at, self.frame_count)
+                    for position in self._file(number, state, parts):
+                        advance(done + position, self.frame_count)
                     state = None
                     done += self.files[number][1].stat().st_size
             parts.finish()
@@ -178,7 +178,7 @@ class _Job:
 
     @property
     def frame_count(self) -> int:
-        """The frames so far."""
+        """The number of frames so far."""
         return sum(self.totals.frames.values())
 
     def _file(self, number: int, state: Any, parts: TableParts) -> Iterator[int]:
@@ -228,7 +228,7 @@ class _Job:
         return journal
 
     def _note(self, part: int, source: int, state: Any, counters: Counter[str]) -> None:
-        """Notes what is on the disk, and where to go on."""
+        """Writes the journal: what is on the disk, and where decoding continues."""
         totals = self.totals.as_data()
         totals["counters"] = dict(Counter(totals["counters"]) + counters)
         content = {
@@ -243,9 +243,9 @@ class _Job:
         replace(self.out / JOURNAL, _json(content))
 
     def _is_flawed(self) -> bool:
-        valid, every = self.totals.whole
-        lost = [what for what in self.totals.counters if what.startswith(("bytes lost", "damage"))]
-        return valid < every or bool(lost) or bool(self.sources)
+        valid, total = self.totals.whole
+        lost = [counter for counter in self.totals.counters if counter.startswith(("bytes lost", "damage"))]
+        return valid < total or bool(lost) or bool(self.sources)
 
     def _summary(self) -> dict[str, Any]:
         return {"device": self.name, "identity": self.task["identity"], **self.totals.as_data(), "faults": self.sources}

@@ -34,8 +34,8 @@ MOST = 100
 
 def folder() -> str:
     """The folder: FIELDSPEC_CACHE, or where the system keeps caches. Raises OSError for a user without a home."""
-    if named := os.environ.get(VARIABLE):
-        return named.rstrip(os.sep) or named  # behind a link, a separator would lead to its target
+    if stated_folder := os.environ.get(VARIABLE):
+        return stated_folder.rstrip(os.sep) or stated_folder  # behind a link, a separator would lead to its target
     home = os.path.expanduser("~")
     if home == "~":
         raise FileNotFoundError("this user has no home")
@@ -158,10 +158,10 @@ def _write(path: str, content: bytes) -> None:
     """Writes a file all or nothing, one process at a time, and removes what is too much. Raises OSError."""
     from fieldspec.commands.storage import lock, unlock, write_through
 
-    within = os.path.dirname(path)
-    number = lock(within, patient=False)
+    folder_path = os.path.dirname(path)
+    number = lock(folder_path, patient=False)
     try:
-        for entry in _files_named(within, _UNFINISHED):  # left by a process that was killed while it wrote
+        for entry in _files_named(folder_path, _UNFINISHED):  # left by a process that was killed while it wrote
             os.unlink(entry)
         try:
             write_through(path + _BESIDE, content, 0o600)
@@ -170,7 +170,7 @@ def _write(path: str, content: bytes) -> None:
             with suppress(OSError):
                 os.unlink(path + _BESIDE)
             raise
-        files = sorted(_files_named(within, _ENTRY), key=lambda entry: entry.stat().st_mtime_ns)
+        files = sorted(_files_named(folder_path, _ENTRY), key=lambda entry: entry.stat().st_mtime_ns)
         for old in files[:-MOST]:
             os.unlink(old)
     finally:
@@ -255,14 +255,14 @@ def _python() -> bytes:
     return f"{sys.version} {sys.flags.optimize}".encode()
 
 
-def _states(folder: str, within: str) -> Iterator[str]:
+def _states(folder: str, prefix: str) -> Iterator[str]:
     with os.scandir(folder) as entries:
         for entry in sorted(entries, key=lambda entry: entry.name):
             if entry.is_dir():
                 if entry.name not in _OTHERS:
-                    yield from _states(entry.path, f"{within}/{entry.name}")
+                    yield from _states(entry.path, f"{prefix}/{entry.name}")
             else:
-                yield _state(f"{within}/{entry.name}", entry.stat())
+                yield _state(f"{prefix}/{entry.name}", entry.stat())
 
 
 def _state(name: str, status: os.stat_result) -> str:
@@ -287,9 +287,9 @@ def _version(module: str, distribution: str) -> str:
     spec = PathFinder.find_spec(module)
     if spec is None or not spec.origin:
         return ""
-    around, name = os.path.split(spec.origin)
-    around = os.path.dirname(around) if name.startswith("__init__.") else around
-    for name in sorted(os.listdir(around)):
+    parent, name = os.path.split(spec.origin)
+    parent = os.path.dirname(parent) if name.startswith("__init__.") else parent
+    for name in sorted(os.listdir(parent)):
         lower_name = name.lower().replace("-", "_")
         if lower_name.startswith(f"{distribution}_") and lower_name.endswith("_info"):
             return name

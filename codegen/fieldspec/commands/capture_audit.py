@@ -88,8 +88,8 @@ def _decode_file(source: str, path: Path, decoder: DeviceDecoder, observations: 
                     tables = record_batches(batch, decoder.texts.texts, source, f"{device.id}@{device.version}")
                     observations.add_frames(tables["frames"])
                     observations.add_values(tables["values"])
-            for what, count in sorted(conversion.counters().items()):
-                print_error(f"{source}: {what}: {count}")
+            for remark, count in sorted(conversion.counters().items()):
+                print_error(f"{source}: {remark}: {count}")
     except OSError as error:
         raise UsageError(f"cannot read {path}: {error.strerror}") from None
 

@@ -30,7 +30,9 @@ def suggest(parser: argparse.ArgumentParser) -> None:
     """Adds the names that devices have for messages and directions to what a shell offers."""
     links = list(_links())
     options = sorted({f"--{option_word(link.message_name)}" for link in links} - {"--message"})
-    directions = sorted({link.direction_name(way) for link in links for way in DIRECTIONS} - set(DIRECTIONS))
+    directions = sorted(
+        {link.direction_name(direction) for link in links for direction in DIRECTIONS} - set(DIRECTIONS)
+    )
     for verb in _verbs(parser):
         for option in options:
             verb.add_argument(option, metavar="NAME", help="the message, by the device's name for it")

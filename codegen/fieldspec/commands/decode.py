@@ -40,7 +40,7 @@ class FramePrinter:
         if self.form == "json":
             self._json(reading, remarks, number)
         else:
-            self._text(reading, remarks, number)
+            self._print_text(reading, remarks, number)
         sys.stdout.flush()
 
     def _json(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
@@ -53,7 +53,7 @@ class FramePrinter:
         else:
             print_json(data, indent=1)
 
-    def _text(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
+    def _print_text(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
         if not self.first:
             print_line("")
         self.first = False
@@ -61,9 +61,9 @@ class FramePrinter:
 
     def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
         own = reading.explanation
-        where = f"line {number}: " if number else ""
+        line_text = f"line {number}: " if number else ""
         sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in reading.alternatives)
-        yield Line(where + texts.title(self.layout, own, sure), "bold")
+        yield Line(line_text + texts.title(self.layout, own, sure), "bold")
         yield from (Line(remark, "red" if reading.wrong else "yellow") for remark in remarks)
         yield texts.frame_table(self.layout, own)
         if own.registers:
@@ -95,7 +95,7 @@ def run(arguments: argparse.Namespace) -> int:
     options = frame_options(layout, arguments)
     if arguments.request and "response" not in options.directions:
         raise UsageError(f"--request is for responses, so --direction cannot be {arguments.direction}")
-    asked = _parse_request(layout, options, arguments.request)
+    open_request = _parse_request(layout, options, arguments.request)
     printer = FramePrinter(layout, arguments.format)
     text = " ".join(arguments.frame)
     if arguments.frame and not text.strip():
@@ -106,9 +106,9 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin.isatty():
             print_note("reading frames from the terminal, one on each line")
         gc.enable()  # a log may be long
-        return Log(layout, options, asked, printer).explain(sys.stdin.buffer)
+        return Log(layout, options, open_request, printer).explain(sys.stdin.buffer)
     line = _frame(layout, text)
-    reading = read(layout, line.frame, options, line.direction, asked)
+    reading = read(layout, line.frame, options, line.direction, open_request)
     printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options)])
     return int(reading.wrong)
 
@@ -120,8 +120,8 @@ def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None
     places = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
     request = read(layout, _frame(layout, text).frame, FrameOptions(places, options.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
-        why = "; ".join(faults(request.explanation))
-        raise UsageError(f"--request is not a valid request of {layout.device.id}: {why}")
+        faults_text = "; ".join(faults(request.explanation))
+        raise UsageError(f"--request is not a valid request of {layout.device.id}: {faults_text}")
     return OpenRequest(request.explanation, True)
 
 
@@ -149,11 +149,11 @@ class Log:
     """
 
     def __init__(
-        self, layout: DeviceLayout, options: FrameOptions, asked: OpenRequest | None, printer: FramePrinter
+        self, layout: DeviceLayout, options: FrameOptions, open_request: OpenRequest | None, printer: FramePrinter
     ) -> None:
         self.layout, self.said, self.printer = layout, options, printer
         self.links = [link.link for link in layout.links.values()]
-        self.asked = asked
+        self.asked = open_request
         self.open: list[tuple[OpenRequest, int]] = []
         self.repeated = {name: repeated_parts(link) for name, link in layout.links.items()}
         self.mark = ""
@@ -196,8 +196,8 @@ class Log:
         if self.asked is not None or not self.open:
             return read(self.layout, frame, self.said, self.mark, self.asked), 0
         nearest = None
-        for asked, line in self.open[::-1]:
-            own = read(self.layout, frame, self.said, self.mark, asked), line
+        for open_request, line in self.open[::-1]:
+            own = read(self.layout, frame, self.said, self.mark, open_request), line
             if own[0].chosen == "request":
                 return own
             if nearest is None or (own[0].mismatches and not nearest[0].mismatches):
@@ -220,7 +220,10 @@ class Log:
     def _numbers(self, frame: Explanation) -> list[object]:
         """What responses repeat of their requests, in a request or in a response; None where a frame lacks it."""
         pairs = self.repeated[frame.link]
-        return [frame.values.get((asked if frame.direction == "request" else answer).name) for asked, answer in pairs]
+        return [
+            frame.values.get((request_part if frame.direction == "request" else answer).name)
+            for request_part, answer in pairs
+        ]
 
     def _request(self, reading: ChosenReading) -> OpenRequest | None:
         """The frame as the request that the next response answers; None for what nobody answers."""

@@ -10,9 +10,9 @@ from fieldspec.commands.option_types import natural, positive, seconds, whole
 def add_simulate(simulate: argparse.ArgumentParser) -> None:
     """Adds the arguments of `simulate`."""
     simulate.add_argument("device", metavar="DEVICE[@VERSION]")
-    where = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; may be repeated"
-    where += " (default: as the link allows)"
-    simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=where)
+    port_help = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; may be repeated"
+    port_help += " (default: as the link allows)"
+    simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=port_help)
     browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
     simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
@@ -96,8 +96,8 @@ def add_redact(redact: argparse.ArgumentParser) -> None:
 
 def _add_connection(verb: argparse.ArgumentParser) -> None:
     """Adds the options that say where a device is, and how it is asked."""
-    where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT, udp://HOST:PORT or can://INTERFACE/CHANNEL"
-    verb.add_argument("--port", metavar="WHERE", help=where)
+    port_help = "a serial port, socket://HOST:PORT, tcp://HOST:PORT, udp://HOST:PORT or can://INTERFACE/CHANNEL"
+    verb.add_argument("--port", metavar="WHERE", help=port_help)
     verb.add_argument("--link", metavar="NAME", help="the link (default: the first)")
     verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     fixed = "what requests need that no spec states, such as axis=0; may be repeated"
@@ -116,6 +116,6 @@ def _add_connection(verb: argparse.ArgumentParser) -> None:
 
 def add_mcp(mcp: argparse.ArgumentParser) -> None:
     """Adds the arguments of `mcp`."""
-    where = "a device that may be read, and where it is, as for `live --port`; may be repeated"
-    mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=where)
+    port_help = "a device that may be read, and where it is, as for `live --port`; may be repeated"
+    mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=port_help)
     mcp.add_argument("--allow-writes", action="store_true", help="also offer to write to these devices")

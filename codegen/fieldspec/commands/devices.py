@@ -20,14 +20,14 @@ def run(arguments: argparse.Namespace) -> int:
     Raises UsageError.
     """
     project = specs.project(arguments.specs)
-    print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
+    print_blocks([Table(_HEADINGS, tuple(_device_row(name, spec) for name, spec in sorted(project.devices.items())))])
     if has_errors(project.findings):
         print_error("the specs have findings; see them with: fieldspec check")
         return 1
     return 0
 
 
-def _row(name: str, spec: DeviceSpec) -> tuple[str, ...]:
+def _device_row(name: str, spec: DeviceSpec) -> tuple[str, ...]:
     device, _ = spec.at(spec.versions()[-1])
     parameters = sum(len(words.parameters) for words in device.parameters.values())
     counts = (

@@ -65,26 +65,26 @@ def _comparisons(old: SpecState, new: SpecState) -> Iterator[_Compared]:
     """The comparisons of two states, device by device."""
     for device in _common(old, new):
         before, after = old.spec(device), new.spec(device)
-        both = [version for version in after.versions() if version in before.versions()]
-        if old.version or new.version or not both:
+        common = [version for version in after.versions() if version in before.versions()]
+        if old.version or new.version or not common:
             yield _pair(old, new, device)
             continue
-        by_version = {version: _of(old, new, device, version, version) for version in both}
+        by_version = {version: _of(old, new, device, version, version) for version in common}
         yield _Compared(old.label(device), new.label(device), by_version)
         for version in after.versions():
             based_on = previous(after, version)
-            if version not in both and based_on is not None:
+            if version not in common and based_on is not None:
                 step = _of(new, new, device, based_on, version)
                 yield _Compared(new.label(device, based_on), new.label(device, version), {version: step})
 
 
 def _common(old: SpecState, new: SpecState) -> list[str]:
     """The devices to compare: the requested one, or all that both states have. Raises UsageError."""
-    asked = {spec_state.device for spec_state in (old, new) if spec_state.device}
-    if len(asked) > 1:
+    stated = {spec_state.device for spec_state in (old, new) if spec_state.device}
+    if len(stated) > 1:
         raise UsageError(f"{old.device} and {new.device} are different devices; compare two versions of one device")
-    if asked:
-        return sorted(asked)
+    if stated:
+        return sorted(stated)
     common = [device for device in sorted(new.project.devices) if device in old.project.devices]
     if not common and old.project.devices.keys() != new.project.devices.keys():
         raise UsageError(f"{old.name} and {new.name} have no device in common")
@@ -117,8 +117,8 @@ def _difference(compared: _Compared) -> Difference:
     versions_of: dict[tuple[object, ...], list[str]] = {}
     change_of: dict[tuple[object, ...], AcceptedChange] = {}
     for version, step in compared.by_version.items():
-        for each in judged_changes(step):
-            change = each.change
+        for judged in judged_changes(step):
+            change = judged.change
             key = (
                 change.rule,
                 change.effect,
@@ -126,10 +126,10 @@ def _difference(compared: _Compared) -> Difference:
                 change.message,
                 change.old,
                 change.new,
-                each.accepted is None,
+                judged.accepted is None,
             )
             versions_of.setdefault(key, []).append(version)
-            change_of[key] = AcceptedChange(change, each.accepted)
+            change_of[key] = AcceptedChange(change, judged.accepted)
     all_changes = [
         AcceptedChange(
             entry.change,
@@ -145,10 +145,10 @@ def _devices(old: SpecState, new: SpecState) -> Iterator[Difference]:
     """The devices that only one state has, where whole folders are compared."""
     if old.device or new.device:
         return
-    gone = [device for device in old.project.devices if device not in new.project.devices]
+    removed = [device for device in old.project.devices if device not in new.project.devices]
     come = [device for device in new.project.devices if device not in old.project.devices]
     entries = [
-        *(AcceptedChange(device_removed(old.at(device, ""))) for device in gone),
+        *(AcceptedChange(device_removed(old.at(device, ""))) for device in removed),
         *(AcceptedChange(device_added(new.at(device, ""))) for device in come),
     ]
     if entries:
@@ -159,7 +159,7 @@ def _unused(compared: list[_Compared]) -> list[Diagnostic]:
     """The findings about acceptances that accept nothing."""
     rules = {name for name, _, _ in RULES}
     by_device: dict[str, list[ComparedVersions]] = {}
-    for step in (step for each in compared for step in each.by_version.values()):
+    for step in (step for comparison in compared for step in comparison.by_version.values()):
         by_device.setdefault(step.new.id, []).append(step)
     findings: list[Diagnostic] = []
     for steps in by_device.values():

@@ -34,40 +34,40 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.reference import CodecError, codec
 
     layout = layout_cache.requested_layout(arguments)
-    way, pairs = _way(layout, arguments)
-    if way.direction == "request" and not layout.messages[way.message].message.is_requested:
-        raise UsageError(f"only the device sends {way.message}; use: --direction response")
+    frame_kind, pairs = _way(layout, arguments)
+    if frame_kind.direction == "request" and not layout.messages[frame_kind.message].message.is_requested:
+        raise UsageError(f"only the device sends {frame_kind.message}; use: --direction response")
     texts = _nested(pairs)
-    fields = _fields(layout, way)
-    body = body_of(layout, way.link, way.direction, way.message, False)
-    _by_print(layout, way, texts)
+    fields = _fields(layout, frame_kind)
+    body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
+    _by_print(layout, frame_kind, texts)
     for name in texts:
         if name not in fields:
-            why = computed(layout.links[way.link].frame(way.direction), body, name)
-            raise UsageError(f"{why}; give {', '.join(fields)}") if why else unknown("field", name, fields)
-    _with_address(layout, way.message, texts)
-    parts = layout.links[way.link].frame(way.direction).header
+            reason = computed(layout.links[frame_kind.link].frame(frame_kind.direction), body, name)
+            raise UsageError(f"{reason}; give {', '.join(fields)}") if reason else unknown("field", name, fields)
+    _with_address(layout, frame_kind.message, texts)
+    parts = layout.links[frame_kind.link].frame(frame_kind.direction).header
     try:
-        _with_words(layout, way.message, texts)
-        with_parameter(layout, body, way.direction, texts)
-        counts = {name: _count_of(layout, way, name, value) for name, value in texts.items()}
+        _with_words(layout, frame_kind.message, texts)
+        with_parameter(layout, body, frame_kind.direction, texts)
+        counts = {name: _count_of(layout, frame_kind, name, value) for name, value in texts.items()}
         values = raw_of(layout.device, parts, body, counts)
-        _refuse_access(layout, way, values)
-        frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
+        _refuse_access(layout, frame_kind, values)
+        frame = codec(layout).links[frame_kind.link].encode(frame_kind.direction, frame_kind.message, values)
     except (MeaningError, CodecError) as error:
-        raise UsageError(f"{error}; {_way_text(layout, way)} has the fields {', '.join(fields)}") from None
-    _judge(layout, way, frame)
-    _print(layout, way, arguments.format, frame)
+        raise UsageError(f"{error}; {_way_text(layout, frame_kind)} has the fields {', '.join(fields)}") from None
+    _judge(layout, frame_kind, frame)
+    _print(layout, frame_kind, arguments.format, frame)
     return 0
 
 
-def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
+def _judge(layout: DeviceLayout, frame_kind: _Way, frame: bytes) -> None:
     """Refuses a frame with a value that no codec can judge alone: one beyond the range of the parameter or of the
     register that it is written to.
     """
-    explanation = explained(layout, way.link, way.direction, frame, way.message)
+    explanation = explained(layout, frame_kind.link, frame_kind.direction, frame, frame_kind.message)
     wrong = [row for row in (*explanation.rows, *explanation.registers) if row.verdict.startswith("wrong")]
-    if wrong and way.direction == "request":
+    if wrong and frame_kind.direction == "request":
         reasons = "; ".join(f"{_row_name(row)} is {row.value or spec_text(row.number)}: {row.verdict}" for row in wrong)
         raise UsageError(f"out_of_range: {reasons}")
 
@@ -89,8 +89,8 @@ class _Way:
 def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, list[str]]:
     """The message, and the assignments of values."""
     pairs = list(arguments.assignments)
-    named = arguments.message is not None or arguments.words
-    if not named and pairs and "=" not in pairs[0]:
+    has_option = arguments.message is not None or arguments.words
+    if not has_option and pairs and "=" not in pairs[0]:
         arguments.message = pairs.pop(0)
     options = frame_options(layout, arguments)
     if not options.message:
@@ -100,9 +100,9 @@ def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, lis
     return _Way(options.places[0][0], "request", options.message), pairs
 
 
-def _way_text(layout: DeviceLayout, way: _Way) -> str:
-    name = layout.device.links[way.link].direction_name(way.direction)
-    return f"the {name}" if name in DIRECTIONS else f"{way.message} {name}"
+def _way_text(layout: DeviceLayout, frame_kind: _Way) -> str:
+    name = layout.device.links[frame_kind.link].direction_name(frame_kind.direction)
+    return f"the {name}" if name in DIRECTIONS else f"{frame_kind.message} {name}"
 
 
 def _names_text(names: Collection[str]) -> str:
@@ -143,9 +143,9 @@ def _order(key: str) -> tuple[int, str]:
     return len(key), key
 
 
-def _by_print(layout: DeviceLayout, way: _Way, texts: dict[str, object]) -> None:
+def _by_print(layout: DeviceLayout, frame_kind: _Way, texts: dict[str, object]) -> None:
     """Replaces printed names by the names of fields. Raises UsageError for a field with two values."""
-    body = body_of(layout, way.link, way.direction, way.message, False)
+    body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
     printed = {field.field.printed_name.lower(): field.name for field in body.fields if field.field.printed_name}
     for name in [name for name in texts if body.named(name) is None and name.lower() in printed]:
         own = printed[name.lower()]
@@ -159,8 +159,8 @@ def _with_address(layout: DeviceLayout, message: str, texts: dict[str, object]) 
     device = layout.device
     own = layout.messages[message].message
     accesses = device.register_access(own) or device.bit_access(own)
-    named = texts.get(accesses.start) if accesses else None
-    register = device.register(named) if isinstance(named, str) else None
+    start_value = texts.get(accesses.start) if accesses else None
+    register = device.register(start_value) if isinstance(start_value, str) else None
     if accesses is None or register is None:
         return
     theirs, ours = device.space_name(register.space), device.space_name(accesses.space)
@@ -191,17 +191,17 @@ def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) ->
     texts[access.values] = words if field.is_list else words[0]
 
 
-def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
+def _refuse_access(layout: DeviceLayout, frame_kind: _Way, values: Mapping[str, Raw]) -> None:
     """Refuses to write what can only be read, and to read what can only be written. Raises UsageError."""
-    own = layout.messages[way.message].message
+    own = layout.messages[frame_kind.message].message
     accesses, bits = layout.device.register_access(own), layout.device.bit_access(own)
-    if way.direction != "request":
+    if frame_kind.direction != "request":
         return
     if bits is not None:
         span = accessed_bits(bits, values, {}, 0, b"")
-        why = forbidden(layout, span, bits.operation) if span is not None else ""
-        if why:
-            raise UsageError(f"{why}; no frame is written")
+        objection = forbidden(layout, span, bits.operation) if span is not None else ""
+        if objection:
+            raise UsageError(f"{objection}; no frame is written")
     _refuse_steps(layout, own, values)
     if accesses is None:
         return
@@ -209,9 +209,9 @@ def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -
     size = layout.device.space(accesses.space).unit_size
     carried = bytes(size * (len(words) if isinstance(words, list) else 0 if words is None else 1))
     span = accessed(accesses, values, {}, 0, carried, size)
-    why = forbidden(layout, span, accesses.operation) if span is not None else ""
-    if why:
-        raise UsageError(f"{why}; no frame is written")
+    objection = forbidden(layout, span, accesses.operation) if span is not None else ""
+    if objection:
+        raise UsageError(f"{objection}; no frame is written")
 
 
 def _refuse_steps(layout: DeviceLayout, message: Message, values: Mapping[str, Raw]) -> None:
@@ -220,16 +220,16 @@ def _refuse_steps(layout: DeviceLayout, message: Message, values: Mapping[str, R
         words, size = values.get(step.values), layout.device.space(step.space).unit_size
         count = len(words) if isinstance(words, list) else 1
         span = accessed(step, values, {}, 0, bytes(size * count if step.operation == "write" else 0), size)
-        why = forbidden(layout, span, step.operation) if span is not None else ""
-        if why:
-            raise UsageError(f"{why}; no frame is written")
+        objection = forbidden(layout, span, step.operation) if span is not None else ""
+        if objection:
+            raise UsageError(f"{objection}; no frame is written")
 
 
-def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> object:
+def _count_of(layout: DeviceLayout, frame_kind: _Way, name: str, text: object) -> object:
     """A value as counts, where that needs more than its own field: the number of a named parameter, and what is a
     share of a power of two, of which hardly any value in the unit is a whole number. Says what it rounds.
     """
-    body = body_of(layout, way.link, way.direction, way.message, False)
+    body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
     field = body.named(name)
     value = field.value if field else None
     if value is None or not isinstance(text, str):
@@ -242,29 +242,29 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> objec
     count = nearest(layout.device, value, text)
     if count is None or count.is_whole:
         return text
-    which = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
-    print_error(f"{name}: {text} is {count.exact} counts; {count.raw} is sent{which}")
+    count_text = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
+    print_error(f"{name}: {text} is {count.exact} counts; {count.raw} is sent{count_text}")
     return count.raw
 
 
-def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
+def _fields(layout: DeviceLayout, frame_kind: _Way) -> list[str]:
     """The names that take values: parts of the header that nothing else decides, and fields of the body."""
-    shape = layout.links[way.link].frame(way.direction)
+    shape = layout.links[frame_kind.link].frame(frame_kind.direction)
     head = [part.name for part in shape.header if part.role in ("unit_address", "plain") and not part.reserved]
-    body = body_of(layout, way.link, way.direction, way.message, False)
+    body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
     return [*head, *(field.name for field in body.fields if field.field.measures is None)]
 
 
-def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
-    characters = frame.decode("latin-1") if layout.links[way.link].link.encoding == "hex_ascii" else None
+def _print(layout: DeviceLayout, frame_kind: _Way, form: str, frame: bytes) -> None:
+    characters = frame.decode("latin-1") if layout.links[frame_kind.link].link.encoding == "hex_ascii" else None
     if form == "json":
         data = {
             "device": layout.device.id,
             "version": layout.device.version,
-            "link": way.link,
-            "direction": way.direction,
-            "direction_name": layout.device.links[way.link].direction_name(way.direction),
-            "message": way.message,
+            "link": frame_kind.link,
+            "direction": frame_kind.direction,
+            "direction_name": layout.device.links[frame_kind.link].direction_name(frame_kind.direction),
+            "message": frame_kind.message,
             "frame": frame.hex().upper(),
             "characters": characters,
         }
@@ -323,8 +323,8 @@ def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str
         raise UsageError(text)
     data = _bytes(layout, occupant, item)
     big = layout.device.byte_order == "big"
-    for at in range(0, len(data), space.unit_size):
-        yield int.from_bytes(data[at : at + space.unit_size], "big" if big else "little")
+    for offset in range(0, len(data), space.unit_size):
+        yield int.from_bytes(data[offset : offset + space.unit_size], "big" if big else "little")
 
 
 def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:

@@ -42,7 +42,10 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
     if not carried.carries_bytes:
         own = _chosen(layout, record, carried, texts).value
         items = pieces(carried.name, text) if carried.is_list else [text]
-        numbers = [_number(layout, parameter, index + at, own, item, direction) for at, item in enumerate(items)]
+        numbers = [
+            _element_number(layout, parameter, index + offset, own, item, direction)
+            for offset, item in enumerate(items)
+        ]
         texts[carried.name] = numbers if carried.is_list else numbers[0]
         return
     if index >= (parameter.elements or 1):
@@ -62,14 +65,14 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
 
 def _chosen(layout: DeviceLayout, record: RecordLayout, carried: FieldLayout, texts: dict[str, object]) -> FieldLayout:
     """The field with a value, in the type that the entered value of the selector decides, where there is one."""
-    by = record.selector
-    if by is None or by.value is None or by.name not in texts:
+    selector = record.selector
+    if selector is None or selector.value is None or selector.name not in texts:
         return carried
-    chosen = record.of_number(raw_value(layout.device, by.name, by.value, texts[by.name]))
+    chosen = record.of_number(raw_value(layout.device, selector.name, selector.value, texts[selector.name]))
     return chosen.fields[-1] if chosen is not None else carried
 
 
-def _number(
+def _element_number(
     layout: DeviceLayout, parameter: Parameter, index: int, own: Value | None, item: str, direction: str
 ) -> object:
     """The number that a field of the value `own` has for an element of a parameter as people write it.

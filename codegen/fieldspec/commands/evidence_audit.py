@@ -54,15 +54,15 @@ def folder_report(
         return evidence_report(layout, (), (), None)[0], tuple(findings)
     observables = Observables(layout)
     units: list[UnitEvidence] = []
-    others: list[tuple[str, ...]] = []
+    other_rows: list[tuple[str, ...]] = []
     for path, note in notes:
         other = layouts.get(note.firmware)
         if other is not None and other.identity != layout.identity:
             remark = f"not counted: audit {layout.device.id}@{note.firmware}"
-            others.append((note.name, note.model, note.firmware, "", remark))
+            other_rows.append((note.name, note.model, note.firmware, "", remark))
         else:
             units.append(_unit_evidence(path, note, layout, observables))
-    return evidence_report(layout, units, others, old)
+    return evidence_report(layout, units, other_rows, old)
 
 
 def _baseline(name: str) -> Baseline:
@@ -82,7 +82,7 @@ def _notes(folder: Path) -> tuple[list[tuple[Path, UnitNote]], list[Diagnostic]]
     """The folder and the note of each unit, and what is wrong with the notes. Raises UsageError."""
     if not folder.is_dir():
         raise UsageError(f"there is no folder {folder}")
-    paths = sorted(each for each in folder.iterdir() if each.is_dir() and not each.name.startswith("."))
+    paths = sorted(entry for entry in folder.iterdir() if entry.is_dir() and not entry.name.startswith("."))
     if not paths:
         raise UsageError(f"{folder} has no folder of a unit: put the files of each unit into one, with a {FILE}")
     notes: list[tuple[Path, UnitNote]] = []
@@ -107,21 +107,23 @@ def _notes(folder: Path) -> tuple[list[tuple[Path, UnitNote]], list[Diagnostic]]
 def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables: Observables) -> UnitEvidence:
     """The evidence in the folder of a unit. Raises UsageError."""
     unit = UnitEvidence(note, layout)
-    files = sorted(each for each in path.rglob("*") if each.is_file() and not each.name.startswith("."))
-    files = [each for each in files if each != path / FILE]
+    files = sorted(
+        file_path for file_path in path.rglob("*") if file_path.is_file() and not file_path.name.startswith(".")
+    )
+    files = [file_path for file_path in files if file_path != path / FILE]
     if not files:
         raise UsageError(f"{path} has no dump, scan or capture")
-    for number, each in enumerate(files):
-        source = each.relative_to(path).as_posix()
+    for number, file_path in enumerate(files):
+        source = file_path.relative_to(path).as_posix()
         try:
-            with open(each, "rb") as file:
+            with open(file_path, "rb") as file:
                 head = file.read(_HEAD)
         except OSError as error:
-            raise UsageError(f"cannot read {each}: {error.strerror}") from None
+            raise UsageError(f"cannot read {file_path}: {error.strerror}") from None
         if is_dump(head):
-            _add_dump(unit, observables, each, source, number << _FILES)
+            _add_dump(unit, observables, file_path, source, number << _FILES)
         else:
-            _add_capture(unit, observables, each, source, number << _FILES)
+            _add_capture(unit, observables, file_path, source, number << _FILES)
         unit.sources.append(source)
     return unit
 
@@ -194,8 +196,8 @@ def _add_capture(unit: UnitEvidence, observables: Observables, path: Path, sourc
             for batches in conversion.batches():
                 for batch in batches:
                     values.add(batch)
-            for what, count in sorted(conversion.counters().items()):
-                print_error(f"{path}: {what}: {count}")
+            for remark, count in sorted(conversion.counters().items()):
+                print_error(f"{path}: {remark}: {count}")
     except CaptureError as error:
         raise UsageError(f"{path} could not be read: {error}") from None
     except OSError as error:

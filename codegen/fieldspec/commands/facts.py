@@ -18,11 +18,11 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.format == "csv":
         print_rows([COLUMNS, *([_csv(row[column]) for column in COLUMNS] for row in fact_rows)])
     else:
-        print_json(fact_rows, indent=1, default=_number)
+        print_json(fact_rows, indent=1, default=_json_number)
     return 0
 
 
-def _number(cell: object) -> int | float:
+def _json_number(cell: object) -> int | float:
     """An exact decimal as a JSON number, which prints as in the spec."""
     if isinstance(cell, Decimal):
         return int(cell) if cell == cell.to_integral_value() else float(cell)
@@ -35,5 +35,5 @@ def _csv(cell: object) -> str:
     if isinstance(cell, list):
         return " ".join(map(str, cell))
     if isinstance(cell, dict):
-        return json.dumps(cell, ensure_ascii=False, default=_number)
+        return json.dumps(cell, ensure_ascii=False, default=_json_number)
     return format(cell, "f") if isinstance(cell, Decimal) else str(cell)

@@ -20,10 +20,10 @@ from fieldspec.reading.findings import MAIN
 def frame_options(layout: DeviceLayout, arguments: argparse.Namespace) -> FrameOptions:
     """The meaning of the options. Raises UsageError for names that the device does not have."""
     links = _links(layout, arguments.link)
-    what, text, links = _word(layout, arguments, links)
+    message_word, text, links = _word(layout, arguments, links)
     message = ""
     if text:
-        message = _message(layout, what, text, links)
+        message = _message(layout, message_word, text, links)
         links = [link for link in links if message in layout.links[link].messages]
     places = _places(layout, links, arguments.direction, [link for link in layout.links if link not in links])
     return FrameOptions(places if arguments.link or arguments.direction or text else (), message)
@@ -38,37 +38,37 @@ def _links(layout: DeviceLayout, name: str | None) -> list[str]:
 def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str]) -> tuple[str, str, list[str]]:
     """What a message is called, the requested name, and the links with such messages."""
     words = {f"--{option_word(link.link.message_name)}": link.link.message_name for link in layout.links.values()}
-    named = [("--message", arguments.message)] if arguments.message is not None else []
-    named += [(option.replace("_", "-"), text) for option, text in arguments.words]
-    for option, text in named:
+    stated = [("--message", arguments.message)] if arguments.message is not None else []
+    stated += [(option.replace("_", "-"), text) for option, text in arguments.words]
+    for option, text in stated:
         if option not in words and option != "--message":
             raise unknown("option", option, ["--link", "--direction", "--message", "--format", *words])
         if not text:
             raise UsageError(f"{option} needs a name or a number")
-    if not named:
+    if not stated:
         return "message", "", links
-    if len(named) > 1:
-        raise UsageError(f"{named[0][0]} and {named[1][0]} both name the message; use one of them")
-    ((option, text),) = named
+    if len(stated) > 1:
+        raise UsageError(f"{stated[0][0]} and {stated[1][0]} both name the message; use one of them")
+    ((option, text),) = stated
     word = words.get(option, "message")
     if option == "--message":
         return word, text, links
     own = [link for link in links if layout.links[link].link.message_name == word]
     if not own:
-        others = sorted({layout.links[link].link.message_name for link in links})
-        raise UsageError(f"{' and '.join(links)} has no {word}; what it sends is called {' or '.join(others)}")
+        message_words = sorted({layout.links[link].link.message_name for link in links})
+        raise UsageError(f"{' and '.join(links)} has no {word}; what it sends is called {' or '.join(message_words)}")
     return word, text, own
 
 
-def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str]) -> str:
+def _message(layout: DeviceLayout, message_word: str, text: str, links: Collection[str]) -> str:
     """The message with a name or a number, on some links. Raises UsageError."""
-    sent = {name: message for link in links for name, message in layout.links[link].messages.items()}
-    if text in sent:
+    messages = {name: message for link in links for name, message in layout.links[link].messages.items()}
+    if text in messages:
         return text
     number = number_of(text)
-    candidates = [name for name, message in sent.items() if number is not None and message.message.number == number]
+    candidates = [name for name, message in messages.items() if number is not None and message.message.number == number]
     candidates = candidates or [
-        name for name, message in sent.items() if number is not None and message.message.code == number
+        name for name, message in messages.items() if number is not None and message.message.code == number
     ]
     if len(candidates) == 1:
         return candidates[0]
@@ -77,12 +77,12 @@ def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str])
     elsewhere = [link.name for link in layout.links.values() if text in link.messages]
     if elsewhere:
         raise UsageError(f"{text} is not sent on {' or '.join(links)}, but on {' and '.join(elsewhere)}")
-    raise unknown(what, text, _numbers(sent.values()) if number is not None else sent)
+    raise unknown(message_word, text, _numbers(messages.values()) if number is not None else messages)
 
 
-def _numbers(sent: Iterable[MessageLayout]) -> Iterable[str]:
+def _numbers(candidates: Iterable[MessageLayout]) -> Iterable[str]:
     """The numbers of messages, or else their names."""
-    messages = list(sent)
+    messages = list(candidates)
     numbers = [str(message.message.number) for message in messages if message.message.number is not None]
     return numbers or [message.name for message in messages]
 
@@ -97,7 +97,7 @@ def number_of(text: str) -> int | None:
 
 
 def _places(
-    layout: DeviceLayout, links: Collection[str], text: str | None, others: Collection[str]
+    layout: DeviceLayout, links: Collection[str], text: str | None, other_links: Collection[str]
 ) -> tuple[tuple[str, str], ...]:
     """The links with a direction of that name. Names of the link take precedence over `request` and `response`."""
     if not text:
@@ -111,10 +111,10 @@ def _places(
     if places:
         return tuple(places)
     names = dict.fromkeys(name for link in links for name in direction_names(layout, link))
-    elsewhere = [link for link in others if text in direction_names(layout, link)]
+    elsewhere = [link for link in other_links if text in direction_names(layout, link)]
     if elsewhere:
-        have = " and ".join(names)
-        raise UsageError(f"{text} is a direction of {' and '.join(elsewhere)}; {' and '.join(links)} has {have}")
+        names_text = " and ".join(names)
+        raise UsageError(f"{text} is a direction of {' and '.join(elsewhere)}; {' and '.join(links)} has {names_text}")
     raise unknown("direction", text, [*names, *DIRECTIONS])
 
 

@@ -80,10 +80,10 @@ def digest(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def file_digest(out: Path, path: str) -> str | None:
+def file_digest(output_folder: Path, path: str) -> str | None:
     """The hash of a file of a folder as it is now; None where it cannot be read."""
     try:
-        return digest(content(f"{out}/{path}", LARGEST_OUTPUT))
+        return digest(content(f"{output_folder}/{path}", LARGEST_OUTPUT))
     except OSError:
         return None
 
@@ -97,13 +97,13 @@ class EarlierBuild:
     """
 
     def __init__(
-        self, out: Path, files: Mapping[str, bytes], packages: Hashes | None = None, trusted: bool = True
+        self, output_folder: Path, files: Mapping[str, bytes], packages: Hashes | None = None, trusted: bool = True
     ) -> None:
         self.now = {path: digest(data) for path, data in files.items()}
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
-        self.out = out
-        self._name = str(out.resolve())
+        self.out = output_folder
+        self._name = str(output_folder.resolve())
         self._specs: Hashes = {}
         self._note: dict[str, Any] = {}
         self._file_digests: dict[str, str | None] = {}
@@ -150,13 +150,13 @@ class EarlierBuild:
         """
         if not self._compiler or _running(package_hashes()) != self._compiler:
             return
-        others = {} if whole else self.devices
+        earlier_devices = {} if whole else self.devices
         data: dict[str, Any] = {
             "compiler": self._compiler,
             "specs": (self.now if quiet else {}) if whole else self._specs,
             "devices": {
                 name: {key: getattr(built, key) for key in attributes(Built)}
-                for name, built in {**others, **devices}.items()
+                for name, built in {**earlier_devices, **devices}.items()
             },
             "shared": {**self.shared, **shared},
         }
@@ -174,14 +174,14 @@ def _by_name(data: Any, entry: Callable[[Any], _Entry]) -> dict[str, _Entry]:
     return {name: entry(value) for name, value in data.items()}
 
 
-def _text(data: Any) -> str:
+def _checked_text(data: Any) -> str:
     if not isinstance(data, str):
         raise TypeError("not a text")
     return data
 
 
 def _hashes(data: Any) -> Hashes:
-    return _by_name(data, _text)
+    return _by_name(data, _checked_text)
 
 
 def _built(data: Any) -> Built:
@@ -229,7 +229,7 @@ class Manifest:
     packages: Hashes
 
     def text(self) -> bytes:
-        """The file."""
+        """The text of the file of the manifest."""
         specs = {device: dict(sorted(files.items())) for device, files in sorted(self.specs.items())}
         data = {
             "identities": dict(sorted(self.identities.items())),
@@ -240,18 +240,18 @@ class Manifest:
         return (json.dumps(data, indent=1) + "\n").encode("utf-8")
 
     def renewed(
-        self, wanted: BuildRequest, result: BuildResult, hashes: Hashes, gone: Sequence[str], packages: Hashes
+        self, build_request: BuildRequest, result: BuildResult, hashes: Hashes, removed: Sequence[str], packages: Hashes
     ) -> Manifest:
         """The manifest after a build whose files have the given hashes, and which removes others."""
-        identities = {} if wanted.whole else dict(self.identities)
-        specs = {} if wanted.whole else dict(self.specs)
+        identities = {} if build_request.whole else dict(self.identities)
+        specs = {} if build_request.whole else dict(self.specs)
         for name, device in result.devices.items():
             identities |= device.identities
             specs[name] = device.inputs
-        if wanted.picked or any(path.partition("/")[0] not in wanted.outputs for path in self.files):
+        if build_request.picked or any(path.partition("/")[0] not in build_request.outputs for path in self.files):
             specs = self.specs  # some files are still from other specs
             packages = self.packages
-        files = {path: digest for path, digest in self.files.items() if path not in gone} | hashes
+        files = {path: digest for path, digest in self.files.items() if path not in removed} | hashes
         return Manifest(identities, specs, files, packages)
 
     def gone(self, hashes: Hashes, names: Sequence[str]) -> list[str]:
@@ -260,7 +260,7 @@ class Manifest:
         return sorted(path for path in ours if ".." not in path.split("/"))
 
     def reason(self, path: str, result: BuildResult, earlier: EarlierBuild, packages: Hashes) -> str:
-        """Why a file differs from what a build would write."""
+        """The reason why a file differs from what a build would write."""
         if path not in self.files:
             return "it is new"
         if earlier.hash_of(path) is None:
@@ -284,14 +284,14 @@ class Manifest:
 
 def _enumerated(names: Sequence[str]) -> str:
     """The first few names, and how many more there are."""
-    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    return f"{', '.join(names[:_NAMED])}{more}"
+    rest_text = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    return f"{', '.join(names[:_NAMED])}{rest_text}"
 
 
-def read_manifest(out: Path) -> Manifest:
+def read_manifest(output_folder: Path) -> Manifest:
     """The manifest of the last build; an empty one where it cannot be read."""
     try:
-        data = json.loads(content(out / MANIFEST, LARGEST_OUTPUT))
+        data = json.loads(content(output_folder / MANIFEST, LARGEST_OUTPUT))
         specs, packages = _by_name(data.get("specs", {}), _hashes), _hashes(data.get("packages", {}))
         return Manifest(_hashes(data["identities"]), specs, _hashes(data["files"]), packages)
     except (OSError, *_WRONG_SHAPE):

@@ -50,7 +50,7 @@ class JournalFile:
         self._append(begun_line(change))
 
     def verify(self, change: Change) -> None:
-        """Notes that the device has a value."""
+        """Writes that the device has a value."""
         self._append(verified_line(change))
 
     def _append(self, line: str) -> None:
@@ -73,7 +73,7 @@ class JournalFile:
         return number
 
     def close(self) -> None:
-        """Closes the file and leaves it."""
+        """Closes the file and keeps it."""
         if self._number is not None:
             os.close(self._number)
             self._number = None

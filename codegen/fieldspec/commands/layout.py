@@ -46,13 +46,13 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
     """The records that a name means, one for each case of a choice, with their titles. Raises UsageError."""
     known = list(_records(layout))
     number = number_of(name)
-    meant = [candidate for candidate in known if name == candidate[0].name]
-    meant = meant or [
+    matches = [candidate for candidate in known if name == candidate[0].name]
+    matches = matches or [
         candidate for candidate in known if name in candidate[2] or (number is not None and str(number) in candidate[2])
     ]
-    if not meant:
+    if not matches:
         raise unknown(f"record of {layout.device.id}", name, {word for candidate in known for word in candidate[2]})
-    for record, fact, _ in meant:
+    for record, fact, _ in matches:
         if record.spans:
             varying = next(span.name for span in record.spans if span.value is not None)
             raise UsageError(f"{record.name} has no layout: {varying} varies in width")

@@ -64,8 +64,8 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
 def _key(text: str, files: dict[str, bytes]) -> str:
     """The key of a layout; empty where the files of the compiler cannot be read."""
     try:
-        named = [part for path, content in files.items() for part in (os.fsencode(path), content)]
-        return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named)
+        named_contents = [part for path, content in files.items() for part in (os.fsencode(path), content)]
+        return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named_contents)
     except OSError:
         return ""
 
@@ -198,7 +198,7 @@ class _Thawing:
         return instance
 
     def cls(self, number: int) -> Any:
-        """A class of data, or an enum."""
+        """The class of data, or the enum, whose name has a number."""
         module, _, name = self.names[number].partition(":")
         return getattr(import_module(module), name)
 

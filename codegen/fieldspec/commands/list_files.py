@@ -37,10 +37,10 @@ def content(name: str) -> bytes:
         raise UsageError(f"cannot read {name}: {error.strerror}") from None
 
 
-def sheet(data: bytes, encoding: str, named: str) -> Sheet:
+def sheet(data: bytes, encoding: str, sheet_name: str) -> Sheet:
     """The rows of a list. Its first bytes, not its name, decide whether it is a workbook. Raises ListError."""
     if data.startswith(MAGIC):
-        return workbook_sheet(data, named)
-    if named:
+        return workbook_sheet(data, sheet_name)
+    if sheet_name:
         raise ListError("is not a workbook, so --sheet has no effect; leave it out")
     return text_sheet(data, encoding)

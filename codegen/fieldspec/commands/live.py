@@ -53,8 +53,8 @@ def _refuse_options(arguments: argparse.Namespace) -> None:
         value = getattr(arguments, option)
         is_default = value is None or value is False or value == "text"
         if not is_default and verb not in verbs and verb != "points":
-            *others, last = verbs
-            own = f"{', '.join(others)} and {last}" if others else last
+            *first_verbs, last = verbs
+            own = f"{', '.join(first_verbs)} and {last}" if first_verbs else last
             raise UsageError(f"--{option.replace('_', '-')} has no effect on {verb}, only on {own}; leave it out")
 
 
@@ -99,7 +99,7 @@ def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
 
 
 def chosen_items(access: Access, names: Sequence[str]) -> list[Item]:
-    """What names mean. Raises UsageError."""
+    """The items that names mean. Raises UsageError."""
     result, missing = find(access, names)
     reason = next((text for name in missing if (text := access.reason_unread(name))), "")
     if reason:
@@ -167,9 +167,9 @@ def _dump(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
 
 def dump_text(rows: Sequence[DumpRow]) -> str:
     """The text of a dump; it has a column for the space where there are several."""
-    several = len({row.space for row in rows}) > 1
-    head = "space,address,value" if several else "address,value"
-    lines = [f"{f'{row.space},' * several}0x{row.address:04X},{row.value}" for row in rows]
+    has_spaces = len({row.space for row in rows}) > 1
+    head = "space,address,value" if has_spaces else "address,value"
+    lines = [f"{f'{row.space},' * has_spaces}0x{row.address:04X},{row.value}" for row in rows]
     return "".join(f"{line}\n" for line in (head, *lines))
 
 

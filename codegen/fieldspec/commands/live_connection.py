@@ -78,14 +78,14 @@ class _Nothing:
     name, datagrams, keeps_pauses = "nothing", False, True
 
     def read(self, seconds: float) -> bytes:
-        """Nothing."""
+        """No bytes."""
         return b""
 
     def write(self, data: bytes) -> None:
         """Sends nothing."""
 
     def close(self) -> None:
-        """Ends it."""
+        """Closes nothing."""
 
 
 def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
@@ -107,7 +107,7 @@ def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
 
 
 def _nothing_read(layout: DeviceLayout, links: Sequence[LinkLayout]) -> str:
-    """Why links have nothing that is read by name."""
+    """The reason why no value can be read by name on links."""
     name = links[0].name if len(links) == 1 else layout.device.id
     if all(map(is_bare, links)):
         return (
@@ -171,16 +171,16 @@ def _client(
 
 def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Namespace) -> int:
     """The unit address: the one that is asked for, or the lowest of the link, which it says. Raises UsageError."""
-    addresses, asked = chosen.link.unit_addresses, arguments.unit
+    addresses, requested = chosen.link.unit_addresses, arguments.unit
     ranges = addresses.ranges if addresses is not None else None
     if chosen.request.role("unit_address") is None:
-        if asked is not None:
+        if requested is not None:
             raise UsageError(f"requests on {chosen.name} have no unit address; leave out --unit")
         return usual_unit_address(layout)
-    if asked is not None:
-        if ranges is not None and asked not in ranges:
-            raise UsageError(f"the unit address {asked} is not in {ranges.text()}")
-        return int(asked)
+    if requested is not None:
+        if ranges is not None and requested not in ranges:
+            raise UsageError(f"the unit address {requested} is not in {ranges.text()}")
+        return int(requested)
     unit = usual_unit_address(layout)
     if ranges is not None and unit not in ranges:
         unit = ranges.low

@@ -61,13 +61,13 @@ def transfer_values(client: Client, access: Access, arguments: argparse.Namespac
     if {"restore": INDEX, "upload": NAME}.get(verb) in sheet.rows[0].cells:
         other = "points upload" if verb == "restore" else "restore"
         raise UsageError(f"{words[0]} is a list for `{other}`, by its headings")
-    wanted, findings = entries(access, sheet, arguments.table or "", arguments.any_version)
+    assignments, findings = entries(access, sheet, arguments.table or "", arguments.any_version)
     if findings:
         _print_findings(words[0], sheet, findings)
         return 1
     if verb == "compare":
-        return _compare(client, access, wanted, arguments)
-    return _Upload(client, access, path, content, arguments).run(wanted)
+        return _compare(client, access, assignments, arguments)
+    return _Upload(client, access, path, content, arguments).run(assignments)
 
 
 def _print_findings(name: str, sheet: Sheet, findings: Sequence[ListFinding]) -> None:
@@ -111,28 +111,28 @@ def _table(client: Client, arguments: argparse.Namespace) -> str:
     return next(iter(tables))
 
 
-def _differences(client: Client, access: Access, wanted: Sequence[Assignment]) -> list[Change]:
-    with progress(access.size(access.item(chosen) for chosen in wanted), "comparing") as done:
-        return changes(access, client, wanted, done)
+def _differences(client: Client, access: Access, assignments: Sequence[Assignment]) -> list[Change]:
+    with progress(access.size(access.item(chosen) for chosen in assignments), "comparing") as done:
+        return changes(access, client, assignments, done)
 
 
-def _compare(client: Client, access: Access, wanted: Sequence[Assignment], arguments: argparse.Namespace) -> int:
-    plan = _differences(client, access, wanted)
+def _compare(client: Client, access: Access, assignments: Sequence[Assignment], arguments: argparse.Namespace) -> int:
+    plan = _differences(client, access, assignments)
     if arguments.format == "json":
-        print_json([_row(access, change) for change in plan], indent=1)
+        print_json([_change_row(access, change) for change in plan], indent=1)
     else:
         _print_plan(client, access, plan, False)
-        print_blocks([Line(f"{len(plan)} of {len(wanted)} values differ")])
+        print_blocks([Line(f"{len(plan)} of {len(assignments)} values differ")])
     return int(bool(plan))
 
 
-def _row(access: Access, change: Change) -> dict[str, object]:
+def _change_row(access: Access, change: Change) -> dict[str, object]:
     now, new = _texts(access, change)
     return {"name": change.path, access.heading: access.number(change.before), "device": now, "file": new}
 
 
 def _texts(access: Access, change: Change) -> tuple[str, str]:
-    """What the device has, and what the file has."""
+    """The texts of a value in the device and in the file."""
     now = f"refused: {change.before.refusal}" if change.before.refusal else str(cell(access, change.before))
     return now, str(cell(access, access.intended(change.chosen)))
 
@@ -144,8 +144,8 @@ def _print_plan(client: Client, access: Access, plan: Sequence[Change], frames: 
     rows: list[tuple[str, ...]] = [(change.path, *_texts(access, change)) for change in plan]
     if frames:
         head += ("frame",)
-        sent = [access.frame(client, change.chosen) for change in plan]
-        rows = [(*row, frame.hex(" ").upper()) for row, frame in zip(rows, sent, strict=True)]
+        sent_frames = [access.frame(client, change.chosen) for change in plan]
+        rows = [(*row, frame.hex(" ").upper()) for row, frame in zip(rows, sent_frames, strict=True)]
     print_blocks([Table(head, tuple(rows))])
     sys.stdout.flush()
 
@@ -163,15 +163,15 @@ class _Upload:
         self.verified: list[str] = []
         self.open = ""
 
-    def run(self, wanted: Sequence[Assignment]) -> int:
-        """The exit code."""
-        plan = _differences(self.client, self.access, wanted)
-        self._print_earlier(wanted, plan)
+    def run(self, assignments: Sequence[Assignment]) -> int:
+        """Writes the values that differ. The exit code."""
+        plan = _differences(self.client, self.access, assignments)
+        self._print_earlier(assignments, plan)
         try:
             _print_plan(self.client, self.access, plan, self.arguments.dry_run)
         except WriteError as error:
             raise UsageError(str(error)) from None
-        print_note(f"{len(plan)} of {len(wanted)} values differ")
+        print_note(f"{len(plan)} of {len(assignments)} values differ")
         if self.arguments.dry_run:
             return 0
         if not plan:
@@ -179,15 +179,15 @@ class _Upload:
             return 0
         for hazard in sorted({hazard for change in plan for hazard in change.chosen.hazards}):
             own = [change.path for change in plan if hazard in change.chosen.hazards]
-            more = f" and {len(own) - 3} more" if len(own) > 3 else ""
-            print_note(f"{', '.join(own[:3])}{more}: {hazard}")
+            rest_text = f" and {len(own) - 3} more" if len(own) > 3 else ""
+            print_note(f"{', '.join(own[:3])}{rest_text}: {hazard}")
         for text in active_states(self.access, self.client):
             print_note(text)
         if not confirmed(self.arguments):
             return 1
-        return self._write(wanted, plan)
+        return self._write(assignments, plan)
 
-    def _write(self, wanted: Sequence[Assignment], plan: Sequence[Change]) -> int:
+    def _write(self, assignments: Sequence[Assignment], plan: Sequence[Change]) -> int:
         try:
             with progress(len(plan), "writing") as done:
 
@@ -207,11 +207,11 @@ class _Upload:
             raise
         finally:
             self.journal.close()
-        rest = _differences(self.client, self.access, wanted)
+        rest = _differences(self.client, self.access, assignments)
         self.journal.remove()
         print_note(f"{len(plan)} value{'s' * (len(plan) > 1)} written and verified")
         if rest:
-            print_note(f"{len(rest)} of {len(wanted)} values differ again: writing others has changed them")
+            print_note(f"{len(rest)} of {len(assignments)} values differ again: writing others has changed them")
             _print_plan(self.client, self.access, rest, False)
         return int(bool(rest))
 
@@ -229,8 +229,8 @@ class _Upload:
         print_note(f"not as the file says: {_names(rest)}")
         print_note(f"{self.journal.path} has this state; the same command continues")
 
-    def _print_earlier(self, wanted: Sequence[Assignment], plan: Sequence[Change]) -> None:
-        """What an earlier run, which did not end, has left."""
+    def _print_earlier(self, assignments: Sequence[Assignment], plan: Sequence[Change]) -> None:
+        """Prints what an earlier run, which was interrupted, has written and what it was writing."""
         state = self.journal.state
         if state is None:
             return
@@ -239,7 +239,7 @@ class _Upload:
             print_note("the file has changed since then")
         if not state.path:
             return
-        own = next((item for item in wanted if item.path == state.path), None)
+        own = next((item for item in assignments if item.path == state.path), None)
         if own is None:
             print_note(f"it may have written {state.path}, which the file no longer has")
             return

@@ -39,11 +39,11 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
         if not confirmed(arguments):
             return 1
     code = 0
-    for at, item in enumerate(chosen):
-        is_sent = any(other.sent == item.sent for other in chosen[:at])
+    for index, item in enumerate(chosen):
+        is_sent = any(other.sent == item.sent for other in chosen[:index])
         reason, holds = _outcome(client, access, item, is_sent)
         if reason:
-            before = ", ".join(other.path for other in chosen[:at]) or "nothing"
+            before = ", ".join(other.path for other in chosen[:index]) or "nothing"
             print_error(f"{item.path} {reason}; written before it: {before}")
             return 1
         code = code or int(not holds)

@@ -83,8 +83,8 @@ def _add_explanations(server: Server, options: tuple[str, ...]) -> None:
     @server.tool(annotations=reads)
     def decode(device: str, frame: str, direction: str = "", link: str = "", message: str = "") -> str:
         """Explains a frame byte by byte. `frame` has the bytes in hexadecimal, `direction` is request or response."""
-        named = (("--direction", direction), ("--link", link), ("--message", message))
-        return _verb("decode", (device, frame), (*_options(named), *options))
+        named_options = (("--direction", direction), ("--link", link), ("--message", message))
+        return _verb("decode", (device, frame), (*_options(named_options), *options))
 
     @server.tool(annotations=reads)
     def audit(device: str) -> str:
@@ -127,8 +127,8 @@ def _add_writes(server: Server, places: Places) -> None:
         return _verb("live", (device, "write", *assignments), own)
 
 
-def _options(named: Sequence[tuple[str, str]]) -> list[str]:
-    return [f"{option}={value}" for option, value in named if value]
+def _options(named_options: Sequence[tuple[str, str]]) -> list[str]:
+    return [f"{option}={value}" for option, value in named_options if value]
 
 
 def _place(places: Places, device: str) -> str:

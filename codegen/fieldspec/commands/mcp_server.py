@@ -96,11 +96,11 @@ def _refusal(error: ValidationError) -> JSONRPCError:
     first = error.errors(include_url=False)[0]
     is_text = first["type"] == "json_invalid"
     code = PARSE_ERROR if is_text else INVALID_REQUEST
-    request = _number(first["input"]) if is_text else None
+    request = _request_id(first["input"]) if is_text else None
     return JSONRPCError(jsonrpc="2.0", id=request, error=ErrorData(code=code, message=first["msg"]))
 
 
-def _number(line: str) -> int | str | None:
+def _request_id(line: str) -> int | str | None:
     """The number of the request in a line with half a surrogate pair, which is JSON, but no text that can be sent."""
     try:
         number = json.loads(line)["id"]

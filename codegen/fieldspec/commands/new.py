@@ -142,10 +142,10 @@ def _folder(specs_option: str | None) -> Path:
 
     Specs of a parent folder are taken where there is no `specs` here.
     """
-    named = specs_option or os.environ.get(specs.VARIABLE)
-    if named and not Path(named).exists():
-        return Path(named)
-    if not named and Path(specs.FOLDER).is_dir():
+    stated_folder = specs_option or os.environ.get(specs.VARIABLE)
+    if stated_folder and not Path(stated_folder).exists():
+        return Path(stated_folder)
+    if not stated_folder and Path(specs.FOLDER).is_dir():
         return Path(specs.FOLDER)
     folder = spec_files.folder_or_none(specs_option)
     return Path(specs.FOLDER if folder in (None, INSTALLED) else folder)
@@ -178,14 +178,14 @@ def _overlays(path: Path) -> Iterator[str]:
     tree = typed(node)[0] if node is not None else None
     if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
         raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
-    for section, needed in _CITED.items():
+    for section, required_keys in _CITED.items():
         items = list(mappings(tree.values.get(section)))
         if items:
             yield f"{section}:"
         for item in items:
-            more = "".join(f", {key}: {_needed(item, key)}" for key in needed if key in item.values)
+            keys_text = "".join(f", {key}: {_needed(item, key)}" for key in required_keys if key in item.values)
             order = ", word_order: big" if section == "links" else ""
-            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{more}}}"
+            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{keys_text}}}"
     yield from _spaces(list(mappings(tree.values.get("messages"))))
 
 
@@ -193,8 +193,8 @@ def _needed(item: Mapping, key: str) -> str:
     """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
     inner = next(mappings(item.values.get(key)), None)
     if inner is None:
-        return _text(item, key)
-    number = f", number: {_text(inner, 'number')}" if "number" in inner.values else ""
+        return _key_text(item, key)
+    number = f", number: {_key_text(inner, 'number')}" if "number" in inner.values else ""
     return f"[{{name: {identity(inner)}{number}}}]"
 
 
@@ -204,35 +204,35 @@ def _spaces(messages: list[Mapping]) -> Iterator[str]:
     for message in messages:
         access = message.values.get("accesses")
         if isinstance(access, Mapping):
-            name = _text(access, "space")
+            name = _key_text(access, "space")
             units = {name: _unit(message, access), **units} if not name else {**units, name: _unit(message, access)}
     if any(units):
         yield "spaces:"
         for name, unit in units.items():
-            more = ", unit: bit" if unit == BIT else ""
-            yield f"  - {{name: {name or 'registers'}, first_number: 0{more}, source: 1 L1}}"
+            unit_key = ", unit: bit" if unit == BIT else ""
+            yield f"  - {{name: {name or 'registers'}, first_number: 0{unit_key}, source: 1 L1}}"
 
 
 def _unit(message: Mapping, access: Mapping) -> str:
     """The unit of what a message carries: bits are packed into bytes, or one of them is a number with a meaning."""
-    fields = message.values.get("response" if _text(access, "operation") == "read" else "request")
-    names = (field for field in mappings(fields) if _text(field, "name") == _text(access, "values"))
+    fields = message.values.get("response" if _key_text(access, "operation") == "read" else "request")
+    names = (field for field in mappings(fields) if _key_text(field, "name") == _key_text(access, "values"))
     values = next(names, None)
-    packed = values is not None and "repeat" in values.values and _text(values, "type") == "u8"
+    packed = values is not None and "repeat" in values.values and _key_text(values, "type") == "u8"
     return BIT if packed or "set" in access.values else WORD
 
 
-def _text(mapping: Mapping, key: str) -> str:
+def _key_text(mapping: Mapping, key: str) -> str:
     scalar = mapping.values.get(key)
     return scalar.text if isinstance(scalar, Scalar) else ""
 
 
-def _fits(text: str, form: str, what: str) -> None:
+def _fits(text: str, form: str, subject: str) -> None:
     part = schema()["$defs"][form]
     if fault := file_name_fault(text):
-        raise UsageError(f"{text} is not a valid name of {what}: it {fault}; choose another one")
+        raise UsageError(f"{text} is not a valid name of {subject}: it {fault}; choose another one")
     if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
-        raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
+        raise UsageError(f"{text} is not a valid name of {subject}: {part['description']}")
 
 
 def _fill_skeleton(skeleton: str, **words: str) -> str:

@@ -8,7 +8,7 @@ import math
 
 def seconds(text: str) -> float:
     """A time that may be 0. Raises ArgumentTypeError."""
-    number = _number(text)
+    number = _finite_number(text)
     if number < 0:
         raise argparse.ArgumentTypeError(f"{text} is less than 0")
     return number
@@ -16,7 +16,7 @@ def seconds(text: str) -> float:
 
 def positive(text: str) -> float:
     """A number above 0. Raises ArgumentTypeError."""
-    number = _number(text)
+    number = _finite_number(text)
     if number <= 0:
         raise argparse.ArgumentTypeError(f"{text} is not more than 0")
     return number
@@ -36,7 +36,7 @@ def natural(text: str) -> int:
     return int(text)
 
 
-def _number(text: str) -> float:
+def _finite_number(text: str) -> float:
     try:
         number = float(text)
     except ValueError:

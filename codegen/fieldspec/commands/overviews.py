@@ -21,20 +21,20 @@ _INPUT = ""
 
 
 def stage_overviews(
-    wanted: BuildRequest, result: BuildResult, before: Manifest, earlier: EarlierBuild, beside: Staging | None
+    build_request: BuildRequest, result: BuildResult, before: Manifest, earlier: EarlierBuild, staging: Staging | None
 ) -> Hashes:
     """The hashes of these files. Those that differ from the files in place are staged and added to the stale ones.
 
     Devices that this build leaves alone are those of the manifest, where their files are as they were built. Without
-    `beside`, nothing is staged; files that are made of stale ones are then taken to be as they are. Raises UsageError.
+    `staging`, nothing is staged; files that are made of stale ones are then taken to be as they are. Raises UsageError.
     """
     hashes: Hashes = {}
-    for name in wanted.outputs:
-        inputs = _inputs(name, wanted, result, before, earlier)
+    for name in build_request.outputs:
+        inputs = _inputs(name, build_request, result, before, earlier)
         now = digest(json.dumps(sorted(inputs.items())).encode())
         recorded = dict(earlier.shared.get(_record(name), {}))
         if recorded.pop(_INPUT, None) != now or earlier.unchanged(recorded) is None:
-            recorded = _staged(name, inputs, result, before, earlier, beside)
+            recorded = _staged(name, inputs, result, before, earlier, staging)
         result.shared[_record(name)] = {_INPUT: now, **recorded}
         hashes |= recorded
     return hashes
@@ -45,10 +45,12 @@ def _record(name: str) -> str:
     return f"{name} overview"
 
 
-def _inputs(name: str, wanted: BuildRequest, result: BuildResult, before: Manifest, earlier: EarlierBuild) -> Hashes:
+def _inputs(
+    name: str, build_request: BuildRequest, result: BuildResult, before: Manifest, earlier: EarlierBuild
+) -> Hashes:
     """The hashes of the files of an output, of all devices."""
     inputs: Hashes = {}
-    if not wanted.whole:
+    if not build_request.whole:
         inputs |= {
             path: expected
             for path, expected in before.files.items()
@@ -70,12 +72,12 @@ def _staged(
     result: BuildResult,
     before: Manifest,
     earlier: EarlierBuild,
-    beside: Staging | None,
+    staging: Staging | None,
 ) -> Hashes:
     from fieldspec import pipeline
 
     stale = frozenset(result.stale)
-    if beside is None and not stale.isdisjoint(inputs):
+    if staging is None and not stale.isdisjoint(inputs):
         shared = result.shared.get(name, {})
         return {
             path: expected
@@ -84,8 +86,8 @@ def _staged(
         }
 
     def current(path: str) -> bytes:
-        if beside is not None and path in stale:
-            return beside.staged(path)
+        if staging is not None and path in stale:
+            return staging.staged(path)
         return content(earlier.out / path, LARGEST_OUTPUT)
 
     contents = pipeline.overview(name, inputs, current)
@@ -93,6 +95,6 @@ def _staged(
     for path, data in contents.items():
         if earlier.hash_of(path) != hashes[path]:
             result.stale.append(path)
-            if beside is not None:
-                beside.write(path, data)
+            if staging is not None:
+                staging.write(path, data)
     return hashes

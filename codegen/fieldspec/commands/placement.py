@@ -32,13 +32,13 @@ class Staging:
     and `unfinished` describes such builds. Raises UsageError.
     """
 
-    def __init__(self, out: Path, look: bool = False) -> None:
-        self.out = out
+    def __init__(self, output_folder: Path, look: bool = False) -> None:
+        self.out = output_folder
         self.unfinished: list[str] = []
         self._look = look
         self._absent: list[Path] = []
         self._lock: int | None = None
-        self._folder = out / f"{BESIDE}{os.urandom(8).hex()}"
+        self._folder = output_folder / f"{BESIDE}{os.urandom(8).hex()}"
         self._placed = False
         self._pending = False
 
@@ -102,15 +102,15 @@ class Staging:
         """A file that was written here, by its path in the folder of outputs. Raises OSError."""
         return (self._folder / NEW / path).read_bytes()
 
-    def place(self, paths: Sequence[str], gone: Sequence[str]) -> None:
+    def place(self, paths: Sequence[str], removed: Sequence[str]) -> None:
         """Moves written files into place and removes others; on failure nothing has changed. Raises UsageError."""
         journal = None
         try:
-            inside(self.out, (*paths, *gone))
-            for path in (*paths, *gone):
+            inside(self.out, (*paths, *removed))
+            for path in (*paths, *removed):
                 if (self.out / path).is_dir():
                     raise IsADirectoryError(errno.EISDIR, "a folder is in the way", str(self.out / path))
-            journal = prepared(self.out, self._folder, paths, gone)
+            journal = prepared(self.out, self._folder, paths, removed)
             self._pending = True  # an interrupt may come at any time
             begin(self._folder, journal)
             complete(self.out, self._folder, journal)
@@ -139,11 +139,11 @@ class Staging:
         return UsageError(f"cannot write {error.filename or self.out}: {error.strerror}; nothing was changed")
 
 
-def _left_over(out: Path) -> list[Path]:
+def _left_over(output_folder: Path) -> list[Path]:
     """The folders left by builds that were killed; nobody writes into them while we have the lock."""
-    with os.scandir(out) as entries:
+    with os.scandir(output_folder) as entries:
         return sorted(
-            out / entry.name
+            output_folder / entry.name
             for entry in entries
             if entry.name.startswith(BESIDE) and _FOLDER.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False)
         )
@@ -182,16 +182,16 @@ class Journal:
     folders: tuple[str, ...]
 
 
-def prepared(out: Path, folder: Path, place: Sequence[str], remove: Sequence[str]) -> Journal:
+def prepared(output_folder: Path, folder: Path, place: Sequence[str], remove: Sequence[str]) -> Journal:
     """Saves the old files beside the new ones. Raises OSError; nothing has changed then."""
     absent = []
     folders: dict[str, None] = {}
     for path in (*place, *remove):
-        target = out / path
+        target = output_folder / path
         if not os.path.lexists(target):
             absent.append(path)
             above = reversed(missing_folders(target.parent))
-            folders.update(dict.fromkeys(parent.relative_to(out).as_posix() for parent in above))
+            folders.update(dict.fromkeys(parent.relative_to(output_folder).as_posix() for parent in above))
             continue
         old = folder / OLD / path
         old.parent.mkdir(parents=True, exist_ok=True)
@@ -209,62 +209,62 @@ def _keep(target: Path, old: Path) -> None:
 
 def begin(folder: Path, journal: Journal) -> None:
     """Puts the journal in place: from now on the new state holds. Raises OSError."""
-    beside = folder / f"{COMPLETE}.part"
-    write_through(beside, json.dumps({name: getattr(journal, name) for name in attributes(Journal)}).encode())
+    part_file = folder / f"{COMPLETE}.part"
+    write_through(part_file, json.dumps({name: getattr(journal, name) for name in attributes(Journal)}).encode())
     for inner in (NEW, OLD):
         if (folder / inner).is_dir():
             sync_folder(folder / inner)
-    os.replace(beside, folder / COMPLETE)
+    os.replace(part_file, folder / COMPLETE)
     sync_folder(folder)
 
 
-def complete(out: Path, folder: Path, journal: Journal) -> None:
+def complete(output_folder: Path, folder: Path, journal: Journal) -> None:
     """Moves the files that are not in place yet. Raises OSError."""
     for path in journal.folders:
-        (out / path).mkdir(exist_ok=True)
+        (output_folder / path).mkdir(exist_ok=True)
     for path in journal.place:
         new = folder / NEW / path
         if os.path.lexists(new):
-            os.replace(new, out / path)
+            os.replace(new, output_folder / path)
     for path in journal.remove:
-        (out / path).unlink(missing_ok=True)
-    for parent in {(out / path).parent for path in (*journal.place, *journal.remove)}:
+        (output_folder / path).unlink(missing_ok=True)
+    for parent in {(output_folder / path).parent for path in (*journal.place, *journal.remove)}:
         if parent.is_dir():
             sync_folder(parent)
-    _remove_empty(out, journal.remove)
+    _remove_empty(output_folder, journal.remove)
 
 
-def undo(out: Path, folder: Path, journal: Journal) -> None:
+def undo(output_folder: Path, folder: Path, journal: Journal) -> None:
     """Restores the old files. Raises OSError; whoever finds the journal then continues."""
     if (folder / COMPLETE).exists():
         os.replace(folder / COMPLETE, folder / UNDO)
     absent = set(journal.absent)
     for path in (*journal.place, *journal.remove):
-        old, target = folder / OLD / path, out / path
+        old, target = folder / OLD / path, output_folder / path
         if os.path.lexists(old):
             target.parent.mkdir(parents=True, exist_ok=True)
             os.replace(old, target)
         elif path in absent:
             target.unlink(missing_ok=True)
     for inner in reversed(journal.folders):
-        _remove_if_empty(out / inner)
+        _remove_if_empty(output_folder / inner)
 
 
-def recover(out: Path, folder: Path) -> None:
+def recover(output_folder: Path, folder: Path) -> None:
     """Completes or undoes a build that was killed, and removes its folder.
 
     Raises OSError where neither is possible, and JournalError; nothing has changed then.
     """
     journal = _read_journal(folder)
     if journal is not None:
-        inside(out, (*journal.place, *journal.remove, *journal.folders))
+        inside(output_folder, (*journal.place, *journal.remove, *journal.folders))
         if (folder / UNDO).exists():
-            undo(out, folder, journal)
+            undo(output_folder, folder, journal)
         else:
             try:
-                complete(out, folder, journal)
+                complete(output_folder, folder, journal)
             except OSError:
-                undo(out, folder, journal)
+                undo(output_folder, folder, journal)
     discard(folder)
 
 
@@ -289,23 +289,23 @@ def _read_journal(folder: Path) -> Journal | None:
     return None
 
 
-def inside(out: Path, paths: Iterable[str]) -> None:
+def inside(output_folder: Path, paths: Iterable[str]) -> None:
     """Refuses paths that lead out of a folder, directly or by symbolic links. Raises JournalError."""
-    within = os.path.join(os.path.realpath(out), "")
+    root = os.path.join(os.path.realpath(output_folder), "")
     known = {}
     for path in paths:
         parent = os.path.dirname(path)
         if parent not in known:
-            known[parent] = os.path.join(os.path.realpath(out / parent), "").startswith(within)
+            known[parent] = os.path.join(os.path.realpath(output_folder / parent), "").startswith(root)
         if not known[parent] or os.path.basename(path) in ("", ".", ".."):
-            raise JournalError(f"{out / path} leads out of {out}; remove the link")
+            raise JournalError(f"{output_folder / path} leads out of {output_folder}; remove the link")
 
 
-def _remove_empty(out: Path, paths: Iterable[str]) -> None:
+def _remove_empty(output_folder: Path, paths: Iterable[str]) -> None:
     """Removes the empty folders around some paths."""
     for path in paths:
-        for folder in (out / path).parents:
-            if folder == out or not _remove_if_empty(folder):
+        for folder in (output_folder / path).parents:
+            if folder == output_folder or not _remove_if_empty(folder):
                 break
 
 

@@ -44,9 +44,9 @@ class Plugin:
     version: str
 
     def error(self, reason: str) -> UsageError:
-        """That the plug-in cannot be used."""
-        what = f"the {KINDS[self.group]} {self.name} of the installed package {self.package} {self.version}"
-        return UsageError(f"{what} cannot be used: {' '.join(reason.split())}")
+        """The error that says why the plug-in cannot be used."""
+        subject = f"the {KINDS[self.group]} {self.name} of the installed package {self.package} {self.version}"
+        return UsageError(f"{subject} cannot be used: {' '.join(reason.split())}")
 
     def failed(self, error: BaseException) -> UsageError:
         """That code of the plug-in has raised an exception."""

@@ -47,7 +47,7 @@ class _Output:
     numbers: Counter[str] = field(default_factory=Counter)
 
     def add(self, kind: str, ending: str, source: str, content: str, amount: str) -> None:
-        """Adds a file under a name that says nothing."""
+        """Adds a file under a name that identifies nothing."""
         self.numbers[kind] += 1
         name = f"{kind}-{self.numbers[kind]}.{ending}"
         self.contents[name] = content
@@ -88,7 +88,7 @@ def _units(paths: Sequence[Path]) -> list[tuple[Path | None, list[Path]]]:
         if not path.is_dir():
             loose.append(path)
             continue
-        inner = sorted(each for each in path.iterdir() if each.is_dir() and (each / FILE).is_file())
+        inner = sorted(entry for entry in path.iterdir() if entry.is_dir() and (entry / FILE).is_file())
         units += [(folder, _files(folder)) for folder in inner] or [(path, _files(path))]
     if loose:
         units.append((None, loose))
@@ -98,8 +98,8 @@ def _units(paths: Sequence[Path]) -> list[tuple[Path | None, list[Path]]]:
 
 
 def _files(folder: Path) -> list[Path]:
-    own = sorted(each for each in folder.rglob("*") if each.is_file() and not each.name.startswith("."))
-    return [each for each in own if each != folder / FILE]
+    own = sorted(file for file in folder.rglob("*") if file.is_file() and not file.name.startswith("."))
+    return [file for file in own if file != folder / FILE]
 
 
 def _spared(layout: DeviceLayout, names: Sequence[str]) -> frozenset[str]:
@@ -116,7 +116,7 @@ def _spared(layout: DeviceLayout, names: Sequence[str]) -> frozenset[str]:
 
 
 def _unit(redaction: Redaction, folder: Path | None, files: Sequence[Path]) -> _Output:
-    """The files of a unit, written anew."""
+    """The files of a unit without what identifies it."""
     output = _Output()
     note, address = _note(redaction.secrets, folder) if folder is not None else ("", None)
     for path in files:
@@ -224,7 +224,7 @@ def _report(layout: DeviceLayout, redaction: Redaction, outputs: Sequence[_Outpu
     if replaced:
         blocks += [Line("Values that were replaced:", "bold"), Table(("fact", "times"), replaced)]
     if left_out:
-        counts = tuple((what, str(count)) for what, count in sorted(left_out.items()))
+        counts = tuple((reason, str(count)) for reason, count in sorted(left_out.items()))
         blocks += [Line("Left out:", "bold"), Table(("what", "times"), counts)]
     if not any(IDENTITY in item.fact.roles for item in Observables(layout).all):
         blocks.append(

@@ -38,8 +38,8 @@ class SizeError(OSError):
     size = 0
 
 
-def content(path: str | os.PathLike[str], most: int, flags: int = 0) -> bytes:
-    """The bytes of a regular file with at most `most` bytes.
+def content(path: str | os.PathLike[str], limit: int, flags: int = 0) -> bytes:
+    """The bytes of a regular file with at most `limit` bytes.
 
     Raises IrregularError, SizeError, and any other OSError of the system; each names the file.
     """
@@ -47,28 +47,28 @@ def content(path: str | os.PathLike[str], most: int, flags: int = 0) -> bytes:
         number = os.open(path, _READ | flags)
     except OSError as error:
         if error.errno in (errno.ELOOP, errno.ENXIO):  # a link, and a socket
-            regular(os.lstat(path), path, most)
+            regular(os.lstat(path), path, limit)
         raise
     try:
-        size = regular(os.fstat(number), path, most)
+        size = regular(os.fstat(number), path, limit)
         parts = []
-        left = most + 1
+        left = limit + 1
         while left > 0 and (part := os.read(number, min(size + 1, left))):
             parts.append(part)
             left -= len(part)
     finally:
         os.close(number)
     if not left:
-        raise _too_large(path, most, most + 1)
+        raise _too_large(path, limit, limit + 1)
     return b"".join(parts) if len(parts) != 1 else parts[0]
 
 
-def regular(state: os.stat_result, path: str | os.PathLike[str], most: int) -> int:
-    """The size of a file in bytes. Raises IrregularError, or SizeError where it is above `most`."""
+def regular(state: os.stat_result, path: str | os.PathLike[str], limit: int) -> int:
+    """The size of a file in bytes. Raises IrregularError, or SizeError where it is above `limit`."""
     if not stat.S_ISREG(state.st_mode):
         raise _irregular(state.st_mode, path)
-    if state.st_size > most:
-        raise _too_large(path, most, state.st_size)
+    if state.st_size > limit:
+        raise _too_large(path, limit, state.st_size)
     return state.st_size
 
 
@@ -77,7 +77,7 @@ def _irregular(mode: int, path: str | os.PathLike[str]) -> IrregularError:
     return IrregularError(errno.EINVAL, f"it is {kind}, not a regular file", os.fspath(path))
 
 
-def _too_large(path: str | os.PathLike[str], most: int, size: int) -> SizeError:
-    error = SizeError(errno.EFBIG, f"it has more than {most} bytes", os.fspath(path))
+def _too_large(path: str | os.PathLike[str], limit: int, size: int) -> SizeError:
+    error = SizeError(errno.EFBIG, f"it has more than {limit} bytes", os.fspath(path))
     error.size = size
     return error

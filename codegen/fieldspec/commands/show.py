@@ -23,8 +23,8 @@ def run(arguments: argparse.Namespace) -> int:
         print_blocks(overview(layout))
         return 0
     number = number_of(arguments.item)
-    for at, item in enumerate(_meant(layout, arguments.item, number)):
-        if at:
+    for index, item in enumerate(_meant(layout, arguments.item, number)):
+        if index:
             print_line("")
         print_blocks(blocks(layout, item, _address_in(layout, item, number)))
     return 0

@@ -209,7 +209,7 @@ def _faults(arguments: argparse.Namespace) -> Iterator[Fault]:
 
 
 def _seed(simulation: Simulation, name: str) -> None:
-    """Gives the device the values of a dump."""
+    """Writes the values of a dump to the device."""
     from fieldspec.simulator.seeding import seed
 
     data = list_files.content(name)
@@ -276,7 +276,7 @@ class _Recorder:
         self._lock = threading.Lock()
 
     def write(self, now: float, link: str, direction: str, data: bytes, text: str) -> None:
-        """Writes a frame."""
+        """Writes a line with a frame."""
         if data:
             with self._lock:
                 comment = text.replace("\n", " ").replace("#", "")

@@ -56,11 +56,11 @@ def folder(specs_option: str | None) -> str:
 
 def folder_or_none(specs_option: str | None) -> str | None:
     """As `folder`, but None where there is none. Raises UsageError where the named one is missing."""
-    named = specs_option or os.environ.get(VARIABLE)
-    if named:
-        if not os.path.isdir(named):
-            raise UsageError(f"there is no folder {named}; name the folder with the specs with --specs")
-        return named
+    stated_folder = specs_option or os.environ.get(VARIABLE)
+    if stated_folder:
+        if not os.path.isdir(stated_folder):
+            raise UsageError(f"there is no folder {stated_folder}; name the folder with the specs with --specs")
+        return stated_folder
     above, last = os.getcwd(), ""
     while above != last:
         path = os.path.join(above, FOLDER)
@@ -104,15 +104,15 @@ def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> d
 
 def _content(root: str | os.PathLike[str], path: str, linked: bool, left: int, number: int) -> bytes:
     """The bytes of a spec file, or a `Refused`; `left` is the number of bytes that the folder may still have."""
-    most = min(left, LARGEST_FILE)
+    limit = min(left, LARGEST_FILE)
     if number >= MOST_FILES:
         return Refused.because("file_too_large", f"the folder has more than {MOST_FILES} files", "remove some of them")
     try:
         if linked and _leads_out(root, path):
             return Refused.because("file_regular", "the file is a link out of the folder of the specs", _COPY)
-        return content(path, most, 0 if linked else NO_LINK)
+        return content(path, limit, 0 if linked else NO_LINK)
     except SizeError as error:
-        if most < LARGEST_FILE:
+        if limit < LARGEST_FILE:
             text = f"the files of this folder have more than {LARGEST_FOLDER} bytes together"
             return Refused.because("file_too_large", text, "remove some of them")
         text = f"the file has {error.size} bytes; a spec file may have {LARGEST_FILE}"
@@ -136,10 +136,10 @@ def _of_specs(path: str) -> Iterator[tuple[str, str, bool]]:
 
     Each is its path within the folder, the path to open, and whether there is a symbolic link on the way.
     """
-    within = os.path.islink(path)
+    is_linked = os.path.islink(path)
     for folder in ("", VERSIONS):
         inner = os.path.join(path, folder)
-        linked = within or (folder != "" and os.path.islink(inner))
+        linked = is_linked or (folder != "" and os.path.islink(inner))
         try:
             with os.scandir(inner) as entries:
                 for entry in entries:
@@ -192,11 +192,11 @@ def origins(files: Mapping[str, bytes]) -> dict[str, str]:
 
 def _uses(data: bytes) -> Iterator[str]:
     """The names of protocols that a spec file may use."""
-    at = data.find(b"protocol")
-    while at >= 0:
-        if match := _USE.match(data, at):
+    offset = data.find(b"protocol")
+    while offset >= 0:
+        if match := _USE.match(data, offset):
             yield match[1].decode()
-        at = data.find(b"protocol", at + 1)
+        offset = data.find(b"protocol", offset + 1)
 
 
 def installed_protocols() -> dict[str, str]:
@@ -223,26 +223,26 @@ def _installed_file(path: str) -> bytes:
     return file
 
 
-def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
+def of_devices(specs_option: str | None, requested: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
     """The folder with the specs, its files, and those of installed protocols. Raises UsageError for unknown ones."""
     path = folder(specs_option)
     known = devices(path)
-    for device in sorted(wanted.difference(known)):
+    for device in sorted(requested.difference(known)):
         error = unknown("device", device, known)
         raise UsageError(f"{error}{_passed_over(specs_option, path)}")
     if not known:
         raise UsageError(f"the folder {path} contains no device; a device is a folder with a {MAIN}")
-    return path, with_protocols(files(path, wanted))
+    return path, with_protocols(files(path, requested))
 
 
 def _passed_over(specs_option: str | None, path: str) -> str:
     """What to say of a folder `specs` here that has no device, so that the specs of another folder are read."""
-    here = os.path.join(os.getcwd(), FOLDER)
+    local_folder = os.path.join(os.getcwd(), FOLDER)
     if (
         specs_option
         or os.environ.get(VARIABLE)
-        or not os.path.isdir(here)
-        or os.path.realpath(here) == os.path.realpath(path)
+        or not os.path.isdir(local_folder)
+        or os.path.realpath(local_folder) == os.path.realpath(path)
     ):
         return ""
     return f"; these are the specs of {path}, as {FOLDER} here has no device"
@@ -250,10 +250,14 @@ def _passed_over(specs_option: str | None, path: str) -> str:
 
 def relative_path(path: str | os.PathLike[str]) -> str:
     """The folder as findings show it: relative to the current one, so that editors find the files."""
-    text, here = os.path.realpath(path), os.getcwd()
-    if text == here:
+    text, current_folder = os.path.realpath(path), os.getcwd()
+    if text == current_folder:
         return ""
-    text = text[len(here) :].lstrip(os.sep) if text.startswith(os.path.join(here, "")) else os.fspath(path)
+    text = (
+        text[len(current_folder) :].lstrip(os.sep)
+        if text.startswith(os.path.join(current_folder, ""))
+        else os.fspath(path)
+    )
     return text.replace(os.sep, "/")
 
 

@@ -17,7 +17,7 @@ from fieldspec.render.finding_text import place
 
 
 class NoRevision(UsageError):
-    """A name that is not a revision."""
+    """The name is not that of a revision."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,23 +35,23 @@ def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
 
     The folder may contain all specs, or be the folder of a device, or contain the folder `specs`.
     """
-    here = specs if specs is not None and path is None else Path.cwd()
-    _verified(here, revision)
-    folder = path if path is not None else _git(here, "rev-parse", "--show-prefix").decode().strip("\n/")
-    blobs = _contents(here, revision, folder)
+    directory = specs if specs is not None and path is None else Path.cwd()
+    _verified(directory, revision)
+    folder = path if path is not None else _git(directory, "rev-parse", "--show-prefix").decode().strip("\n/")
+    blobs = _contents(directory, revision, folder)
     if MAIN in blobs and folder:
         above, _, device = folder.rpartition("/")
-        return Tree(above, device, _read_blobs(here, _contents(here, revision, above)))
+        return Tree(above, device, _read_blobs(directory, _contents(directory, revision, above)))
     if not _devices(blobs) and _devices(_below(blobs, "specs")):
         folder, blobs = posixpath.join(folder, "specs"), _below(blobs, "specs")
     if not _devices(blobs):
-        where = f"{revision}:{folder}" if folder else revision
-        raise UsageError(f"{where} contains no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
-    return Tree(folder, "", _read_blobs(here, blobs))
+        place_text = f"{revision}:{folder}" if folder else revision
+        raise UsageError(f"{place_text} contains no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
+    return Tree(folder, "", _read_blobs(directory, blobs))
 
 
 def _devices(blobs: dict[str, str]) -> set[str]:
-    """The folders of devices."""
+    """The folders of devices among some files."""
     return {path.partition("/")[0] for path in blobs if path.partition("/")[2] == MAIN}
 
 
@@ -60,26 +60,28 @@ def _below(blobs: dict[str, str], folder: str) -> dict[str, str]:
     return {path.removeprefix(start): blob for path, blob in blobs.items() if path.startswith(start)}
 
 
-def _verified(here: Path, revision: str) -> None:
+def _verified(directory: Path, revision: str) -> None:
     """Refuses a name that is not a revision. Raises NoRevision."""
     try:
-        _git(here, "rev-parse", "--git-dir")
+        _git(directory, "rev-parse", "--git-dir")
     except _Failed:
-        text = f"{revision} is no device and no folder, and {here} is in no git repository"
+        text = f"{revision} is no device and no folder, and {directory} is in no git repository"
         raise NoRevision(text) from None
     try:
-        _git(here, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{tree}}")
+        _git(directory, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{tree}}")
     except _Failed:
         raise NoRevision(f"there is no device, no folder and no git revision {revision}") from None
 
 
-def _contents(here: Path, revision: str, path: str) -> dict[str, str]:
+def _contents(directory: Path, revision: str, path: str) -> dict[str, str]:
     """The YAML files below a folder at a revision: the names of their contents, by path."""
     try:
         folder = (
-            _git(here, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}:{path}").decode().strip()
+            _git(directory, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}:{path}")
+            .decode()
+            .strip()
         )
-        lines = _git(here, "ls-tree", "-r", "-z", "--full-tree", folder).decode("utf-8", "replace")
+        lines = _git(directory, "ls-tree", "-r", "-z", "--full-tree", folder).decode("utf-8", "replace")
     except _Failed:
         raise UsageError(f"the revision {revision} has no folder {path}") from None
     blobs = {}
@@ -95,18 +97,18 @@ def _hidden(path: str) -> bool:
     return posixpath.basename(path).startswith(".")
 
 
-def _read_blobs(here: Path, blobs: dict[str, str]) -> dict[str, bytes]:
+def _read_blobs(directory: Path, blobs: dict[str, str]) -> dict[str, bytes]:
     """The contents of the spec files among some files."""
     specs = {path: blob for path, blob in blobs.items() if _of_specs(path.split("/"))}
-    asked = "".join(f"{blob}\n" for blob in specs.values()).encode()
-    answer = _git(here, "cat-file", "--batch", data=asked)
+    blob_names = "".join(f"{blob}\n" for blob in specs.values()).encode()
+    answer = _git(directory, "cat-file", "--batch", data=blob_names)
     files = {}
-    at = 0
+    offset = 0
     for path in specs:
-        end = answer.index(b"\n", at)
-        size = int(answer[at:end].split()[-1])
+        end = answer.index(b"\n", offset)
+        size = int(answer[offset:end].split()[-1])
         files[path] = answer[end + 1 : end + 1 + size]
-        at = end + size + 2
+        offset = end + size + 2
     return files
 
 
@@ -116,12 +118,12 @@ def _of_specs(steps: list[str]) -> bool:
 
 
 class _Failed(Exception):
-    """Git reported an error."""
+    """Git has reported an error."""
 
 
-def _git(here: Path, *arguments: str, data: bytes = b"") -> bytes:
+def _git(directory: Path, *arguments: str, data: bytes = b"") -> bytes:
     try:
-        ran = subprocess.run(["git", "-C", str(here), *arguments], input=data, capture_output=True, check=False)
+        ran = subprocess.run(["git", "-C", str(directory), *arguments], input=data, capture_output=True, check=False)
     except FileNotFoundError:
         raise UsageError("git is not installed, so there are no revisions to compare") from None
     if ran.returncode:
@@ -157,12 +159,12 @@ class SpecState:
 
     def label(self, device: str, version: str = "") -> str:
         """What this state is called for a device, at a version or at several."""
-        at = f"@{version}" if version else ""
+        version_text = f"@{version}" if version else ""
         if not self.wide:
-            return f"{device}{at}"
+            return f"{device}{version_text}"
         if self.device:
-            return self.name if self.version else f"{self.name}{at}"
-        return f"{self.name} {device}{at}"
+            return self.name if self.version else f"{self.name}{version_text}"
+        return f"{self.name} {device}{version_text}"
 
 
 def spec_state(text: str, specs_option: str | None, bare_paths: bool) -> SpecState:
@@ -172,23 +174,28 @@ def spec_state(text: str, specs_option: str | None, bare_paths: bool) -> SpecSta
     Raises UsageError for a state that does not exist.
     """
     try:
-        here: Path | None = specs.folder(specs_option)
+        specs_folder: Path | None = specs.folder(specs_option)
     except UsageError:
         if specs_option:
             raise
-        here = None
+        specs_folder = None
     name, version = specs.split(text)
-    if here is not None and (here / name / MAIN).is_file() and "/" not in name and name not in ("", ".", ".."):
+    if (
+        specs_folder is not None
+        and (specs_folder / name / MAIN).is_file()
+        and "/" not in name
+        and name not in ("", ".", "..")
+    ):
         return _named(text, specs.project(specs_option, frozenset([name])), name, version)
     for path, picked in ((text, ""), text.rpartition("@")[::2]):
         if path and Path(path).is_dir():
             return _folder(text, Path(path), picked)
 
     try:
-        return _revision(text, here, bare_paths)
+        return _revision(text, specs_folder, bare_paths)
     except NoRevision:
-        if here is not None and name and version and "{" not in version:
-            raise unknown("device", name, (file.parent.name for file in here.glob(f"*/{MAIN}"))) from None
+        if specs_folder is not None and name and version and "{" not in version:
+            raise unknown("device", name, (file.parent.name for file in specs_folder.glob(f"*/{MAIN}"))) from None
         raise
 
 
@@ -214,7 +221,7 @@ def _folder(text: str, path: Path, version: str) -> SpecState:
     return _wide(text, read(files, only, specs.relative_path(path), specs.origins(files)), device, version)
 
 
-def _revision(text: str, here: Path | None, bare_paths: bool) -> SpecState:
+def _revision(text: str, specs_folder: Path | None, bare_paths: bool) -> SpecState:
 
     name, version = text, ""
     before, joint, after = text.rpartition("@")
@@ -223,7 +230,7 @@ def _revision(text: str, here: Path | None, bare_paths: bool) -> SpecState:
     revision, colon, path = name.partition(":")
     if not revision:
         raise UsageError(f"there is no device, no folder and no git revision {text}")
-    spec_tree = tree(revision, path.strip("/") if colon else None, here)
+    spec_tree = tree(revision, path.strip("/") if colon else None, specs_folder)
     folder = spec_tree.path if bare_paths else f"{revision}:{spec_tree.path}"
     only = frozenset([spec_tree.device]) if spec_tree.device else frozenset[str]()
     files = specs.with_protocols(_of_devices(spec_tree.files))

@@ -83,15 +83,15 @@ def _remove(folders: list[Path]) -> None:
 
 def replace(path: Path, content: bytes) -> None:
     """Replaces a file in an `exclusive_folder`, all or nothing. Raises UsageError."""
-    beside = path.with_name(f"{BESIDE}{os.urandom(8).hex()}")
+    new_file = path.with_name(f"{BESIDE}{os.urandom(8).hex()}")
     try:
         try:
-            write_through(beside, content)
-            os.replace(beside, path)
+            write_through(new_file, content)
+            os.replace(new_file, path)
             sync_folder(path.parent)
         except BaseException:
             with suppress(OSError):
-                os.unlink(beside)
+                os.unlink(new_file)
             raise
     except OSError as error:
         raise UsageError(f"cannot write {path}: {error.strerror}; nothing was changed") from None

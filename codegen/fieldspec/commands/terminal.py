@@ -77,17 +77,17 @@ def _print_split(block: Table, stay: Sequence[int], below: Sequence[int]) -> Non
     from rich.padding import Padding
     from rich.text import Text
 
-    text = aligned([block.headings[at] for at in stay], [[row[at] for at in stay] for row in block.rows])
+    text = aligned([block.headings[index] for index in stay], [[row[index] for index in stay] for row in block.rows])
     head, *lines = text.splitlines()
     console = _console()
     console.print(Text(head, "bold"))
     for row, line, style in zip_longest(block.rows, lines, block.styles, fillvalue=""):
         if line:
             console.print(Text(line, style))
-        for at in below:
-            if row[at]:
-                name = f"{block.headings[at]}: " if line and block.headings[at] else ""
-                console.print(Padding(Text.assemble((name, "dim"), (visible_text(row[at]), style)), (0, 0, 0, 4)))
+        for index in below:
+            if row[index]:
+                name = f"{block.headings[index]}: " if line and block.headings[index] else ""
+                console.print(Padding(Text.assemble((name, "dim"), (visible_text(row[index]), style)), (0, 0, 0, 4)))
 
 
 @cache

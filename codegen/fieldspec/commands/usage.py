@@ -13,19 +13,19 @@ class UsageError(Exception):
     """Wrong use: one line that says what is wrong and what to do. Exit code 2."""
 
 
-def unknown(what: str, name: str, known: Iterable[str], most: int = 20) -> UsageError:
-    """The error for an unknown name, with the nearest known one, or all if there are not more than `most`."""
+def unknown(kind: str, name: str, known: Iterable[str], limit: int = 20) -> UsageError:
+    """The error for an unknown name, with the nearest known one, or all if there are not more than `limit`."""
     import difflib
 
     names = sorted(set(known), key=_in_order)
-    near = [] if name.isdecimal() else difflib.get_close_matches(name, names, 1, 0.6)
-    if near:
-        hint = f"did you mean {near[0]}?"
-    elif names and len(names) <= most:
+    matches = [] if name.isdecimal() else difflib.get_close_matches(name, names, 1, 0.6)
+    if matches:
+        hint = f"did you mean {matches[0]}?"
+    elif names and len(names) <= limit:
         hint = f"there are {', '.join(names)}"
     else:
         hint = f"there are {len(names)} of them" if names else "there are none"
-    return UsageError(f"there is no {what} {name or 'without a name'}; {hint}")
+    return UsageError(f"there is no {kind} {name or 'without a name'}; {hint}")
 
 
 def _in_order(name: str) -> list[object]:

@@ -143,7 +143,7 @@ def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def _size(spec: DeviceSpec) -> int:
-    """An estimate of the work for a device."""
+    """An estimate of the work that a device needs."""
     return len(spec.files) * len(spec.versions())
 
 
@@ -163,7 +163,7 @@ def _processors() -> int:
 
 
 def task_result(work: Work, task: Task) -> TaskResult:
-    """The result of one task."""
+    """The result of a task."""
     spec = work.project.devices[task.device]
     ran = outcome(spec) if task.check else work.known.get(task.device)
     findings = [*ran.findings] if ran is not None and task.check else []

@@ -39,8 +39,8 @@ class CaptureValues:
             strict=True,
         )  # fmt: skip
         own = self.decoder.choices.units
-        for way, request, exception, message, space, address, count, unit_address in rows:
-            if way != "response" or request < 0 or (own and unit_address not in own):
+        for direction, request, exception, message, space, address, count, unit_address in rows:
+            if direction != "response" or request < 0 or (own and unit_address not in own):
                 continue
             if exception < 0:
                 self.accepted.add(request)
@@ -59,7 +59,7 @@ class CaptureValues:
             path = texts[register]
             name = texts[text] if text >= 0 else ""
             value: SeriesValue = raw if has_raw else quantity if has_quantity else name
-            where = f"{self.source}, frame {numbers[row]}"
+            place_text = f"{self.source}, frame {numbers[row]}"
             if operation < 0:
                 operation_name = WRITE if ways[row] == "request" else READ
                 item = self.observables.fields.get((operation_name, bare(path)))
@@ -68,33 +68,33 @@ class CaptureValues:
                 space_name = texts[space] if space >= 0 else ""
                 if verdict == UNLISTED:
                     if operation_name == READ:
-                        self.unit.add_unlisted(space_name, address, str(value), where)
+                        self.unit.add_unlisted(space_name, address, str(value), place_text)
                     continue
                 item = self.observables.registers.get((space_name, path))
             if item is None or VERDICTS[verdict] == "partial":
                 continue
             if operation >= 0 and operation_name == WRITE:
-                self.writes.append((numbers[row], item, path, value, where))
+                self.writes.append((numbers[row], item, path, value, place_text))
             else:
-                self.unit.add(item, path, operation_name, value, self.moment + numbers[row], where)
+                self.unit.add(item, path, operation_name, value, self.moment + numbers[row], place_text)
             if VERDICTS[verdict] in _TROUBLES and operation_name == READ:
-                self.unit.add_trouble(item, path, VERDICTS[verdict], str(value), where)
+                self.unit.add_trouble(item, path, VERDICTS[verdict], str(value), place_text)
 
     def _refuse(self, message: str, space: str, address: int, count: int, exception: str) -> None:
         """Notes a refusal that concerns one value; nobody knows which one a longer request was refused for."""
         access = self.observables.layout.messages[message].message.accesses
         if access is None:
             return
-        inside = [
+        requested_items = [
             item
             for item in self.observables.registers.values()
             if item.space == space and item.address is not None and address <= item.address < address + count
         ]
-        if len(inside) == 1 and inside[0].address == address:
-            self.unit.add_refusal(inside[0], inside[0].path, access.operation, exception)
+        if len(requested_items) == 1 and requested_items[0].address == address:
+            self.unit.add_refusal(requested_items[0], requested_items[0].path, access.operation, exception)
 
     def finish(self) -> None:
         """Adds the writes that were accepted."""
-        for number, item, path, value, where in self.writes:
+        for number, item, path, value, place_text in self.writes:
             if number in self.accepted:
-                self.unit.add(item, path, WRITE, value, self.moment + number, where)
+                self.unit.add(item, path, WRITE, value, self.moment + number, place_text)

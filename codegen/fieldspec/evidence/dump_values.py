@@ -17,9 +17,9 @@ def add_dump(unit: UnitEvidence, observables: Observables, report: DumpReport, s
         item = by_name.get(read.name)
         if item is None or item.fact.place.path != read.fact.place.path:
             item = observables.parameters.get(read.fact.place.path)
-        where = f"{source}, row {read.rows[0]}"
+        place_text = f"{source}, row {read.rows[0]}"
         if item is not None and read.number is not None:
-            _add(unit, item, read, where, moment)
+            _add(unit, item, read, place_text, moment)
     for entry in report.unknown:
         space = entry.space or observables.layout.device.space_name("")
         for offset, value in enumerate(entry.values):
@@ -33,17 +33,17 @@ def add_scan(unit: UnitEvidence, observables: Observables, space: str, refused: 
             unit.add_refusal(item, item.path, READ, "an exception")
 
 
-def _add(unit: UnitEvidence, item: Observable, read: DumpValue, where: str, moment: int) -> None:
+def _add(unit: UnitEvidence, item: Observable, read: DumpValue, place_text: str, moment: int) -> None:
     number = read.number
     value: SeriesValue = number if isinstance(number, int | float) else read.text or str(number)
-    unit.add(item, read.name, READ, value, moment, where)
+    unit.add(item, read.name, READ, value, moment, place_text)
     if read.unread:
         return
     if read.decoded.reason:
-        unit.add_trouble(item, read.name, read.decoded.reason, str(value), where)
+        unit.add_trouble(item, read.name, read.decoded.reason, str(value), place_text)
     elif read.spare:
-        unit.add_trouble(item, read.name, "unlisted_bits", str(value), where)
+        unit.add_trouble(item, read.name, "unlisted_bits", str(value), place_text)
     elif isinstance(number, int) and item.value.enum:
         enum = unit.layout.device.enums.get(item.value.enum)
         if enum is not None and enum.member(number) is None and item.value.sentinel(number) is None:
-            unit.add_trouble(item, read.name, "unlisted_member", str(value), where)
+            unit.add_trouble(item, read.name, "unlisted_member", str(value), place_text)

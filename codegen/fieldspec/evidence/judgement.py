@@ -55,9 +55,13 @@ UNSEEN = Observation(NEVER)
 def strongest(observations: Iterable[Observation]) -> Observation:
     """Several observations as one: the state that outweighs the others, and how often that was seen."""
     own = list(observations)
-    best = max(own, key=lambda each: (STATES.index(each.state), each.count), default=UNSEEN)
+    best = max(own, key=lambda observation: (STATES.index(observation.state), observation.count), default=UNSEEN)
     return Observation(
-        best.state, sum(each.count for each in own if each.state == best.state), best.values, best.where, best.remark
+        best.state,
+        sum(observation.count for observation in own if observation.state == best.state),
+        best.values,
+        best.where,
+        best.remark,
     )
 
 
@@ -88,10 +92,10 @@ def aspects(observables: Observables) -> dict[Aspect, Fact]:
 
 def observations(unit: UnitEvidence, observables: Observables) -> dict[Aspect, Observation]:
     """What a unit says of each aspect that it says anything of."""
-    every: dict[Aspect, list[Observation]] = {}
+    by_aspect: dict[Aspect, list[Observation]] = {}
     for aspect, observation in _UnitJudge(unit, observables).observations():
-        every.setdefault(aspect, []).append(observation)
-    return {aspect: strongest(own) for aspect, own in every.items()}
+        by_aspect.setdefault(aspect, []).append(observation)
+    return {aspect: strongest(own) for aspect, own in by_aspect.items()}
 
 
 class _UnitJudge:
@@ -143,23 +147,23 @@ class _UnitJudge:
         aspect = (item.fact.place.path, ACCESS)
         operations = {operation: series for (_, operation), series in own.items()}
         for operation, series in operations.items():
-            why = FORBIDS.get((operation, item.access))
-            if why:
+            objection = FORBIDS.get((operation, item.access))
+            if objection:
                 done = "read" if operation == READ else "written"
-                remark = f"the spec says that it {why}, and it was {done}"
+                remark = f"the spec says that it {objection}, and it was {done}"
                 yield aspect, Observation(CONTRADICTED, series.count, series.text, series.where, remark)
         count = sum(series.count for series in operations.values())
-        where = next((series.where for series in operations.values()), "")
+        place_text = next((series.where for series in operations.values()), "")
         other = {"ro": WRITE, "wo": READ}.get(item.access, "")
         refused = self._refused(item, other) if other else Counter()
         if item.access == "rw" and {READ, WRITE} <= operations.keys():
-            yield aspect, Observation(OBSERVED, count, "", where, "reads and writes were answered")
+            yield aspect, Observation(OBSERVED, count, "", place_text, "reads and writes were answered")
         elif operations and refused:
             remark = f"a {other} was refused with {', '.join(sorted(refused))}"
-            yield aspect, Observation(OBSERVED, count, "", where, remark)
+            yield aspect, Observation(OBSERVED, count, "", place_text, remark)
         elif operations:
             names = " and ".join(f"{operation}s" for operation in sorted(operations))
-            yield aspect, Observation(CONSISTENT, count, "", where, f"only {names} were answered")
+            yield aspect, Observation(CONSISTENT, count, "", place_text, f"only {names} were answered")
 
     def _value(
         self, item: Observable, path: str, operation: str, series: Series
@@ -175,23 +179,23 @@ class _UnitJudge:
         for member in enum.members if enum is not None else ():
             if member.value not in series.labels:
                 continue
-            text, where = str(member.value), series.where
+            text, place_text = str(member.value), series.where
             if series.changes:
-                seen = Observation(OBSERVED, 1, text, where, f"{path} had it among other values")
+                observation = Observation(OBSERVED, 1, text, place_text, f"{path} had it among other values")
             else:
-                seen = Observation(NOTHING, 1, text, where, f"{path} always had it")
-            yield (member.place.path, MEMBER), seen
+                observation = Observation(NOTHING, 1, text, place_text, f"{path} always had it")
+            yield (member.place.path, MEMBER), observation
 
     @staticmethod
     def _of_series(series: Series, partners: Iterable[str]) -> Observation:
-        """What a series says of which value it is."""
+        """The observation that a series is of the value of a fact."""
         names = list(partners)
         if not series.changes:
             remark = f"it was always {series.text}, so nothing tells it from another value"
             return Observation(NOTHING, series.count, series.text, series.where, remark)
         if names:
-            more = f" and {len(names) - _IN_STEP} more" if len(names) > _IN_STEP else ""
-            remark = f"it changes in step with {', '.join(names[:_IN_STEP])}{more}; nothing tells which is which"
+            rest_text = f" and {len(names) - _IN_STEP} more" if len(names) > _IN_STEP else ""
+            remark = f"it changes in step with {', '.join(names[:_IN_STEP])}{rest_text}; nothing tells which is which"
             return Observation(NOTHING, series.count, series.text, series.where, remark)
         return Observation(OBSERVED, series.count, series.text, series.where)
 
@@ -215,23 +219,23 @@ def _fitting(series: Series, nothing: str) -> Observation:
 
 
 def _in_step(
-    every: dict[tuple[str, str, str], Series], aliases: dict[str, str]
+    all_series: dict[tuple[str, str, str], Series], aliases: dict[str, str]
 ) -> dict[tuple[str, str, str], list[str]]:
     """For each series that changes: the names of other facts whose series change at the same moments."""
     groups: dict[tuple[int, int], list[tuple[str, str, str]]] = {}
-    for key, series in every.items():
+    for key, series in all_series.items():
         if series.changes:
             groups.setdefault((series.pattern, len(series.labels)), []).append(key)
     result: dict[tuple[str, str, str], list[str]] = {}
     for keys in groups.values():
         for fact, path, operation in keys if len(keys) > 1 else ():
-            others = {
+            other_names = {
                 other: _name(other, other_path)
                 for other, other_path, _ in keys
                 if other != fact and other_path != aliases.get(fact) and path != aliases.get(other)
             }
-            if others:
-                result[fact, path, operation] = list(others.values())
+            if other_names:
+                result[fact, path, operation] = list(other_names.values())
     return result
 
 

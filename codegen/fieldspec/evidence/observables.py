@@ -36,18 +36,20 @@ class Observable:
 
 
 class Observables:
-    """All values of a device."""
+    """All values of a device that files of units can show."""
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
         self.registers: dict[tuple[str, str], Observable] = {}
         moving = moving_tables(layout)
-        for space, each in all_occupants(at_usual_bases(layout)):
-            if not each.reserved and not getattr(each.fact, "reserved", False):
-                same_as = getattr(each.fact, "same_as", "")
-                address = None if isinstance(each.outer, Table) and each.outer.name in moving else each.address
-                self.registers[space, each.path] = Observable(
-                    each.path, each.fact, each.value, each.access, space, address, same_as
+        for space, occupant in all_occupants(at_usual_bases(layout)):
+            if not occupant.reserved and not getattr(occupant.fact, "reserved", False):
+                same_as = getattr(occupant.fact, "same_as", "")
+                address = (
+                    None if isinstance(occupant.outer, Table) and occupant.outer.name in moving else occupant.address
+                )
+                self.registers[space, occupant.path] = Observable(
+                    occupant.path, occupant.fact, occupant.value, occupant.access, space, address, same_as
                 )
         self.parameters: dict[str, Observable] = {}
         for parameter_set in layout.device.parameters.values():

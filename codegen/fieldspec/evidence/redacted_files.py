@@ -51,14 +51,14 @@ class RedactedCapture:
             frames.direction.tolist(), frames.message.tolist(), frames.request.tolist(), frames.verdict.tolist(),
             offsets[:-1].tolist(), offsets[1:].tolist(), strict=True,
         )  # fmt: skip
-        for number, time, stream, link, way, message, request, verdict, first, end in rows:
-            if verdict != OK or way < 0:
+        for number, time, stream, link, direction_place, message, request, verdict, first, end in rows:
+            if verdict != OK or direction_place < 0:
                 self.left_out[f"frames that are {VERDICTS[verdict] or 'of no direction'}"] += 1
                 continue
-            direction = texts[way]
+            direction = texts[direction_place]
             name = texts[message] if message >= 0 else ""
-            asked = self._asked.pop(request, {}) if direction == "response" else {}
-            frame = self._frame(number, texts[link], direction, name, data[first:end], asked)
+            request_values = self._asked.pop(request, {}) if direction == "response" else {}
+            frame = self._frame(number, texts[link], direction, name, data[first:end], request_values)
             if frame is not None:
                 self._write(stream, time, direction, frame)
 
@@ -72,12 +72,12 @@ class RedactedCapture:
             frames.time.tolist(), frames.space.tolist(), frames.address.tolist(), frames.unit_address.tolist(),
             offsets[:-1].tolist(), offsets[1:].tolist(), strict=True,
         )  # fmt: skip
-        for at, (time, space, address, unit, first, end) in enumerate(rows):
+        for number, (time, space, address, unit, first, end) in enumerate(rows):
             clean = self.redaction.words(texts[space], address, data[first:end])
             if self.redaction.secrets.is_in(clean):
                 self.left_out["accesses with a secret elsewhere"] += 1
                 continue
-            own = texts[ways[at]] if at in ways else "read"
+            own = texts[ways[number]] if number in ways else "read"
             stamp, station = self._stamp(time).strip(), "" if unit < 0 else str(unit)
             for offset in range(0, len(clean) - 1, 2):
                 word = int.from_bytes(clean[offset : offset + 2], "big")
@@ -91,12 +91,12 @@ class RedactedCapture:
         return csv_text([head, *self.rows]) if self.rows else ""
 
     def _frame(
-        self, number: int, link: str, direction: str, message: str, frame: bytes, asked: Mapping[str, Any]
+        self, number: int, link: str, direction: str, message: str, frame: bytes, request_values: Mapping[str, Any]
     ) -> bytes | None:
         """A frame without secrets; None for one that is left out."""
         try:
             decoded = self.redaction.codec.links[link].decode(frame, direction, message)
-            clean = self.redaction.frame(link, direction, frame, decoded, asked)
+            clean = self.redaction.frame(link, direction, frame, decoded, request_values)
             self.redaction.codec.links[link].decode(clean, direction, message)
         except CodecError:
             self.left_out["frames that the codecs do not take"] += 1
@@ -146,12 +146,12 @@ def redacted_rows(
     """
     clean = [(space, number, redaction.counts(space, number, counts)) for space, number, counts in rows]
     clean.sort(key=lambda row: (row[0], row[1]))
-    flat = [(at, index) for at, (_, _, counts) in enumerate(clean) for index in range(len(counts))]
-    data = b"".join((clean[at][2][index] & 0xFFFF).to_bytes(2, "big") for at, index in flat)
+    flat = [(row_index, index) for row_index, (_, _, counts) in enumerate(clean) for index in range(len(counts))]
+    data = b"".join((clean[row_index][2][index] & 0xFFFF).to_bytes(2, "big") for row_index, index in flat)
     for place in list(redaction.secrets.places(data)):
         for word in range(place.start // 2, (place.stop + 1) // 2):
-            at, index = flat[word]
-            clean[at][2][index] = 0
+            row_index, index = flat[word]
+            clean[row_index][2][index] = 0
     for _, _, counts in clean:
         for index, count in enumerate(counts):
             if redaction.secrets.is_in(str(count).encode()) or redaction.secrets.is_in(_number_bytes(count)):
@@ -171,25 +171,27 @@ def redacted_dump(redaction: Redaction, dump: Dump) -> str:
     bits = {space for space in device.spaces if device.space(space).unit == "bit"}
     rows: list[tuple[str, int, Sequence[int]]] = []
     for entry in dump.entries(report.base):
-        named = entry.space if entry.space in {*device.spaces, *spaces} else ""
-        space = named or device.space_name("")
-        numbered = named in spaces or not redaction.occupants
+        stated_space = entry.space if entry.space in {*device.spaces, *spaces} else ""
+        space = stated_space or device.space_name("")
+        numbered = stated_space in spaces or not redaction.occupants
         if numbered:
-            own = named or next((own for own in spaces if device.parameter_at(own, entry.address) is not None), "")
+            own = stated_space or next(
+                (own for own in spaces if device.parameter_at(own, entry.address) is not None), ""
+            )
             rows.append((own, entry.address, entry.values))
             continue
         words = _words(redaction, space, entry.address, entry.values, entry.words)
-        rows += [(space, entry.address + at, (word,)) for at, word in enumerate(words)]
+        rows += [(space, entry.address + offset, (word,)) for offset, word in enumerate(words)]
     grouped = _joined(rows, spaces | bits)
     clean = [
-        (space, address + at, [count]) if space not in spaces else (space, address, counts)
+        (space, address + offset, [count]) if space not in spaces else (space, address, counts)
         for space, address, counts in redacted_rows(redaction, grouped)
-        for at, count in (enumerate(counts) if space not in spaces else ((0, 0),))
+        for offset, count in (enumerate(counts) if space not in spaces else ((0, 0),))
     ]
-    several = len({space for space, _, _ in clean}) > 1 or any(space in spaces for space, _, _ in clean)
-    head = ("space", "address", "value") if several else ("address", "value")
+    has_spaces = len({space for space, _, _ in clean}) > 1 or any(space in spaces for space, _, _ in clean)
+    head = ("space", "address", "value") if has_spaces else ("address", "value")
     cells = [
-        (*((space,) * several), f"0x{address:04X}", " ".join(map(str, counts))) for space, address, counts in clean
+        (*((space,) * has_spaces), f"0x{address:04X}", " ".join(map(str, counts))) for space, address, counts in clean
     ]
     return csv_text([head, *cells])
 
@@ -213,7 +215,7 @@ def _words(redaction: Redaction, space: str, address: int, values: Sequence[int]
     wide = own.words if own is not None else 1
     if len(values) > 1 or wide == 1 or (words != wide and -0x8000 <= number <= 0xFFFF):
         return [value & 0xFFFF for value in values]
-    parts = [number >> 16 * at & 0xFFFF for at in reversed(range(wide))]
+    parts = [number >> 16 * index & 0xFFFF for index in reversed(range(wide))]
     return parts if redaction.layout.device.word_order == "big" else parts[::-1]
 
 
@@ -239,7 +241,7 @@ def redacted_scan(redaction: Redaction, content: Mapping[str, Any]) -> str:
             if space in parameter_spaces:
                 words[f"0x{address:04X}"] = counts[0] if len(counts) == 1 else counts
             else:
-                words |= {f"0x{address + at:04X}": count for at, count in enumerate(counts)}
+                words |= {f"0x{address + offset:04X}": count for offset, count in enumerate(counts)}
         refused = [f"0x{int(address, 16):04X}" for address in part["refused"]]
         spaces.append({"space": space, "words": words, "refused": refused})
     return json.dumps({"device": device.id, "spaces": spaces}, indent=1) + "\n"

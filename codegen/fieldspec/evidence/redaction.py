@@ -70,8 +70,10 @@ class Redaction:
         if any(data):
             self.replaced["reserved"] = self.replaced.get("reserved", 0) + 1
 
-    def frame(self, link: str, direction: str, frame: bytes, decoded: Decoded, asked: Mapping[str, Any]) -> bytes:
-        """A frame with right checksums in which nothing identifies the unit. `asked` are the values of its request.
+    def frame(
+        self, link: str, direction: str, frame: bytes, decoded: Decoded, request_values: Mapping[str, Any]
+    ) -> bytes:
+        """A frame with right checksums in which nothing identifies the unit. `request_values` are those of its request.
 
         Raises CodecError for a frame that is no frame of the link.
         """
@@ -82,13 +84,13 @@ class Redaction:
         head, tail = bytearray(parts[: shape.header_size]), bytearray(parts[end:])
         for part in (*shape.header, *shape.trailer):
             if part.reserved and part.constant is not None:
-                own, at = (head, part.offset) if part in shape.header else (tail, part.at(len(parts)) - end)
-                own[at : at + part.size] = part.data(part.constant)
-        body = self._body(decoded, direction, parts[shape.header_size : end], asked)
+                own, offset = (head, part.offset) if part in shape.header else (tail, part.at(len(parts)) - end)
+                own[offset : offset + part.size] = part.data(part.constant)
+        body = self._body(decoded, direction, parts[shape.header_size : end], request_values)
         clean = codec_of_link.with_checksum(direction, bytes(head) + body + bytes(tail))
         return codec_of_link.joined_parts(direction, clean)
 
-    def _body(self, decoded: Decoded, direction: str, data: bytes, asked: Mapping[str, Any]) -> bytes:
+    def _body(self, decoded: Decoded, direction: str, data: bytes, request_values: Mapping[str, Any]) -> bytes:
         record = decoded.body
         if record is None:
             return bytes(len(data))
@@ -109,7 +111,7 @@ class Redaction:
         access = (
             _access(decoded.message.message, direction) if decoded.message is not None and not decoded.error else None
         )
-        values = {**asked, **decoded.values}
+        values = {**request_values, **decoded.values}
         if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
             values[_FIRST] = values.get(indexed.name)
         self._record(record.image, data, result, 0, values, access)
@@ -129,17 +131,17 @@ class Redaction:
     ) -> None:
         """Takes over the fields of a record from `start` on; `tail` is the list at its end that it counts."""
         for field in (record.of_data(data[start:]) or record).fields:
-            at = start + field.offset
+            offset = start + field.offset
             own_room = record.room_of(field)
             own_room = tail if field.count is None and tail is not None else own_room
-            room = len(data) - at if own_room is None else own_room.size_of(own_room.count_in(data[start:])) or 0
+            room = len(data) - offset if own_room is None else own_room.size_of(own_room.count_in(data[start:])) or 0
             count = field.count if field.count is not None else room // field.size if field.size else 0
             if access is not None and field.name == access.values:
-                end = at + min(field.size * count, room)
-                result[at:end] = self._content(access, field, data[at:end], values)
+                end = offset + min(field.size * count, room)
+                result[offset:end] = self._content(access, field, data[offset:end], values)
                 continue
             for index in range(count):
-                own = at + index * field.size
+                own = offset + index * field.size
                 if field.record is not None:
                     own_tail = tail_of(field.record) if field.record.size is None else None
                     self._record(field.record, data, result, own, values, None, own_tail)
@@ -209,7 +211,7 @@ class Redaction:
             bits = list(unpacked_bits(data))
             count = values.get(access.count)
             known = bits[: count if isinstance(count, int) else len(bits)]
-            clean = [bit if (space, start + at) in self.occupants else 0 for at, bit in enumerate(known)]
+            clean = [bit if (space, start + offset) in self.occupants else 0 for offset, bit in enumerate(known)]
             return bytes(packed_bits(clean)).ljust(len(data), b"\0")[: len(data)]
         return self.words(space, start, data)
 
@@ -217,18 +219,18 @@ class Redaction:
         """The bytes of words from an address on."""
         result = bytearray(len(data))
         replaced: set[int] = set()
-        for at in range(0, len(data) - 1, 2):
-            own = self.occupants.get((space, start + at // 2), [])
+        for offset in range(0, len(data) - 1, 2):
+            own = self.occupants.get((space, start + offset // 2), [])
             known = [
                 occupant for occupant in own if not (occupant.reserved or getattr(occupant.fact, "reserved", False))
             ]
             secret = [occupant for occupant in known if self.is_secret(occupant.fact, occupant.value)]
             if known and not secret:
-                result[at : at + 2] = data[at : at + 2]
+                result[offset : offset + 2] = data[offset : offset + 2]
             elif not own:
-                self._replace(None, data[at : at + 2])
+                self._replace(None, data[offset : offset + 2])
             elif not known:
-                self._drop(data[at : at + 2])
+                self._drop(data[offset : offset + 2])
             for occupant in secret:
                 first = 2 * (occupant.address - start) + occupant.skip
                 if id(occupant) in replaced:
@@ -256,8 +258,8 @@ class Redaction:
                 data = b"".join((count & 0xFFFF).to_bytes(2, "little") for count in counts)
             clean = self.words(space, number, data)
             return [
-                int.from_bytes(clean[at : at + 2], "big" if order == "big" else "little")
-                for at in range(0, len(clean), 2)
+                int.from_bytes(clean[offset : offset + 2], "big" if order == "big" else "little")
+                for offset in range(0, len(clean), 2)
             ]
         parameter = match[0].numbered(match[1])
         result = []
@@ -289,9 +291,9 @@ def _filler(value: Value | None, size: int, order: str, swapped: bool) -> bytes:
         return bytes(size)
     if value.type.kind is Kind.TEXT:
         return text_bytes(value, order, "X" * size)
-    least = min((low for low, _ in _intervals(value)), key=abs, default=0)
-    if value.type.kind is Kind.INTEGER and least:
-        return bytes(value_construct(value, order, swapped).build(least))
+    filler_number = min((low for low, _ in _intervals(value)), key=abs, default=0)
+    if value.type.kind is Kind.INTEGER and filler_number:
+        return bytes(value_construct(value, order, swapped).build(filler_number))
     return bytes(size)
 
 
@@ -310,11 +312,13 @@ def _access(message: Message, direction: str) -> RegisterAccess | None:
 
 def _data_of(spans: tuple[Span, ...], fields: Sequence[Extent], image: bytearray, size: int) -> bytes:
     """The data of a redacted image, in which no text is longer than it was; zeros where another size would be sent."""
-    at = 0
+    offset = 0
     for span, extent in zip(spans, fields, strict=True):
         if span.value is not None and span.value.type.kind is Kind.TEXT:
-            image[at + extent.stop - extent.start : at + span.size] = bytes(span.size - (extent.stop - extent.start))
-        at += span.size
+            image[offset + extent.stop - extent.start : offset + span.size] = bytes(
+                span.size - (extent.stop - extent.start)
+            )
+        offset += span.size
     try:
         data = data_of(spans, bytes(image))
     except WidthError:

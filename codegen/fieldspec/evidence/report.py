@@ -77,17 +77,17 @@ class _Row:
 
 
 def evidence_report(
-    layout: DeviceLayout, units: Sequence[UnitEvidence], others: Sequence[tuple[str, ...]], old: Baseline | None
+    layout: DeviceLayout, units: Sequence[UnitEvidence], other_rows: Sequence[tuple[str, ...]], old: Baseline | None
 ) -> tuple[Report, tuple[Diagnostic, ...]]:
-    """The report, and its findings. `others` are the rows of units that do not count."""
+    """The report, and its findings. `other_rows` are those of units that do not count."""
     observables = Observables(layout)
-    every = [observations(unit, observables) for unit in units]
+    observed = [observations(unit, observables) for unit in units]
     rows = []
     for aspect, fact in aspects(observables).items():
-        own = tuple(seen.get(aspect, UNSEEN) for seen in every)
+        own = tuple(of_unit.get(aspect, UNSEEN) for of_unit in observed)
         rows.append(_Row(aspect, fact, strongest(own), own))
     findings = (*_contradictions(rows, units, old), *_lost(rows, old))
-    section = _section(rows, units, others, findings)
+    section = _section(rows, units, other_rows, findings)
     device = layout.device
     return Report(device.id, device.name, device.version, layout.identity, (section,)), findings
 
@@ -95,7 +95,7 @@ def evidence_report(
 def _section(
     rows: Sequence[_Row],
     units: Sequence[UnitEvidence],
-    others: Sequence[tuple[str, ...]],
+    other_rows: Sequence[tuple[str, ...]],
     findings: tuple[Diagnostic, ...],
 ) -> Section:
     names = tuple(unit.note.name for unit in units)
@@ -124,7 +124,7 @@ def _section(
         ),
         figures=figures,
         tables=(
-            SectionTable("evidence_units", "Units", columns, (*map(_unit, units), *others)),
+            SectionTable("evidence_units", "Units", columns, (*map(_unit, units), *other_rows)),
             _disagreements(rows, units),
             SectionTable(
                 "unlisted",
@@ -172,8 +172,8 @@ def _table(name: str, title: str, rows: Sequence[_Row], names: Sequence[str], st
 def _names(row: _Row, names: Sequence[str]) -> str:
     """The units that have the state of the row."""
     state = row.whole.state
-    seen = [name for name, own in zip(names, row.by_unit, strict=True) if own.state == state != NEVER]
-    return ", ".join(seen)
+    unit_names = [name for name, own in zip(names, row.by_unit, strict=True) if own.state == state != NEVER]
+    return ", ".join(unit_names)
 
 
 def _disagreements(rows: Sequence[_Row], units: Sequence[UnitEvidence]) -> SectionTable:
@@ -184,16 +184,16 @@ def _disagreements(rows: Sequence[_Row], units: Sequence[UnitEvidence]) -> Secti
             (
                 *row.aspect,
                 _spec_text(row),
-                seen.remark,
-                seen.values,
-                seen.count,
+                observation.remark,
+                observation.values,
+                observation.count,
                 unit.note.name,
-                seen.where,
+                observation.where,
                 row.fact.sources[0] if row.fact.sources else None,
                 "open",
             )
-            for unit, seen in zip(units, row.by_unit, strict=True)
-            if seen.state == CONTRADICTED
+            for unit, observation in zip(units, row.by_unit, strict=True)
+            if observation.state == CONTRADICTED
         ]
     columns = ("fact", "aspect", "spec", "wire", "values", "count", "unit", "where", "manual", "decision")
     title = "Where the wire and the spec disagree"
@@ -222,8 +222,8 @@ def _contradictions(rows: Sequence[_Row], units: Sequence[UnitEvidence], old: Ba
         key = range_key(row.fact.place) if row.aspect[1] == RANGE else "name"
         whole = row.whole
         values = f": {whole.values}" if whole.values else ""
-        where = f" ({whole.where})" if whole.where else ""
-        text = f"unit {names} contradicts the {row.aspect[1]} of {row.fact.name}: {whole.remark}{values}{where}"
+        place_text = f" ({whole.where})" if whole.where else ""
+        text = f"unit {names} contradicts the {row.aspect[1]} of {row.fact.name}: {whole.remark}{values}{place_text}"
         help = "decide who is right: correct the spec, with an erratum if the manual is wrong, or report the unit"
         severity = Severity.WARNING if is_known else Severity.ERROR
         yield Diagnostic(AGREES, text, row.fact.place[key], help=help, severity=severity)
@@ -248,10 +248,10 @@ def _lost(rows: Sequence[_Row], old: Baseline | None) -> Iterator[Diagnostic]:
 def _row_span(file: SourceFile, aspect: Aspect) -> Span:
     """The row of an aspect in the text of a baseline."""
     fact = f'"fact": {json.dumps(aspect[0], ensure_ascii=False)}'
-    at = file.text.find(fact)
-    while at >= 0:
-        end = file.text.find("}", at)
-        if f'"aspect": {json.dumps(aspect[1])}' in file.text[at : end if end >= 0 else len(file.text)]:
-            return Span(file, at, at + len(fact))
-        at = file.text.find(fact, at + 1)
+    start = file.text.find(fact)
+    while start >= 0:
+        end = file.text.find("}", start)
+        if f'"aspect": {json.dumps(aspect[1])}' in file.text[start : end if end >= 0 else len(file.text)]:
+            return Span(file, start, start + len(fact))
+        start = file.text.find(fact, start + 1)
     return Span(file, 0, 0)

@@ -50,15 +50,15 @@ class Secrets:
     def places(self, data: bytes) -> Iterator[range]:
         """Where secrets are in some bytes."""
         for known in sorted(self._known):
-            at = data.find(known)
-            while at >= 0:
-                yield range(at, at + len(known))
-                at = data.find(known, at + 1)
+            offset = data.find(known)
+            while offset >= 0:
+                yield range(offset, offset + len(known))
+                offset = data.find(known, offset + 1)
 
 
 def _encodings(data: bytes) -> Iterator[bytes]:
     """Bytes in both orders of bytes and of words, and as hexadecimal characters."""
-    words = [data[at : at + 2] for at in range(0, len(data), 2)]
+    words = [data[offset : offset + 2] for offset in range(0, len(data), 2)]
     orders = (
         data,
         data[::-1],

@@ -57,9 +57,9 @@ class Series:
         numbers = [value for value in self.labels if not isinstance(value, str)]
         if len(self.labels) <= 4 or len(numbers) < len(self.labels):
             values = sorted(self.labels, key=lambda value: (isinstance(value, str), value))
-            return ", ".join(_text(value) for value in values[:4]) + (", .." if len(values) > 4 else "")
-        return f"{_text(min(numbers))}..{_text(max(numbers))}"
+            return ", ".join(_value_text(value) for value in values[:4]) + (", .." if len(values) > 4 else "")
+        return f"{_value_text(min(numbers))}..{_value_text(max(numbers))}"
 
 
-def _text(value: SeriesValue) -> str:
+def _value_text(value: SeriesValue) -> str:
     return real_text(value) if isinstance(value, float) else str(value)

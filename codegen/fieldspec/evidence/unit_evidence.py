@@ -21,7 +21,7 @@ class Trouble:
     values: list[str] = field(default_factory=list)
 
     def add(self, value: str) -> None:
-        """Adds a value."""
+        """Counts a value and adds it to the examples."""
         self.count += 1
         if value not in self.values and len(self.values) < 4:
             self.values.append(value)
@@ -44,31 +44,33 @@ class UnitEvidence:
     unlisted: dict[tuple[str, int], Trouble] = field(default_factory=dict)
     flags: dict[str, tuple[Bit, ...]] = field(default_factory=dict)
 
-    def add(self, item: Observable, path: str, operation: str, value: SeriesValue, moment: int, where: str) -> None:
+    def add(
+        self, item: Observable, path: str, operation: str, value: SeriesValue, moment: int, place_text: str
+    ) -> None:
         """Adds a value that the unit has answered with, or has accepted."""
         key = (item.fact.place.path, path, operation)
         series = self.series.get(key)
         if series is None:
-            series = self.series[key] = Series(where)
+            series = self.series[key] = Series(place_text)
         series.add(value, moment)
         if item.value.flags and isinstance(value, int):
             for bit in self._bits(item.value.flags):
                 own = (bit.place.path, path, operation)
                 if own not in self.bits:
-                    self.bits[own] = Series(where)
+                    self.bits[own] = Series(place_text)
                 self.bits[own].add((value & bit.mask) >> bit.first, moment)
 
-    def add_trouble(self, item: Observable, path: str, verdict: str, value: str, where: str) -> None:
+    def add_trouble(self, item: Observable, path: str, verdict: str, value: str, place_text: str) -> None:
         """Adds a value that does not fit the spec."""
-        self.troubles.setdefault((item.fact.place.path, path, verdict), Trouble(where)).add(value)
+        self.troubles.setdefault((item.fact.place.path, path, verdict), Trouble(place_text)).add(value)
 
     def add_refusal(self, item: Observable, path: str, operation: str, name: str) -> None:
         """Adds a request that the unit has refused."""
         self.refusals.setdefault((item.fact.place.path, path, operation), Counter())[name] += 1
 
-    def add_unlisted(self, space: str, address: int, value: str, where: str) -> None:
+    def add_unlisted(self, space: str, address: int, value: str, place_text: str) -> None:
         """Adds a word that no register of the spec has."""
-        self.unlisted.setdefault((space, address), Trouble(where)).add(value)
+        self.unlisted.setdefault((space, address), Trouble(place_text)).add(value)
 
     def _bits(self, name: str) -> tuple[Bit, ...]:
         if name not in self.flags:

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.explain.row import ExplanationRow, citations, errata_at, errata_of_words
-from fieldspec.explain.values import Meaning, decode_value, in_unit
+from fieldspec.explain.values import Meaning, decode_answer, decode_value, in_unit
 from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
@@ -155,8 +155,8 @@ def _read_as(
             return row  # without the zeros that fill it up
         text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
         return replace(row, verdict=text, reason="out_of_range")
-    value = fact.value.for_writing() if is_request else fact.value.as_answer(False)
-    read = decode_value(device, value, *decode_arguments, reserved=fact.reserved)
+    value = fact.value.for_writing() if is_request else fact.value
+    read = (decode_value if is_request else decode_answer)(device, value, *decode_arguments, reserved=fact.reserved)
     if element.parameter.trigger and not is_request:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))

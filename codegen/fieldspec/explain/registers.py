@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.classes import dataclass, replace
 from fieldspec.explain.row import ExplanationRow, Spot, fact_row
 from fieldspec.explain.spans import Span
-from fieldspec.explain.values import DecodedValue, decode_value, number_of
+from fieldspec.explain.values import DecodedValue, decode_answer, decode_value, number_of
 from fieldspec.layout.bases import moving_tables
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.nested_fields import NestedField, nested_fields
@@ -229,9 +229,10 @@ def _occupant_row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Sp
     piece = span.piece(occupant.address, occupant.value.size, occupant.skip)
     offset, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
-        value = occupant.value.for_writing() if operation == "write" else occupant.value.as_answer(False)
+        value = occupant.value.for_writing() if operation == "write" else occupant.value
         value = _by_exponent(layout, span, occupant, value)
-        read = decode_value(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
+        decode = decode_value if operation == "write" else decode_answer
+        read = decode(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:

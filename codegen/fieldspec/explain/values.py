@@ -157,6 +157,20 @@ def decode_value(
     return _whole(device, value, number)
 
 
+def decode_answer(
+    device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
+) -> DecodedValue:
+    """The meaning of the bytes of a value that is read: one that is not its constant has a note. Never raises.
+
+    A constant binds only what is written, so that codecs take such an answer.
+    """
+    read = decode_value(device, value, data, order, swapped, reserved)
+    if read.reason != "wrong_const":
+        return read
+    answer = decode_value(device, value.as_answer(False), data, order, swapped, reserved)
+    return replace(answer, notes=(*answer.notes, f"It {read.verdict.removeprefix('wrong: ')}."))
+
+
 def _float(value: Value, number: float) -> DecodedValue:
     """The meaning of a floating-point number, which is a quantity in the unit of the value."""
     sentinel = value.sentinel(number)

@@ -33,7 +33,7 @@ class MatrixRow:
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """Facts by versions."""
+    """A table of facts with a column for each version."""
 
     versions: tuple[str, ...]
     rows: tuple[MatrixRow, ...]
@@ -74,7 +74,7 @@ def _row_values(row: FactRow | None) -> tuple[tuple[str, str], ...] | None:
     """What a fact states; None if it is missing. Versions are compared by this."""
     if row is None:
         return None
-    return tuple((key, _text(key, cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)
+    return tuple((key, _cell_text(key, cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)
 
 
 def _cells(rows: Sequence[FactRow | None]) -> list[str]:
@@ -103,7 +103,7 @@ def _described(values: Mapping[str, str]) -> str:
     return " ".join(texts) or "there"
 
 
-def _text(key: str, cell: Cell) -> str:
+def _cell_text(key: str, cell: Cell) -> str:
     """A cell as text. Addresses are hexadecimal, with the decimal number behind them."""
     text = f"0x{cell:04X} ({cell})" if key == "address" and isinstance(cell, int) else str(cell)
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."

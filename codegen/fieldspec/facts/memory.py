@@ -142,8 +142,12 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[Fa
         own.update(count=parameter.elements)
         yield row("parameter", f"{path}/{number}", sources, **own)
     for inner in parameter.subindices:
-        many = sum(high - low + 1 for low, high in inner.indices.intervals)
-        own = {"code": parameter.number, "number": inner.indices.low, "count": many if many > 1 else None}
+        element_count = sum(high - low + 1 for low, high in inner.indices.intervals)
+        own = {
+            "code": parameter.number,
+            "number": inner.indices.low,
+            "count": element_count if element_count > 1 else None,
+        }
         own |= {"access": inner.access} if inner.access else {}
         yield from of_fact("subindex", inner, inner.value, **own)
     for kind, key, names in (

@@ -42,12 +42,12 @@ def _remedies(member: Member) -> Iterator[FactRow]:
         name, inner = f"{member.name}_cause_{number + 1}", f"{path}/causes/{number}"
         sources = cause.sources or member.sources
         yield row("cause", inner, sources, code=member.value, name=name, label=cause.cause)
-        for at, remedy in enumerate(cause.remedies):
-            cells: FactRow = {"code": member.value, "name": f"{name}_remedy_{at + 1}", "label": remedy}
-            yield row("remedy", f"{inner}/remedies/{at}", sources, **cells)
-    for at, remedy in enumerate(member.remedies):
-        cells = {"code": member.value, "name": f"{member.name}_remedy_{at + 1}", "label": remedy}
-        yield row("remedy", f"{path}/remedies/{at}", member.sources, **cells)
+        for index, remedy in enumerate(cause.remedies):
+            cells: FactRow = {"code": member.value, "name": f"{name}_remedy_{index + 1}", "label": remedy}
+            yield row("remedy", f"{inner}/remedies/{index}", sources, **cells)
+    for index, remedy in enumerate(member.remedies):
+        cells = {"code": member.value, "name": f"{member.name}_remedy_{index + 1}", "label": remedy}
+        yield row("remedy", f"{path}/remedies/{index}", member.sources, **cells)
 
 
 def _flags(word: Flags) -> Iterator[FactRow]:

@@ -100,10 +100,10 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     if not sheet.rows:
         raise ListError("is empty")
     best: Columns | None = None
-    for at, row in enumerate(sheet.rows[:_HEADED_BY]):
+    for index, row in enumerate(sheet.rows[:_HEADED_BY]):
         if not _is_heading(row):
             continue
-        candidate = Columns(_guessed(row.cells, names), row.cells, sheet.rows[at + 1 :])
+        candidate = Columns(_guessed(row.cells, names), row.cells, sheet.rows[index + 1 :])
         if "address" in candidate.places and (best is None or len(candidate.places) > len(best.places)):
             best = candidate
     if best is None:
@@ -129,11 +129,11 @@ def _guessed(cells: Sequence[str], names: Mapping[str, str]) -> dict[str, int]:
     if len(places) < len(names):
         return {}
     for role, words in HEADINGS.items():
-        taken = set(places.values())
+        used_places = set(places.values())
         if role in places:
             continue
         for word in words:
-            hit = next((n for n, head in enumerate(heads) if n not in taken and _fits(head, word)), None)
+            hit = next((n for n, head in enumerate(heads) if n not in used_places and _fits(head, word)), None)
             if hit is not None:
                 places[role] = hit
                 break
@@ -194,8 +194,10 @@ def _refuse_unreadable(sheet: Sheet, columns: Columns, names: Mapping[str, str])
     wrong = sorted((row, column) for row, column in sheet.formulas if column in used and row >= first)
     if wrong:
         row, column = wrong[0]
-        more = f" and {len(wrong) - 1} more" if len(wrong) > 1 else ""
-        raise ListError(f"has formulas in {letters(column)}{row}{more}; save the list with values instead of formulas")
+        rest_text = f" and {len(wrong) - 1} more" if len(wrong) > 1 else ""
+        raise ListError(
+            f"has formulas in {letters(column)}{row}{rest_text}; save the list with values instead of formulas"
+        )
     for area in sheet.merged:
         touched = [column for column in used if area.first_column <= column <= area.last_column]
         if touched and area.last_row >= first and area.last_row > area.first_row:

@@ -112,9 +112,9 @@ class _Known:
 
     def space(self, row: ListRow) -> str:
         """The space of a row: the one that it names, else the registers, else the first one."""
-        named = folded(row.texts.get("space", ""))
-        if named in self.spaces:
-            return self.spaces[named]
+        space_name = folded(row.texts.get("space", ""))
+        if space_name in self.spaces:
+            return self.spaces[space_name]
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
 
     def at(self, row: ListRow) -> Sequence[Item]:
@@ -144,17 +144,17 @@ def _likeliest(
     known: _Known, ways: Sequence[tuple[str, int, list[ListRow]]], aspects: Collection[str]
 ) -> tuple[str, int, list[ListRow]]:
     """The way to read addresses with which most rows fit. An offset must explain clearly more than none."""
-    best, most = ways[0], -1.0
-    for way in ways:
-        rows = way[2]
+    best, best_total = ways[0], -1.0
+    for reading in ways:
+        rows = reading[2]
         fits = [max((_fit(item, row, aspects) for item in known.at(row)), default=0.0) for row in rows]
         total = sum(fits)
-        if way[1] == best[1] or most < 0:
-            better = total > most
+        if reading[1] == best[1] or best_total < 0:
+            better = total > best_total
         else:
-            better = total > most and (all(fits) or total - most >= _ENOUGH * len(rows))
+            better = total > best_total and (all(fits) or total - best_total >= _ENOUGH * len(rows))
         if better:
-            best, most = way, total
+            best, best_total = reading, total
     return best
 
 
@@ -171,19 +171,19 @@ def _paired(
     pairs: list[Pair] = []
     extras: list[Extra] = []
     covered: dict[int, set[int]] = defaultdict(set)
-    seen: dict[tuple[int, int], int] = {}
+    paired_rows: dict[tuple[int, int], int] = {}
     for row in rows:
         candidates = known.at(row)
         if not candidates:
             holder = known.inside.get((known.space(row), row.address))
             extras.append(Extra(row, f"inside {holder.name}" if holder else ""))
             continue
-        fresh = [item for item in candidates if (id(item), row.address) not in seen]
+        fresh = [item for item in candidates if (id(item), row.address) not in paired_rows]
         item = max(fresh or candidates, key=lambda item: _fit(item, row, aspects))
         if not fresh:
-            extras.append(Extra(row, f"listed before in row {seen[id(item), row.address]}"))
+            extras.append(Extra(row, f"listed before in row {paired_rows[id(item), row.address]}"))
             continue
-        seen[id(item), row.address] = row.row
+        paired_rows[id(item), row.address] = row.row
         first = (row.address - item.address) // item.stride if item.stride else 0
         covered[id(item)].update(range(first, min(first + row.count, item.count) if item.stride else item.count))
         following = _following_items(known, item, row)

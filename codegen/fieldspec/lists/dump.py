@@ -126,10 +126,10 @@ def _lettered(piece: str) -> bool:
 def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
     if _GROUPED.fullmatch(unicodedata.normalize("NFKC", text).strip()):
         raise ListError(f"has the value `{text}` in row {row}, with thousands separators; remove them")
-    return tuple(_number(_WORDS.get(piece.lower(), piece), text, row, hexadecimal) for piece in _pieces(text))
+    return tuple(_cell_number(_WORDS.get(piece.lower(), piece), text, row, hexadecimal) for piece in _pieces(text))
 
 
-def _number(piece: str, text: str, row: int, hexadecimal: bool) -> int:
+def _cell_number(piece: str, text: str, row: int, hexadecimal: bool) -> int:
     pointless = _POINTLESS.fullmatch(piece)
     match = _NUMBER.fullmatch(pointless[1] if pointless else piece)
     if match is None:

@@ -38,8 +38,8 @@ def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
 
 def _named(row: ListRow, places: Mapping[str, Sequence[int]]) -> int | None:
     """The place of the row that the scale of a row names."""
-    named = places.get(folded(_POWER.sub("", row.texts.get("scale", ""))), ())
-    return named[0] if len(named) == 1 else None
+    places_of_name = places.get(folded(_POWER.sub("", row.texts.get("scale", ""))), ())
+    return places_of_name[0] if len(places_of_name) == 1 else None
 
 
 def is_exponent(row: ListRow, type_name: str) -> bool:
@@ -60,5 +60,5 @@ def bounds(row: ListRow) -> tuple[Decimal, Decimal]:
 
 
 def is_open(row: ListRow) -> bool:
-    """Whether the list says no bounds of a row."""
+    """Whether the list states no bounds for a row."""
     return row.low is None or row.high is None

@@ -54,7 +54,7 @@ def _scale(value: Value) -> Cell:
 def row(item: Item) -> dict[str, Cell]:
     """The cells of an item by column; None is empty."""
     value, source = item.value, item.source
-    many = item.count > 1
+    is_list = item.count > 1
     ranges = None if value is None else value.writable_ranges
     return {
         "space": item.space,
@@ -72,9 +72,9 @@ def row(item: Item) -> dict[str, Cell]:
         "max": ranges.high if ranges else None,
         "default": value.default if value else None,
         "const": value.const if value else None,
-        "count": item.count if many else None,
-        "stride": item.stride if many and item.stride else None,
-        "first": item.first if many and item.stride else None,
+        "count": item.count if is_list else None,
+        "stride": item.stride if is_list and item.stride else None,
+        "first": item.first if is_list and item.stride else None,
         "printed_name": item.printed_name or None,
         "label": item.label or None,
         "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
@@ -89,13 +89,13 @@ def as_csv(items: Sequence[Item]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
-    writer.writerows([_text(cell) for cell in row(item).values()] for item in items)
+    writer.writerows([_cell_text(cell) for cell in row(item).values()] for item in items)
     return text.getvalue()
 
 
 def as_json(items: Sequence[Item]) -> str:
     """A JSON list of objects with all columns. Numbers are numbers, empty cells are null."""
-    return visible_json([row(item) for item in items], 1, _number) + "\n"
+    return visible_json([row(item) for item in items], 1, _json_number) + "\n"
 
 
 def as_xlsx(items: Sequence[Item], title: str) -> bytes:
@@ -104,13 +104,13 @@ def as_xlsx(items: Sequence[Item], title: str) -> bytes:
     return workbook(title, COLUMNS, rows)
 
 
-def _text(cell: Cell) -> str:
+def _cell_text(cell: Cell) -> str:
     if isinstance(cell, str):
         return guarded(clean(cell))
     return "" if cell is None else f"{cell:f}" if isinstance(cell, Decimal) else str(cell)
 
 
-def _number(cell: object) -> float:
+def _json_number(cell: object) -> float:
     if isinstance(cell, Decimal):
         return float(cell)
     raise TypeError(type(cell).__name__)

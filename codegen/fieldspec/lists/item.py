@@ -78,13 +78,13 @@ def _type(value: Value) -> str:
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
     for number in range(register.count):
         index = register.index_from + number
-        many = register.count > 1
+        is_list = register.count > 1
         sources = register.element_sources[number : number + 1] or register.sources
-        printed = register.element_name.format(n=index) if register.element_name and many else register.printed_name
+        printed = register.element_name.format(n=index) if register.element_name and is_list else register.printed_name
         yield Item(
             space=_space(device, register.space),
             address=register.address + number * register.stride,
-            name=f"{register.name}_{index}" if many else register.name,
+            name=f"{register.name}_{index}" if is_list else register.name,
             words=register.width if register.unit_size > 1 and register.value.type.name != BIT else None,
             type=_type(register.value),
             access=register.access,
@@ -125,7 +125,7 @@ def _space(device: Device, name: str) -> str:
 
 
 def _flat(
-    record: RecordLayout, access: str, before: str = "", at: int = 0
+    record: RecordLayout, access: str, before: str = "", start: int = 0
 ) -> Iterator[tuple[str, FieldLayout, int, str]]:
     """The name, field, offset in bytes and access of each value in a record, and in the records in it.
 
@@ -136,7 +136,7 @@ def _flat(
         count = field.count or 1
         for number in range(count):
             name = f"{before}{field.name}" + (f"_{number}" if count > 1 else "")
-            byte = at + field.offset + number * field.size
+            byte = start + field.offset + number * field.size
             if field.record is None:
                 yield name, field, byte, allowed
             else:
@@ -169,8 +169,11 @@ def _first(sources: tuple[Citation, ...]) -> Citation | None:
 def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str, str], ...]:
     """The raw values with names: members of the enum, and sentinels."""
     enum = enums.get(value.enum) if value is not None and value.enum else None
-    named = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
-    return (*named, *((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ())))
+    enum_members = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
+    return (
+        *enum_members,
+        *((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ())),
+    )
 
 
 def exact_number(number: Decimal | str) -> int | Decimal | str:

@@ -27,16 +27,16 @@ def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = 
 def _count(text: str) -> None:
     """Raises ListError for a text with too many values or levels."""
     depth = values = escaped = 0
-    within = False
+    is_text = False
     for match in _SIGN.finditer(text):
-        sign, at = match[0], match.start()
-        if at < escaped:
+        sign, position = match[0], match.start()
+        if position < escaped:
             continue
         if sign == "\\":
-            escaped = at + 2
+            escaped = position + 2
         elif sign == '"':
-            within = not within
-        elif within:
+            is_text = not is_text
+        elif is_text:
             continue
         elif sign == ",":
             values += 1

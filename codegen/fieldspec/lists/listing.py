@@ -89,8 +89,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Listing:
         places = "; ".join(
             f"`{columns_of_sheet.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS]
         )
-        more = f"; and {len(wrong) - _MOST_WORDS} more" if len(wrong) > _MOST_WORDS else ""
-        raise ListError(f"has no address under {heading}: {places}{more}; name the column with --address")
+        rest_text = f"; and {len(wrong) - _MOST_WORDS} more" if len(wrong) > _MOST_WORDS else ""
+        raise ListError(f"has no address under {heading}: {places}{rest_text}; name the column with --address")
     if not rows:
         alone = len(columns_of_sheet.headings) == 1 and len(heading.split()) > 1
         parted = "; if spaces separate its columns, use tabs, commas or bars instead" if alone else ""
@@ -98,8 +98,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Listing:
     result = Listing(
         columns_of_sheet, tuple(rows), tuple(skipped), _bases([addresses for _, addresses in rows], base, heading)
     )
-    for way in result.bases:
-        _within(result.rows(way), heading)
+    for base_name in result.bases:
+        _within(result.rows(base_name), heading)
     return result
 
 
@@ -141,9 +141,9 @@ def _list_row(columns: Columns, row: SheetRow, address: AddressRange, base: str)
     if words is None and last is not None and last >= first:
         words = last - first + 1
     low, high = cells.number(texts.get("min", "")), cells.number(texts.get("max", ""))
-    both = cells.bounds(texts.get("range", ""))
-    if low is None and high is None and both is not None:
-        low, high = both
+    bounds = cells.bounds(texts.get("range", ""))
+    if low is None and high is None and bounds is not None:
+        low, high = bounds
     count = cells.whole(texts.get("count", "")) or 1
     return ListRow(
         row=row.number,

@@ -101,13 +101,13 @@ def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
     else:
         lines.append("    order: as_listed")
     lines.append("    rows:")
-    taken: set[str] = set()
-    names = [_fresh(named(row.names, row.address), row.address, taken) for row in rows]
+    used_names: set[str] = set()
+    names = [_fresh(named(row.names, row.address), row.address, used_names) for row in rows]
     scaled = exponents(rows, [shape.type for shape in shapes])
     labels: set[str] = set()
     for place, (row, shape) in enumerate(zip(rows, shapes, strict=True)):
         scale_by = names[scaled[place]] if place in scaled else ""
-        lines.append(_row(row, shape, names[place], scale_by, place in scaled.values(), labels))
+        lines.append(_register_line(row, shape, names[place], scale_by, place in scaled.values(), labels))
     return "\n".join(lines) + "\n"
 
 
@@ -140,8 +140,8 @@ def _refuse_overlaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> None:
                 twice.append((first, row.row, address))
     if twice:
         rows_text = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
-        more = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
-        raise ListError(f"has two rows about the same word: {rows_text}{more}; correct their addresses or words")
+        rest_text = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
+        raise ListError(f"has two rows about the same word: {rows_text}{rest_text}; correct their addresses or words")
 
 
 def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
@@ -155,11 +155,11 @@ def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
     if gaps:
         yield "    gaps:"
     for low, high in gaps:
-        at = f"0x{low:04X}" if low == high else f"0x{low:04X}..0x{high:04X}"
-        yield f"      - {{at: {at}, reason: The list leaves them out.}}"
+        address_text = f"0x{low:04X}" if low == high else f"0x{low:04X}..0x{high:04X}"
+        yield f"      - {{at: {address_text}, reason: The list leaves them out.}}"
 
 
-def _row(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: bool, labels: set[str]) -> str:
+def _register_line(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: bool, labels: set[str]) -> str:
     """The line of a register; `scale_by` is the name of the register with the exponent of its scale, or empty."""
     texts = row.texts
     doubts = list(shape.doubts)
@@ -187,7 +187,7 @@ def _row(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: boo
     if "type" in texts and row.type is None:
         doubts.append(f"Type in the list: {texts['type']}.")
     if inferred:
-        parts.append(f"inferred: {{{', '.join(f'{key}: {why}' for key, why in inferred.items())}}}")
+        parts.append(f"inferred: {{{', '.join(f'{key}: {reason}' for key, reason in inferred.items())}}}")
     if doubts:
         parts.append(f"notes: [{', '.join(map(_quoted, doubts))}]")
     parts += [f"source: L{row.row}", "unverified: true"]
@@ -212,10 +212,10 @@ def _numbers(
         parts.append(f"range: {low:f}..{high:f}")
     else:
         unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
-        doubts += [f"{what} in the list: {text}." for what, text in unread.items() if text]
-    inside = (low, high) if ranged and low is not None and high is not None else (lowest, highest)
+        doubts += [f"{heading} in the list: {text}." for heading, text in unread.items() if text]
+    permitted = (low, high) if ranged and low is not None and high is not None else (lowest, highest)
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
-        if key in texts and number is not None and is_integer and _counts(number, number, *inside):
+        if key in texts and number is not None and is_integer and _counts(number, number, *permitted):
             parts.append(f"{key}: {number:f}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")
@@ -236,13 +236,13 @@ def _words(row: ListRow, name: str, labels: set[str]) -> Iterator[str]:
     allowed = []
     if "_" in printed and len(printed.split()) > 1 and printed != name:
         allowed.append("printed_names_whole: The list has it so.")
-    again = False
+    is_repeated = False
     for key, text in (("printed_name", printed), ("label", label)):
         if text and text != name:
-            again |= f"{key} {text}" in labels
+            is_repeated |= f"{key} {text}" in labels
             labels.add(f"{key} {text}")
             yield f"{key}: {_quoted(text)}"
-    if again:
+    if is_repeated:
         allowed.append("labels_unique: The list has it twice.")
     if allowed:
         yield f"allow: {{{', '.join(allowed)}}}"

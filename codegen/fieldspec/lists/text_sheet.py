@@ -83,23 +83,25 @@ def decoded(content: bytes, encoding: str = "") -> str:
         if content.startswith(mark):
             raise ListError(f"is {kind}")
     marked = next((name for mark, name in _MARKS if content.startswith(mark)), "")
-    named = encoding or marked
+    encoding_name = encoding or marked
     try:
-        if named:
-            codec = codecs.lookup(named)
+        if encoding_name:
+            codec = codecs.lookup(encoding_name)
             if not getattr(codec, "_is_text_encoding", True):
                 raise LookupError
-        text = content.decode(named or "utf-8")
+        text = content.decode(encoding_name or "utf-8")
     except LookupError:
-        raise ListError(f"cannot be read: there is no encoding {named}; some are gbk, big5, utf-16, cp1252") from None
+        raise ListError(
+            f"cannot be read: there is no encoding {encoding_name}; some are gbk, big5, utf-16, cp1252"
+        ) from None
     except UnicodeError:
-        if named:
-            raise ListError(f"is not in the encoding {named}; use another --encoding") from None
+        if encoding_name:
+            raise ListError(f"is not in the encoding {encoding_name}; use another --encoding") from None
         if b"\0" in content:
             raise ListError("is binary: use a CSV or XLSX file, or add --encoding utf-16-le") from None
         raise ListError("is not UTF-8; state its encoding, such as --encoding gbk or --encoding big5") from None
     if "\0" in text:
-        hint = "use a CSV or XLSX file" if named else "use a CSV or XLSX file, or add --encoding utf-16-le"
+        hint = "use a CSV or XLSX file" if encoding_name else "use a CSV or XLSX file, or add --encoding utf-16-le"
         raise ListError(f"is binary: {hint}")
     return text.removeprefix("\ufeff")
 
@@ -109,15 +111,15 @@ def _separator(lines: list[str]) -> str:
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
-    best, most = ",", (0, 0)
+    best, best_score = ",", (0, 0)
     for separator in _SEPARATORS:
         try:
             widths = Counter(len(row) for row in csv.reader(looked_at, delimiter=separator) if len(row) > 1)
         except csv.Error:
             continue
         width, count = max(widths.items(), key=lambda pair: (pair[1], pair[0]), default=(0, 0))
-        if (count, width) > most:
-            best, most = separator, (count, width)
+        if (count, width) > best_score:
+            best, best_score = separator, (count, width)
     return best
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 MAGIC = b"PK\x03\x04"
 
 
-def workbook_sheet(content: bytes, named: str = "") -> Sheet:
+def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     """A sheet of a workbook: the one with a name, or the first one that is not empty. Raises ListError."""
     check_workbook(content)
     import openpyxl
@@ -25,10 +25,10 @@ def workbook_sheet(content: bytes, named: str = "") -> Sheet:
     except Exception:  # openpyxl lets pass whatever its parts raise
         raise ListError("is not a readable workbook; save it again as .xlsx, or as CSV") from None
     sheets = list(book.worksheets)
-    if named:
-        matches = [sheet for sheet in sheets if sheet.title == named]
+    if sheet_name:
+        matches = [sheet for sheet in sheets if sheet.title == sheet_name]
         if not matches:
-            raise ListError(f"has no sheet {named}; there are {', '.join(sheet.title for sheet in sheets)}")
+            raise ListError(f"has no sheet {sheet_name}; there are {', '.join(sheet.title for sheet in sheets)}")
         return _sheet(matches[0])
     for sheet in sheets:
         result = _sheet(sheet)
@@ -49,7 +49,7 @@ def _sheet(sheet: Worksheet) -> Sheet:
         for column, cell in enumerate(row, 1):
             if cell.data_type == "f":
                 formulas.add((number, column))
-            cells.append(_text(cell.value))
+            cells.append(_cell_text(cell.value))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
     merged = tuple(
@@ -59,7 +59,7 @@ def _sheet(sheet: Worksheet) -> Sheet:
     return Sheet(tuple(rows), sheet.max_row, str(sheet.title), frozenset(formulas), merged)
 
 
-def _text(value: object) -> str:
+def _cell_text(value: object) -> str:
     """The text of a cell: whole numbers have no point."""
     if value is None:
         return ""

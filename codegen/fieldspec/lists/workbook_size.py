@@ -60,7 +60,7 @@ class _Counts:
         self._rows = self._columns = self._cells = self._merged = 0
 
     def count(self, file: IO[bytes]) -> None:
-        """Counts a part."""
+        """Adds the counts of a part of the workbook."""
         self._depth = self._row = self._column = self._rows = self._columns = 0
         parser = expat.ParserCreate(namespace_separator=" ")
         parser.buffer_text = False

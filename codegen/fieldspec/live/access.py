@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
         @property
         def path(self) -> str:
-            """Its name for people."""
+            """The path of the value."""
 
         @property
         def words(self) -> tuple[int, ...]:
@@ -41,11 +41,11 @@ if TYPE_CHECKING:
 
         @property
         def decoded(self) -> DecodedValue | None:
-            """What it means; None for a refused value."""
+            """The decoded value; None for a refused value."""
 
         @property
         def refusal(self) -> str:
-            """Why the device refused it, or empty."""
+            """The reason why the device refused the value, or an empty text."""
 
         @property
         def is_absent(self) -> bool:
@@ -56,11 +56,11 @@ if TYPE_CHECKING:
 
         @property
         def path(self) -> str:
-            """Its name for people."""
+            """The path of the value."""
 
         @property
         def words(self) -> tuple[int, ...]:
-            """What goes on the wire."""
+            """The words of the value on the wire."""
 
         @property
         def mask(self) -> tuple[int, ...]:
@@ -68,11 +68,11 @@ if TYPE_CHECKING:
 
         @property
         def sent(self) -> object:
-            """What its request has; the same for values that one request writes."""
+            """The key of its request, which is equal for values that one request writes."""
 
         @property
         def hazards(self) -> tuple[str, ...]:
-            """What a person should know."""
+            """What a person should know before the value is written."""
 
     class Access(Protocol):
         """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
@@ -87,34 +87,34 @@ if TYPE_CHECKING:
             """The address or the number of a value; None where it has none."""
 
         def number_text(self, number: int | None) -> str:
-            """Such a number as people write it."""
+            """The address or number of a value as people write it."""
 
         def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
             """The rows of a dump of values that were read, in order."""
 
         def items(self) -> Sequence[Item]:
-            """Everything that has a name."""
+            """All items that have a name."""
 
         def path(self, item: Item) -> str:
-            """The name of an item."""
+            """The path of an item."""
 
         def fact(self, item: Item) -> Fact:
-            """The fact that an item is."""
+            """The fact that describes an item."""
 
         def named(self, name: str) -> list[Item]:
-            """What a name means; nothing where it is unknown."""
+            """The items that a name means; none where it is unknown."""
 
         def harmless(self) -> list[Item]:
-            """What can be read without an effect."""
+            """The items that can be read without an effect."""
 
         def reason_unread(self, name: str) -> str:
-            """Why what a name means is not read; empty where it means nothing."""
+            """The reason why items of a name are not read; empty where the name means none."""
 
         def remarks(self, names: Sequence[str]) -> list[str]:
             """What is not read with some names, or without any, though the device has it."""
 
         def objection(self, item: Item) -> str:
-            """Why an item is in no list that is written to a device; empty where it may be."""
+            """The reason why an item is in no list that is written to a device; empty where it may be."""
 
         def assignment(self, item: Item, text: str) -> Assignment:
             """The assignment of a value as people write it. Raises WriteError."""
@@ -126,7 +126,7 @@ if TYPE_CHECKING:
             """What would be read once a value is written."""
 
         def size(self, items: Iterable[Item]) -> int:
-            """How much there is to read, in the steps in which `read` tells its progress."""
+            """The number of steps that a read of items has, in which `read` tells its progress."""
 
         def read(
             self, client: Client, items: Sequence[Item], done: Callable[[int], None] | None = None
@@ -146,10 +146,10 @@ if TYPE_CHECKING:
             """The roles of a value or of its bits, each with its mask; -1 for all bits."""
 
         def item(self, chosen: Any) -> Item:
-            """What a value is assigned to."""
+            """The item to which a value is assigned."""
 
         def words_of(self, value: Any, text: str) -> tuple[int, ...]:
-            """What a text means for a value that was read. Raises WriteError."""
+            """The words that a text means for a value that was read. Raises WriteError."""
 
 
 def differs(chosen: Assignment, now: Reading) -> bool:
@@ -160,7 +160,7 @@ def differs(chosen: Assignment, now: Reading) -> bool:
 
 
 def find(access: Access, names: Sequence[str]) -> tuple[list[Item], list[str]]:
-    """What names mean, and the names that mean nothing."""
+    """The items that names mean, and the names that mean none."""
     result: dict[str, Item] = {}
     unknown = []
     for name in names:

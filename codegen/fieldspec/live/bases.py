@@ -27,10 +27,10 @@ def read_bases(client: Client, layout: DeviceLayout, names: Iterable[str]) -> di
             if isinstance(number, int) and ranges is not None and number in ranges:
                 bases[name] = number
             else:
-                why = (
+                reason = (
                     value.refusal or f"it is {spec_text(number)}, which is not within {ranges.text() if ranges else ''}"
                 )
-                bases[name] = f"{register.path} does not say where {name} begins: {why}"
+                bases[name] = f"{register.path} does not say where {name} begins: {reason}"
     return bases
 
 

@@ -135,24 +135,24 @@ class Client:
         Raises NoAnswerError where the last of all tries has failed, RefusedError, CodecError for values that no
         request can carry, and CarrierError.
         """
-        asked = _Request(message, values)
+        request = _Request(message, values)
         left = self.timing.retries if retries is None else retries
         while True:
             try:
-                return self._answer(asked, self.request(message, values))
+                return self._answer(request, self.request(message, values))
             except NoAnswerError:
                 if left <= 0:
                     raise
             left -= 1
 
-    def _answer(self, asked: _Request, frame: bytes) -> Decoded:
-        self._prepare(asked)
+    def _answer(self, request: _Request, frame: bytes) -> Decoded:
+        self._prepare(request)
         if self.framer is not None:
             self.framer.reset()
         self._write(frame)
         deadline = self.clock.now() + self.timing.timeout
         if not self.counters:
-            self._owed, self._owed_request, self._owed_until = self._owed + 1, asked, deadline
+            self._owed, self._owed_request, self._owed_until = self._owed + 1, request, deadline
         received = 0
         is_new = False
         try:
@@ -161,15 +161,15 @@ class Client:
                 received += len(data)
                 if data:
                     is_new = True
-                    decoded = next(self._answers(asked, data), None)
+                    decoded = next(self._answers(request, data), None)
                 elif is_new and self.framer is not None and self.framer.ends_with_silence:
                     is_new = False
-                    decoded = next(self._answers_before_silence(asked), None)
+                    decoded = next(self._answers_before_silence(request), None)
                 else:
                     continue
                 if decoded is not None:
                     return self._accepted(decoded)
-            decoded = next(self._answers_before_silence(asked), None) if is_new else None
+            decoded = next(self._answers_before_silence(request), None) if is_new else None
             if decoded is not None:
                 return self._accepted(decoded)
         finally:
@@ -184,27 +184,27 @@ class Client:
             raise self._refusal(decoded)
         return decoded
 
-    def _answers(self, asked: _Request, data: bytes) -> Iterator[Decoded]:
+    def _answers(self, request: _Request, data: bytes) -> Iterator[Decoded]:
         """The answers to a request that some bytes complete, refusals among them."""
         framer = None if self.carrier.datagrams else self.framer
         for frame in [data] if framer is None and data else framer.feed(data) if framer is not None else ():
-            yield from self._decoded_answers(asked, frame)
+            yield from self._decoded_answers(request, frame)
 
-    def _answers_before_silence(self, asked: _Request) -> Iterator[Decoded]:
+    def _answers_before_silence(self, request: _Request) -> Iterator[Decoded]:
         """The answers in the bytes so far, of which nothing drops: the rest of a frame may still come."""
         for frame in self.framer.pause() if self.framer is not None and not self.carrier.datagrams else ():
-            yield from self._decoded_answers(asked, frame)
+            yield from self._decoded_answers(request, frame)
 
-    def _decoded_answers(self, asked: _Request, frame: bytes) -> Iterator[Decoded]:
+    def _decoded_answers(self, request: _Request, frame: bytes) -> Iterator[Decoded]:
         if self.trace is not None:
             self.trace("response", frame)
-        decoded = self._decoded(asked, frame)
+        decoded = self._decoded(request, frame)
         if decoded is not None:
             yield decoded
 
-    def _prepare(self, asked: _Request | None) -> None:
+    def _prepare(self, request: _Request | None) -> None:
         """Waits until the line may be used, and drops what earlier requests have left on it."""
-        if self._owed and asked is not self._owed_request:
+        if self._owed and request is not self._owed_request:
             self._take_late_answers()
         until = self.clock.now() + self.timing.timeout
         while self.carrier.read(0.0005) and self.clock.now() < until:
@@ -225,47 +225,47 @@ class Client:
             self.trace("request", frame)
         self.carrier.write(frame)
 
-    def _decoded(self, asked: _Request, frame: bytes) -> Decoded | None:
+    def _decoded(self, request: _Request, frame: bytes) -> Decoded | None:
         """The meaning of a response to a request; None for a frame that answers something else."""
         try:
-            decoded = self.frames.decode(frame, "response", asked.message)
+            decoded = self.frames.decode(frame, "response", request.message)
         except CodecError:
             return None
         for name, echo in self.echoes.items():
             if echo in decoded.head and decoded.head[echo] != self.head.get(name):
                 return None
-        if decoded.message is not None and decoded.message.name != asked.message:
+        if decoded.message is not None and decoded.message.name != request.message:
             return None
-        fits = self._refuses(asked, decoded) if decoded.error else self._fits(asked, decoded)
+        fits = self._refuses(request, decoded) if decoded.error else self._fits(request, decoded)
         return decoded if fits else None
 
-    def _refuses(self, asked: _Request, decoded: Decoded) -> bool:
+    def _refuses(self, request: _Request, decoded: Decoded) -> bool:
         """Whether an exception response is about what was asked for: by its code, and by what it repeats of it."""
-        link, message = self.frames.link, self.layout.messages[asked.message].message
-        mark, coded, answered = link.link.exception_response, link.request.role("code"), link.response.role("code")
+        link, message = self.frames.link, self.layout.messages[request.message].message
+        mark, coded, response_code = link.link.exception_response, link.request.role("code"), link.response.role("code")
         is_own = mark is not None and mark.code is not None  # then it is the code of all exception responses
-        if answered is not None and not is_own and decoded.head[answered.name] != message.code_of("response"):
+        if response_code is not None and not is_own and decoded.head[response_code.name] != message.code_of("response"):
             return False
         fields = decoded.body.fields if decoded.body is not None and coded is not None else ()
         repeated = [field.name for field in fields if coded is not None and field.field.same_as == coded.name]
         return all(decoded.values.get(name) == message.code for name in repeated)
 
-    def _fits(self, asked: _Request, decoded: Decoded) -> bool:
+    def _fits(self, request: _Request, decoded: Decoded) -> bool:
         """Whether a response is about what was asked for: it repeats what it should, and has as many words."""
-        layout = self.layout.messages[asked.message]
+        layout = self.layout.messages[request.message]
         message, access = layout.message, layout.message.accesses
         for own, other in repeated_fields(layout):
-            value = asked.values.get(own.name)
+            value = request.values.get(own.name)
             if isinstance(value, float) and access is not None:
                 continue  # what a register holds of it is rounded
-            if own.name in asked.values and decoded.values.get(other.name) != value:
+            if own.name in request.values and decoded.values.get(other.name) != value:
                 return False
         if access is None or self.layout.device.bit_access(message) is not None:
             return True
-        sent, received = asked.values, decoded.values
+        count_values, received = request.values, decoded.values
         if access.operation == "write":
-            sent, received = received, sent
-        content, count = received.get(access.values), sent.get(access.count)
+            count_values, received = received, count_values
+        content, count = received.get(access.values), count_values.get(access.count)
         return not isinstance(content, list) or count is None or len(content) == count
 
     def _refusal(self, decoded: Decoded) -> RefusedError:

@@ -40,8 +40,8 @@ def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
     value = detecting_value(layout.device, detection) if detection is not None else None
     if detection is None or value is None:
         return Firmware()
-    named = _named(layout)
-    if value.type.kind is not Kind.TEXT and not detection.form and not named:
+    named_versions = _named(layout)
+    if value.type.kind is not Kind.TEXT and not detection.form and not named_versions:
         return Firmware()  # how a number is read is not known
     answers = _answers(client, detection.fact)
     if not answers:
@@ -60,14 +60,14 @@ def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
         for line in layout.device.lines
     )
     try:
-        version = version_in(lines, number, detection.form, places, named)
+        version = version_in(lines, number, detection.form, places, named_versions)
         return Firmware(text, module_name(lines, version, False))
     except UnknownFirmwareError as error:
         return Firmware(text, "", str(error))
 
 
 def _named(layout: DeviceLayout) -> dict[str | int, str]:
-    """The versions that single values tell."""
+    """The versions that single values of the detection tell."""
     return {
         item: version.id for line in layout.device.lines for version in line.versions for item in version.detected_as
     }
@@ -83,8 +83,8 @@ def _answers(client: Client, path: str) -> list[DecodedValue | None]:
         message = message_for(client.layout, "read", space, words)
         return message is not None and sent_on(client.frames.link.link, message)
 
-    meant = [pair for pair in all_occupants(client.layout) if is_meant(pair[1].fact)]
-    occupants = [(space, occupant) for space, occupant in meant if is_readable(space, occupant.words)]
+    matches = [pair for pair in all_occupants(client.layout) if is_meant(pair[1].fact)]
+    occupants = [(space, occupant) for space, occupant in matches if is_readable(space, occupant.words)]
     answers = [reading.decoded for reading in read(client, blocks(client.layout, occupants[:1]))]
     own = [signal for signal in signals(client.layout, client.frames.link) if is_meant(signal.fact)]
     return answers or [reading.decoded for reading in read_signals(client, own[:1])]

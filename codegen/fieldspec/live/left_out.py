@@ -49,5 +49,5 @@ def remarks(layout: DeviceLayout, link: LinkLayout, names: Sequence[str]) -> Ite
 
 def _lists(message: MessageLayout) -> list[str]:
     """The fields of a response with more than one value."""
-    several = (field for field in message.response.fields if field.is_list or field.value is None)
-    return [field.name for field in several if not field.field.reserved and not is_single(field)]
+    list_fields = (field for field in message.response.fields if field.is_list or field.value is None)
+    return [field.name for field in list_fields if not field.field.reserved and not is_single(field)]

@@ -65,13 +65,13 @@ def entries(
         demands += new
         findings += wrong
     result: list[Assignment] = []
-    seen: dict[str, int] = {}
+    rows_by_path: dict[str, int] = {}
     for demand in demands:
-        text = _problem(access, demand, known, seen)
+        text = _problem(access, demand, known, rows_by_path)
         if text:
             findings.append(ListFinding(demand.row, demand.name + 1, text))
             continue
-        seen[demand.path] = demand.row
+        rows_by_path[demand.path] = demand.row
         try:
             result.append(access.assignment(known[demand.path], demand.text))
         except WriteError as error:
@@ -124,9 +124,9 @@ def _of_row(
     name = table or (row.cell(columns[TABLE]) if TABLE in columns else "")
     name = name or (next(iter(layout.tables)) if len(layout.tables) == 1 else "")
     if name not in layout.tables:
-        have = ", ".join(layout.tables) or "none"
+        table_names = ", ".join(layout.tables) or "none"
         text = f"there is no table {name}" if name else "which table is not said: add a column Table, or --table"
-        return [], [ListFinding(row.number, columns.get(TABLE, -1) + 1, f"{text}; there are {have}")]
+        return [], [ListFinding(row.number, columns.get(TABLE, -1) + 1, f"{text}; there are {table_names}")]
     index, indexes = row.cell(columns[INDEX]), layout.tables[name].table.indexes
     if not index.isascii() or not index.isdecimal() or int(index) not in indexes:
         text = f"there is no {name}[{index}]; there are {indexes[0]}..{indexes[-1]}"
@@ -139,12 +139,12 @@ def _of_row(
     return demands, []
 
 
-def _problem(access: Access, demand: _Demand, known: Mapping[str, Item], seen: Mapping[str, int]) -> str:
+def _problem(access: Access, demand: _Demand, known: Mapping[str, Item], rows_by_path: Mapping[str, int]) -> str:
     """Why a path cannot be set by a list; empty where it can."""
     if demand.path not in known:
-        near = difflib.get_close_matches(demand.path, known, 1, 0.6)
-        return f"there is no {demand.path}" + (f"; did you mean {near[0]}?" if near else "")
-    if demand.path in seen:
-        return f"{demand.path} stands in row {seen[demand.path]} too"
-    why = access.objection(known[demand.path])
-    return f"{demand.path} {why}" if why else ""
+        matches = difflib.get_close_matches(demand.path, known, 1, 0.6)
+        return f"there is no {demand.path}" + (f"; did you mean {matches[0]}?" if matches else "")
+    if demand.path in rows_by_path:
+        return f"{demand.path} stands in row {rows_by_path[demand.path]} too"
+    objection = access.objection(known[demand.path])
+    return f"{demand.path} {objection}" if objection else ""

@@ -135,20 +135,20 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
         if own is None:
             yield f"{name}[{index}]", row, row.value, index
         elif not own.reserved:
-            several = own.indices.low != own.indices.high
-            yield f"{name}.{own.name}" + (f"[{index}]" if several else ""), own, own.value, index
+            is_series = own.indices.low != own.indices.high
+            yield f"{name}.{own.name}" + (f"[{index}]" if is_series else ""), own, own.value, index
 
 
 def _parts(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     """The parts of a response that say something about the device, such as a status."""
     query = next((own.name for own in link.exchanged.values() if reads_state(layout, own)), "")
-    asked = {part.name for part in link.request.parts}
+    request_names = {part.name for part in link.request.parts}
     for part in link.response.header:
         if (
             query
             and part.role == "plain"
             and part.constant is None
-            and (part.part.same_as or part.name) not in asked
+            and (part.part.same_as or part.name) not in request_names
             and part.value is not None
         ):
             yield Signal(part.name, part.part, part.value, part.order, False, query=query)
@@ -171,9 +171,9 @@ def parameter_message(
         pieces = message.message.segments
         if pieces is not None and not pieces.reads and operation == "write":
             beginning.append(message)
-        sent = part_of(message.request, "value")
-        carried = sent or part_of(message.response, "value")
-        if (sent is not None) != (operation == "write") or carried is None:
+        sent_field = part_of(message.request, "value")
+        carried = sent_field or part_of(message.response, "value")
+        if (sent_field is not None) != (operation == "write") or carried is None:
             continue
         follows = pieces is not None and pieces.reads
         if size is None or not carried.carries_bytes or carries(carried, size) or follows:
@@ -260,7 +260,7 @@ def signal_reading(layout: DeviceLayout, signal: Signal, raw: Any) -> SignalRead
 
 
 def _bytes_of(signal: Signal, raw: Any) -> bytes:
-    """A raw value as it goes over the wire."""
+    """The bytes of a raw value on the wire."""
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
     is_binary = value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not (signal.swapped or value.digits)
@@ -323,8 +323,8 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
     if carried is None:
         assert pieces is not None
         flags = client.layout.device.flags
-        others = (field for field in request.fields if field.name not in values)
-        values |= {field.name: initial_number(field.field, flags) for field in others}
+        other_fields = (field for field in request.fields if field.name not in values)
+        values |= {field.name: initial_number(field.field, flags) for field in other_fields}
         values |= pieces.size_content(len(chosen.words))
     elif carried.carries_bytes:
         values |= bytes_of_value(client.layout.device, carried, signal.value, chosen.raw)

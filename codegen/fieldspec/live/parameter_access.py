@@ -46,7 +46,7 @@ class ParameterAccess:
         return value.signal.wire_number
 
     def number_text(self, number: int | None) -> str:
-        """A number as people write it."""
+        """The number of a parameter as people write it."""
         return "" if number is None else str(number)
 
     def dump_rows(self, items: Sequence[Signal], values: Sequence[SignalReading]) -> list[DumpRow]:
@@ -65,15 +65,15 @@ class ParameterAccess:
         return [DumpRow(*key, " ".join(map(str, own))) for key, own in sorted(counts.items()) if own]
 
     def items(self) -> Sequence[Signal]:
-        """Everything that messages read."""
+        """All values that messages read."""
         return self._items
 
     def path(self, item: Signal) -> str:
-        """The name of an item."""
+        """The path of an item."""
         return item.path
 
     def fact(self, item: Signal) -> Fact:
-        """The fact that an item is."""
+        """The fact that describes an item."""
         return item.fact
 
     def named(self, name: str) -> list[Signal]:
@@ -165,7 +165,7 @@ class ParameterAccess:
         yield from role_masks(self.layout.device, item.fact, item.value, roles)
 
     def item(self, chosen: ParameterAssignment) -> Signal:
-        """What a value is assigned to."""
+        """The item to which a value is assigned."""
         return chosen.signal
 
     def words_of(self, value: SignalReading, text: str) -> tuple[int, ...]:

@@ -50,7 +50,7 @@ class Block:
 
 
 def all_occupants(layout: DeviceLayout) -> Iterator[tuple[str, Occupant]]:
-    """Everything at addresses, with its space."""
+    """The occupants of all addresses, each with its space."""
     device = layout.device
     for space in dict.fromkeys([*device.spaces, device.space_name("")]):
         for occupant in occupants(layout, Span(space, 0, _LAST, 0, b"")):
@@ -143,8 +143,8 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
             yield from _read_block(client, Block(block.space, start, end - start, part))
         return
     for occupant in block.occupants:
-        at = occupant.address - block.start
-        yield reading(client.layout, block.space, occupant, words[at : at + occupant.words])
+        offset = occupant.address - block.start
+        yield reading(client.layout, block.space, occupant, words[offset : offset + occupant.words])
 
 
 def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
@@ -153,11 +153,15 @@ def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
     access = message.accesses if message is not None else None
     if message is None or access is None:
         raise RefusedError(0, "no message of the device reads registers")
-    most = read_limit(client.layout.device, message).words
-    if most is not None and 0 < most < count:
+    limit = read_limit(client.layout.device, message).words
+    if limit is not None and 0 < limit < count:
         # The plan divides no value, so that this is one with more words than a request reads.
-        starts = range(start, start + count, most)
-        return [word for at in starts for word in read_words(client, space, at, min(most, start + count - at))]
+        starts = range(start, start + count, limit)
+        return [
+            word
+            for address in starts
+            for word in read_words(client, space, address, min(limit, start + count - address))
+        ]
     values = {access.start: start, **({access.count: count} if access.count else {})}
     content = client.ask(message.name, values).values[access.values]
     if client.layout.device.bit_access(message) is not None:

@@ -55,7 +55,7 @@ class RegisterAccess:
         return value.occupant.address
 
     def number_text(self, number: int | None) -> str:
-        """An address as people write it."""
+        """The address of a value as people write it."""
         return "" if number is None else f"0x{number:04X}"
 
     def dump_rows(self, items: Sequence[Placed], values: Sequence[Reading]) -> list[DumpRow]:
@@ -68,15 +68,15 @@ class RegisterAccess:
         return [DumpRow(space, address, str(words[space, address])) for space, address in sorted(words)]
 
     def items(self) -> Sequence[Placed]:
-        """Everything at addresses."""
+        """The occupants of all addresses."""
         return self._items
 
     def path(self, item: Placed) -> str:
-        """The name of an item."""
+        """The path of an item."""
         return item[1].path
 
     def fact(self, item: Placed) -> Fact:
-        """The fact that an item is."""
+        """The fact that describes an item."""
         return item[1].fact
 
     def named(self, name: str) -> list[Placed]:
@@ -102,9 +102,9 @@ class RegisterAccess:
         return next((own for own in doubtful if number in own.bounds or number - own.first_number in own.bounds), None)
 
     def harmless(self) -> list[Placed]:
-        """Everything that the read plan reads."""
-        every = [pair for pair in self._items if not pair[1].reserved]
-        planned = [block for block in blocks(self._usual, every) if all(map(_is_harmless, block.occupants))]
+        """The items of the read plan that are read without an effect."""
+        placed_items = [pair for pair in self._items if not pair[1].reserved]
+        planned = [block for block in blocks(self._usual, placed_items) if all(map(_is_harmless, block.occupants))]
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
@@ -117,7 +117,7 @@ class RegisterAccess:
         return f"{name} may be the address 0x{number:04X}{printed}; write the name, or the address as 0x..."
 
     def remarks(self, names: Sequence[str]) -> list[str]:
-        """Nothing: every register is read."""
+        """No remarks: every register is read."""
         return []
 
     def objection(self, item: Placed) -> str:
@@ -137,7 +137,7 @@ class RegisterAccess:
         return reading(self.layout, chosen.space, chosen.occupant, chosen.words)
 
     def size(self, items: Iterable[Placed]) -> int:
-        """The words of all requests."""
+        """The number of words in all requests."""
         return sum(block.words for block in blocks(self._usual, self._with_exponents(items)))
 
     def read(
@@ -209,12 +209,12 @@ class RegisterAccess:
 
     def _with_exponents(self, items: Iterable[Placed]) -> list[Placed]:
         """Items and what has the exponents of their scales, each once."""
-        every = {self.path(item): item for item in items}
-        for space, occupant in list(every.values()):
+        items_by_path = {self.path(item): item for item in items}
+        for space, occupant in list(items_by_path.values()):
             exponent = exponent_of_occupant(self.layout, occupant)
             if exponent is not None:
-                every.setdefault(exponent.path, (space, exponent))
-        return list(every.values())
+                items_by_path.setdefault(exponent.path, (space, exponent))
+        return list(items_by_path.values())
 
     def _scaled(self, item: Placed, by_path: Mapping[str, Reading]) -> Reading:
         """What was read of an item, as a quantity where the exponent of its scale was read, too."""
@@ -251,11 +251,11 @@ class RegisterAccess:
             yield from role_masks(self.layout.device, occupant.fact, occupant.value, roles)
 
     def item(self, chosen: Assignment) -> Placed:
-        """What a value is assigned to."""
+        """The item to which a value is assigned."""
         return chosen.space, chosen.occupant
 
     def words_of(self, value: Reading, text: str) -> tuple[int, ...]:
-        """What a text means for a value that was read. Raises WriteError."""
+        """The words that a text means for a value that was read. Raises WriteError."""
         own = writing.assignment(self.layout, "", value.occupant, text)
         return merged(value.words, own.words, own.mask) if own.mask else own.words
 

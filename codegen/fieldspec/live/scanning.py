@@ -83,7 +83,7 @@ class ScanComparison:
 
     @property
     def differences(self) -> int:
-        """How many addresses and values differ."""
+        """The number of addresses and values that differ."""
         return sum(last - first + 1 for first, last in self.unknown) + len(self.silent)
 
 
@@ -93,23 +93,23 @@ def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
     result = []
     for name in dict.fromkeys([*device.spaces, device.space_name("")]):
         limit = plan.limit(name) or plan.limit("")
-        most = limit.words if limit is not None and limit.words is not None else 1
-        message = message_for(layout, "read", name, most) or message_for(layout, "read", name, 1)
+        maximum = limit.words if limit is not None and limit.words is not None else 1
+        message = message_for(layout, "read", name, maximum) or message_for(layout, "read", name, 1)
         if message is not None and message.name in link.carried("response"):
-            result.append(ScanSpace(name, 0x10000, most))
+            result.append(ScanSpace(name, 0x10000, maximum))
     spaces: dict[str, ParameterSet] = {}
     for parameter_set in device.parameters.values():
         message_layout = parameter_message(link, parameter_set, "read")
         number = part_of(message_layout.request, "number") if message_layout is not None else None
         if number is not None and number.value is not None and parameter_set.space not in spaces:
             spaces[parameter_set.space] = parameter_set
-            most = number.value.ranges.high if number.value.ranges is not None else number.value.type.high
-            result.append(ScanSpace(parameter_set.space, int(most) + 1, 1, parameter_set))
+            maximum = number.value.ranges.high if number.value.ranges is not None else number.value.type.high
+            result.append(ScanSpace(parameter_set.space, int(maximum) + 1, 1, parameter_set))
     return result
 
 
 def scanned_items(layout: DeviceLayout, space: ScanSpace) -> Iterator[ScannedItem]:
-    """What a version has in a space."""
+    """The items that a version of the device has in a space."""
     if space.parameters is None:
         for name, occupant in all_occupants(layout):
             if name == space.name:
@@ -141,16 +141,16 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
     known = [item.addresses.start for item in items if item.readable and not item.spared]
     spared = {address for item in items if item.spared for address in item.addresses}
     words: dict[int, tuple[int, ...]] = {}
-    asked: set[int] = set()
+    scanned: set[int] = set()
     for addresses in ranges:
         for run in _runs(addresses, spared):
             for start in range(run.start, run.stop, space.most):
                 part = range(start, min(start + space.most, run.stop))
-                asked.update(part)
+                scanned.update(part)
                 _scan_part(client, space, part, words, known)
                 if done is not None:
                     done(len(part))
-    return Scan(space, frozenset(asked), words, frozenset(spared), bases)
+    return Scan(space, frozenset(scanned), words, frozenset(spared), bases)
 
 
 def _runs(addresses: range, spared: set[int]) -> Iterator[range]:

@@ -22,14 +22,14 @@ class _PieceError(Exception):
 
 
 def read_pieces(
-    client: Client, pieces: SegmentsLayout, first: Mapping[str, Any], values: Mapping[str, Any], most: int
+    client: Client, pieces: SegmentsLayout, first: Mapping[str, Any], values: Mapping[str, Any], maximum: int
 ) -> bytes:
     """The value whose pieces follow the response to a request with the fields `first`: at most so many bytes.
 
     Raises UnfitAnswerError, RefusedError, NoAnswerError and CarrierError.
     """
     try:
-        return _read(client, pieces, values, most)
+        return _read(client, pieces, values, maximum)
     except _PieceError as error:
         _end(client, pieces, first, error)
         raise UnfitAnswerError(str(error)) from None
@@ -41,12 +41,12 @@ def _end(client: Client, pieces: SegmentsLayout, first: Mapping[str, Any], error
         client.send(pieces.abort.message.name, pieces.abort.request(first, error.cause))
 
 
-def _read(client: Client, pieces: SegmentsLayout, values: Mapping[str, Any], most: int) -> bytes:
-    """The value, or the _PieceError that says what does not follow."""
+def _read(client: Client, pieces: SegmentsLayout, values: Mapping[str, Any], maximum: int) -> bytes:
+    """The value from its pieces. Raises _PieceError for a piece that does not follow the one before."""
     size = pieces.stated_size(values)
-    limit = most if size is None else size
-    if limit > most:
-        raise _PieceError("size", f"the device has {size} bytes, more than {most}")
+    limit = maximum if size is None else size
+    if limit > maximum:
+        raise _PieceError("size", f"the device has {size} bytes, more than {maximum}")
     content = b""
     count = 0
     while True:

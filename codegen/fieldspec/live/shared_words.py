@@ -35,17 +35,19 @@ class SharedWords:
         while waiting:
             own = waiting.pop()
             for address in range(own.address, own.address + own.words):
-                new = [each for each in self._at[space, own.outer.name, address] if each.path not in known]
-                known |= {each.path: each for each in new}
+                new = [
+                    candidate for candidate in self._at[space, own.outer.name, address] if candidate.path not in known
+                ]
+                known |= {candidate.path: candidate for candidate in new}
                 waiting += new
-        return sorted(known.values(), key=lambda each: (each.address, each.skip))
+        return sorted(known.values(), key=lambda candidate: (candidate.address, candidate.skip))
 
     def objection(self, item: tuple[str, Occupant], judge: Callable[[Occupant], str]) -> str:
         """Why a field is in no list although nothing speaks against itself: something beside it cannot be written."""
         for other in self.beside(*item):
-            why = judge(other) if other is not item[1] and not other.reserved else ""
-            if why:
-                return f"shares a word with {other.path}, which {why}"
+            objection = judge(other) if other is not item[1] and not other.reserved else ""
+            if objection:
+                return f"shares a word with {other.path}, which {objection}"
         return ""
 
     def together(self, chosen: Sequence[Assignment]) -> tuple[list[Assignment], dict[str, str]]:
@@ -56,40 +58,40 @@ class SharedWords:
             if not item.mask:
                 result.append(item)
                 continue
-            others = self.beside(item.space, item.occupant)
-            missing = [own for own in others if own.path not in by_path and not own.reserved]
+            sharing = self.beside(item.space, item.occupant)
+            missing = [own for own in sharing if own.path not in by_path and not own.reserved]
             if missing:
                 problems[item.path] = _problem(item.path, missing)
                 continue
-            result.append(self._with_request(item, list(self._parts(item.space, others, by_path)), others))
+            result.append(self._with_request(item, list(self._parts(item.space, sharing, by_path)), sharing))
         return result, problems
 
     def _parts(
-        self, space: str, others: Sequence[Occupant], by_path: dict[str, Assignment]
+        self, space: str, sharing: Sequence[Occupant], by_path: dict[str, Assignment]
     ) -> Iterator[tuple[Occupant, tuple[int, ...], tuple[int, ...]]]:
         """Each of what shares words, with its words and the bits in them; what is reserved as encoders write it."""
-        for own in others:
+        for own in sharing:
             known = by_path.get(own.path)
             if known is not None:
                 yield own, known.words, known.mask
                 continue
             value, size = own.value, self._sizes[space]
             data = _reserved_bytes(own)
-            behind = own.words * size - own.skip - value.size
-            placed, ones = (bytes(own.skip) + part + bytes(behind) for part in (data, b"\xff" * value.size))
+            padding = own.words * size - own.skip - value.size
+            placed, ones = (bytes(own.skip) + part + bytes(padding) for part in (data, b"\xff" * value.size))
             yield own, words_of(self.layout, placed, size), words_of(self.layout, ones, size)
 
     def _with_request(
         self,
         item: Assignment,
         parts: Sequence[tuple[Occupant, tuple[int, ...], tuple[int, ...]]],
-        others: Sequence[Occupant],
+        sharing: Sequence[Occupant],
     ) -> Assignment:
-        first = min(own.address for own in others)
-        words = [0] * (max(own.address + own.words for own in others) - first)
+        first = min(own.address for own in sharing)
+        words = [0] * (max(own.address + own.words for own in sharing) - first)
         for own, content, mask in parts:
-            at = own.address - first
-            words[at : at + own.words] = merged(words[at : at + own.words], content, mask)
+            offset = own.address - first
+            words[offset : offset + own.words] = merged(words[offset : offset + own.words], content, mask)
         before = item.occupant.address - first
         own_words = tuple(words[before : before + item.occupant.words])
         return replace(item, words=own_words, request=tuple(words), before=before)

@@ -26,9 +26,9 @@ def active_states(access: Access, client: Client) -> list[str]:
 def _texts(access: Access, item: Item, value: Reading) -> Iterator[str]:
     path, decoded = value.path, value.decoded
     for role, mask in access.signals(item, _ROLES):
-        what = "the servo is on" if role == "servo_state" else "the device may be busy"
+        danger = "the servo is on" if role == "servo_state" else "the device may be busy"
         if decoded is None:
             yield f"{path} is refused ({value.refusal}): nobody knows its {role}"
         elif isinstance(decoded.number, int) and decoded.number & mask:
             names = " ".join(meaning.name for meaning in decoded.meanings if meaning.name)
-            yield f"{what}: {path} is {names or int(decoded.number)}"
+            yield f"{danger}: {path} is {names or int(decoded.number)}"

@@ -38,13 +38,15 @@ class TransferError(Exception):
         self.uncertain = uncertain
 
 
-def changes(access: Access, client: Client, wanted: Sequence[Assignment], done: Progress | None = None) -> list[Change]:
+def changes(
+    access: Access, client: Client, assignments: Sequence[Assignment], done: Progress | None = None
+) -> list[Change]:
     """The values that differ from what the device has, in the order of the list.
 
     A value that the device refuses to show is among them, with its refusal. Raises NoAnswerError and CarrierError.
     """
-    present = access.read(client, [access.item(chosen) for chosen in wanted], done)
-    return [Change(value, chosen) for value, chosen in zip(present, wanted, strict=True) if differs(chosen, value)]
+    present = access.read(client, [access.item(chosen) for chosen in assignments], done)
+    return [Change(value, chosen) for value, chosen in zip(present, assignments, strict=True) if differs(chosen, value)]
 
 
 def transfer(
@@ -59,16 +61,16 @@ def transfer(
     `before` is called before a request that may change the device, `after` when the value has been read back. Raises
     TransferError at the first value that the device does not take over.
     """
-    sent: set[object] = set()
+    sent_keys: set[object] = set()
     for change in plan:
         before(change)
         try:
-            _settle(access, client, change, change.chosen.sent in sent)
+            _settle(access, client, change, change.chosen.sent in sent_keys)
         except (NoAnswerError, CarrierError) as error:
             raise TransferError(change.path, f"may be written or not: {error}", uncertain=True) from None
         except (RefusedError, WriteError) as error:
             raise TransferError(change.path, f"is not written: {error}") from None
-        sent.add(change.chosen.sent)
+        sent_keys.add(change.chosen.sent)
         after(change)
 
 

@@ -63,7 +63,7 @@ def table_list(access: Access, table: str, values: Sequence[Reading]) -> ValueLi
 
 
 def settings_list(access: Access, values: Sequence[Reading]) -> ValueList:
-    """All settings: one row for each."""
+    """A list with a row for each setting."""
     device = access.layout.device
     head = (device.id, device.version)
     rows = tuple((*head, value.path, cell(access, value)) for value in values)

@@ -47,9 +47,9 @@ class Assignment:
 
 def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) -> Assignment:
     """The assignment of a value as people write it: a count, a quantity, a member. Raises WriteError."""
-    why = FORBIDS.get(("write", occupant.access))
-    if why:
-        raise WriteError(f"{occupant.path} {why}")
+    objection = FORBIDS.get(("write", occupant.access))
+    if objection:
+        raise WriteError(f"{occupant.path} {objection}")
     if occupant.reserved:
         raise WriteError(f"{occupant.path} is reserved")
     size = layout.device.space(space).unit_size
@@ -62,21 +62,23 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
         raise WriteError(str(error)) from None
     if is_bit(occupant) or not is_partial(occupant, size):
         return Assignment(space, occupant, words_of(layout, data, size), tuple(_hazards(layout, occupant)))
-    behind = occupant.words * size - occupant.skip - len(data)
-    placed, ones = (bytes(occupant.skip) + own + bytes(behind) for own in (data, b"\xff" * len(data)))
+    padding = occupant.words * size - occupant.skip - len(data)
+    placed, ones = (bytes(occupant.skip) + own + bytes(padding) for own in (data, b"\xff" * len(data)))
     words, mask = words_of(layout, placed, size), words_of(layout, ones, size)
     return Assignment(space, occupant, words, tuple(_hazards(layout, occupant)), mask)
 
 
 def is_partial(occupant: Occupant, unit_size: int) -> bool:
-    """Whether a value has only a part of its words."""
+    """Whether a value fills only a part of its words."""
     return bool(occupant.skip or occupant.value.size % unit_size)
 
 
 def words_of(layout: DeviceLayout, data: bytes, size: int) -> tuple[int, ...]:
-    """The words of `size` bytes in which some bytes are."""
+    """The words of `size` bytes into which bytes are divided."""
     big = layout.device.byte_order == "big"
-    return tuple(int.from_bytes(data[at : at + size], "big" if big else "little") for at in range(0, len(data), size))
+    return tuple(
+        int.from_bytes(data[offset : offset + size], "big" if big else "little") for offset in range(0, len(data), size)
+    )
 
 
 def _hazards(layout: DeviceLayout, occupant: Occupant) -> list[str]:

@@ -69,7 +69,7 @@ def _bounds(ranges: Ranges | None, high: int) -> tuple[int, int]:
 def initial_number(field: Field, flags: Mapping[str, Flags]) -> int | None:
     """The value of a field of a request that nothing else decides; None where nothing says it.
 
-    A word has the defaults of its bits.
+    A word has the defaults of its bits, a number 0; where its range leaves that out, it has the least number of that.
     """
     value = field.value
     if value is None:
@@ -78,7 +78,5 @@ def initial_number(field: Field, flags: Mapping[str, Flags]) -> int | None:
         return value.const
     if isinstance(value.default, int):
         return value.default
-    word = flags.get(value.flags)
-    if word is not None:
-        return word.initial
-    return 0 if value.ranges is None else value.ranges.low
+    initial = flags[value.flags].initial if value.flags else 0
+    return initial if value.ranges is None or initial in value.ranges else value.ranges.low

@@ -16,11 +16,11 @@ from fieldspec.plc.routines.world import every_record
 def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
     """A refusal of each value of which a NaN is a sentinel."""
     refusals = []
-    seen: set[int] = set()
+    refused_facts: set[int] = set()
     for fact, value in stated_values(layout):
         sentinel = next((sentinel for sentinel in value.sentinels if sentinel.is_nan), None)
-        if sentinel is not None and id(fact) not in seen:
-            seen.add(id(fact))
+        if sentinel is not None and id(fact) not in refused_facts:
+            refused_facts.add(id(fact))
             text = f"the sentinel {sentinel.name} of {fact.name} is a NaN, which {dialect.title} refuses as no number"
             finding = Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=LEAVE_OUT)
             refusals.append(Refusal(fact, finding))

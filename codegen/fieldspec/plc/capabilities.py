@@ -68,12 +68,12 @@ class Capability:
 
 
 def adapted(reason: str) -> Capability:
-    """Programs get it in another form."""
+    """A capability whose construct the output has in another form."""
     return Capability(ADAPTED, reason)
 
 
 def refused(reason: str) -> Capability:
-    """Nothing is written."""
+    """A capability whose construct the output refuses."""
     return Capability(REFUSED, reason)
 
 

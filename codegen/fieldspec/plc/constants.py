@@ -19,7 +19,7 @@ from fieldspec.plc.routines.world import narrowest
 
 @dataclass(frozen=True, slots=True)
 class Constant:
-    """A number by name. `hexadecimal` says how people know it."""
+    """A named number; `hexadecimal` says that the manual writes it so."""
 
     name: str
     type: Elementary
@@ -62,12 +62,12 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         if register.register.reserved:
             continue
         space = _space(layout, register.register.space)
-        beside = f"{printed(register.register)} {register.register.access} {space}".strip()
+        remark = f"{printed(register.register)} {register.register.access} {space}".strip()
         yield Draft(
             register.name,
             UINT,
             register.address,
-            cited(beside, register.register),
+            cited(remark, register.register),
             register.register,
             hexadecimal=True,
         )
@@ -76,12 +76,12 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
                 yield Draft(f"{register.name}_{word}", UINT, number, _OF_SEVERAL[word], register.register, derived=True)
     for table in layout.tables.values():
         table_model = table.table
-        beside = f"{table_model.title} {_space(layout, table_model.space)}".strip()
+        remark = f"{table_model.title} {_space(layout, table_model.space)}".strip()
         yield Draft(
             f"{table_model.name}_base",
             UINT,
             table_model.base,
-            cited(beside, table_model),
+            cited(remark, table_model),
             table_model,
             hexadecimal=True,
         )
@@ -90,14 +90,14 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             ("count", table_model.count),
             ("first_index", table_model.index_from),
         ):
-            beside = _OF_SEVERAL[word]
+            remark = _OF_SEVERAL[word]
             if word == "count" and table_model.count_by:
-                beside = f"at most; {table_model.count_by} has how many there are"
-            yield Draft(f"{table_model.name}_{word}", UINT, number, beside, table_model, derived=True)
+                remark = f"at most; {table_model.count_by} has how many there are"
+            yield Draft(f"{table_model.name}_{word}", UINT, number, remark, table_model, derived=True)
 
 
 def _space(layout: DeviceLayout, name: str) -> str:
-    """`in input_registers`; empty where the device has only one space."""
+    """The space of registers as a comment names it: `in input_registers`; empty where the device has only one."""
     device = layout.device
     return f"in {device.space_name(name)}" if device.several_spaces else ""
 
@@ -160,8 +160,8 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             limits = f"Counts: {bit.ranges.text()}." if bit.ranges is not None else ""
             default = f"Default: {bit.default}." if bit.default is not None else ""
             reason = bit.reason_to_give(layout.device.enums.get(bit.enum))
-            needed = f"To be given: its {reason}." if reason else ""
-            facts = f"{place} {printed(bit)} {text} {number} {limits} {default} {needed}"
+            reason_to_give = f"To be given: its {reason}." if reason else ""
+            facts = f"{place} {printed(bit)} {text} {number} {limits} {default} {reason_to_give}"
             comment = cited(" ".join(facts.split()), bit)
             yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, comment, bit, hexadecimal=True)
             if bit.width > 1:

@@ -67,7 +67,7 @@ class Declarations:
         return self.enums[0]
 
     def placed(self, struct: Struct) -> Placed:
-        """A struct or an image in the memory of the dialect."""
+        """The offsets of the members of a struct or an image in the memory of the dialect."""
         structs = {struct.name: struct for struct in (*self.structs, *self.images)}
         return placed(struct, MEMORIES[self.dialect.target], structs)
 
@@ -105,7 +105,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
 
 
 class _Declaring:
-    """The names of a device while they are given."""
+    """Gives the names of a device's declarations, and collects the findings."""
 
     def __init__(self, layout: DeviceLayout, dialect: Dialect, findings: list[Diagnostic]) -> None:
         self.layout, self.dialect, self.found = layout, dialect, findings
@@ -139,7 +139,7 @@ class _Declaring:
         return (self.device + Name.of(name)).upper()
 
     def member_of_enum(self, name: str) -> str:
-        """The name of a member of an enum."""
+        """The name of a member of an enum as the dialect accepts it."""
         return self.dialect.legal_name(Name.of(name).pascal())
 
     def enums(self) -> Iterator[EnumDeclaration]:
@@ -154,12 +154,12 @@ class _Declaring:
             if len(present) < self.dialect.enum_members or base.size > self.dialect.widest:
                 continue
             scope = Scope(self.dialect, f"member of {enum.name}", self.found)
-            named = {member.name: scope.take(Name.of(member.name).pascal(), member) for member in present}
+            member_names = {member.name: scope.take(Name.of(member.name).pascal(), member) for member in present}
             name = self._enum_name(enum.name, enum)
             self._enums[enum.name] = EnumType(name, base)
-            self._enum_members[enum.name] = named
+            self._enum_members[enum.name] = member_names
             declared_members = (
-                EnumMember(named[member.name], member.value, member_remark(member), member) for member in present
+                EnumMember(member_names[member.name], member.value, member_remark(member), member) for member in present
             )
             yield EnumDeclaration(name, base, cited(enum.title or printed(enum), enum), tuple(declared_members), enum)
 
@@ -194,9 +194,9 @@ class _Declaring:
         """The structs that the blocks of a device share, by names that no fact has."""
         for port in ports(self.world):
             name = self._structs[port.key] = self.scope.free(self._form(self.dialect.struct, port.name))
-            named = {text: self.dialect.legal_name(self.member(text, kind)) for text, kind, _ in port.members}
-            self._members[port.key] = named
-            members = [StructMember(named[text], kind, remark, None) for text, kind, remark in port.members]
+            member_names = {text: self.dialect.legal_name(self.member(text, kind)) for text, kind, _ in port.members}
+            self._members[port.key] = member_names
+            members = [StructMember(member_names[text], kind, remark, None) for text, kind, remark in port.members]
             yield Struct(name, port.key, "port", port.title, tuple(members))
 
     def _answer(self, scope: Scope, group: str, register: RegisterLayout, kind: Type) -> StructMember:
@@ -228,7 +228,7 @@ class _Declaring:
     def images(self) -> Iterator[Struct]:
         """The images of telegrams that are exact, and of those records that can be read as they lie."""
         memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
-        spec_images, named = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
+        spec_images, dialect_images = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
         for message in telegrams(self.layout):
             for data in message.bodies:
                 if data.size and fixed(data):
@@ -236,7 +236,7 @@ class _Declaring:
                     proposal = spec_images.of(data, "telegram", message.message, title)
                     misfits = fitting.misfit_findings(placed(proposal, memory, spec_images.structs))
                     if not misfits:
-                        named.of(data, "telegram", message.message, cited(title, message.message))
+                        dialect_images.of(data, "telegram", message.message, cited(title, message.message))
                         continue
                     left_out = f"image of {data.name}"
                     self.found += (warning(finding, f"the {left_out} is left out: {CONVERT}") for finding in misfits)
@@ -245,8 +245,8 @@ class _Declaring:
             if fixed(record):
                 image = spec_images.of(record, "record", record.record, record.record.label)
                 if fitting.readable(placed(image, memory, spec_images.structs)):
-                    named.of(record, "record", record.record, cited(titled(record.record), record.record))
-        yield from named.structs.values()
+                    dialect_images.of(record, "record", record.record, cited(titled(record.record), record.record))
+        yield from dialect_images.structs.values()
 
     def _type(self, field: FieldLayout) -> Type:
         if field.record is not None and field.record.name not in self._structs:
@@ -258,13 +258,13 @@ class _Declaring:
         return self.world.variable(name, kind) if self.dialect.prefixed else Name.of(name).camel()
 
     def remark(self, fact: Fact, value: Value | None) -> str:
-        """What a comment says of a member."""
+        """The comment on a member: its value, its meaning and its place in the manual."""
         comment = self.world.comment(fact, value)
         joint = " " if comment.startswith("[") else ": "
         return joint.join(part for part in (printed(fact), comment) if part)
 
     def constants(self) -> Iterator[ConstantList]:
-        """The lists that have constants."""
+        """The lists of constants that are not empty."""
         types = frozenset(self._enums) if self.dialect.enums else frozenset[str]()
         for key, (word, title, make) in LISTS.items():
             drafts = [*(self._statuses() if key == "codes" else ()), *make(self.layout, types)]
@@ -276,7 +276,7 @@ class _Declaring:
                 yield ConstantList(name, key, title, tuple(self._named(drafts, name, word)))
 
     def _statuses(self) -> Iterator[Draft]:
-        """What the functions return, where that is no type."""
+        """The constants for the statuses of functions, where the dialect has no enums."""
         if not self.dialect.enums:
             for number, (name, text) in enumerate(STATUSES):
                 yield Draft(f"{_STATUS}_{name}", BASE, number, text, None, derived=True)
@@ -300,7 +300,7 @@ class _Declaring:
             yield Constant(constant_names[number], draft.type, draft.value, draft.remark, draft.fact, draft.hexadecimal)
 
     def texts(self) -> Iterator[TextTable]:
-        """The texts of codes."""
+        """The tables of the texts of codes."""
         scope = Scope(self.dialect, "table of texts", self.found)
         for enum, texts in coded(self.layout.device):
             name = scope.take(Name.of(f"{enum.name}_texts").upper(), enum)
@@ -318,12 +318,13 @@ class _Naming:
         form = self._of.dialect.bit_struct if isinstance(fact, Flags) else self._of.dialect.image
         return self._of.scope.take(form.format(self._of.device.pascal(), Name.of(key).pascal()), fact)
 
-    def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
+    def members(self, key: str, members: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
         """See `Naming`."""
         scope = Scope(self._of.dialect, f"member of {key}", self._of.found)
-        texts = [self._of.member(name, kind) for name, _, kind in named]
+        texts = [self._of.member(name, kind) for name, _, kind in members]
         fact_names = [
-            scope.take(text, fact) if fact is not None else "" for text, (_, fact, _) in zip(texts, named, strict=True)
+            scope.take(text, fact) if fact is not None else ""
+            for text, (_, fact, _) in zip(texts, members, strict=True)
         ]
         return [name or scope.free(text) for name, text in zip(fact_names, texts, strict=True)]
 

@@ -111,7 +111,7 @@ class Dialect:
     line_end: str = "\n"
 
     def legal_name(self, text: str) -> str:
-        """A name as the dialect accepts it."""
+        """A name in the form that the dialect accepts."""
         return TARGETS[self.reserved].legal_name(text)
 
 
@@ -223,18 +223,18 @@ class Scope:
     def take(self, text: str, fact: Fact | None) -> str:
         """The name of a fact as it is spelled; a name that another fact has, or that is too long, is a finding."""
         legal_name = self.dialect.legal_name(text)
-        most = self.dialect.name_length
+        limit = self.dialect.name_length
         bare = legal_name.strip('"')
         before = self._taken.setdefault(bare.lower(), (text, fact))
         if fact is not None:
             if before[1] is not fact:
                 self.findings.append(_same(self, text, fact, *before))
-            if len(bare) > most or not _IDENTIFIER.fullmatch(bare):
-                self.findings.append(_long(self, text, fact, most))
+            if len(bare) > limit or not _IDENTIFIER.fullmatch(bare):
+                self.findings.append(_long(self, text, fact, limit))
         return legal_name
 
     def free(self, text: str) -> str:
-        """A name that no fact has chosen: where it is taken, a number stands behind it."""
+        """A name that no fact has: a number is added to a text that is in use."""
         number, tried = 1, text
         while self.dialect.legal_name(tried).strip('"').lower() in self._taken:
             number += 1
@@ -243,21 +243,21 @@ class Scope:
 
 
 def _same(scope: Scope, text: str, fact: Fact, other: str, first: Fact | None) -> Diagnostic:
-    beside = f"{fact.name} and {first.name} are" if first is not None else f"{fact.name} and a name of our own are"
+    subject = f"{fact.name} and {first.name} are" if first is not None else f"{fact.name} and a name of our own are"
     labels = (Label(first.place["name"], f"this one is {other}"),) if first is not None else ()
     return Diagnostic(
         "plc_names_distinct",
-        f"{beside} the same {scope.what} in {scope.dialect.title}: {text}",
+        f"{subject} the same {scope.what} in {scope.dialect.title}: {text}",
         fact.place["name"],
         labels,
         help="give one of them another name; capital letters and underscores make no difference there",
     )
 
 
-def _long(scope: Scope, text: str, fact: Fact, most: int) -> Diagnostic:
+def _long(scope: Scope, text: str, fact: Fact, limit: int) -> Diagnostic:
     return Diagnostic(
         "plc_names_fit",
-        f"{text} is no {scope.what} in {scope.dialect.title}: {most} letters, digits and single underscores",
+        f"{text} is no {scope.what} in {scope.dialect.title}: {limit} letters, digits and single underscores",
         fact.place["name"],
         help="give it a shorter name",
     )

@@ -8,7 +8,7 @@ from fieldspec.model.value import PRIMITIVES, Value
 
 
 def without_digits(layout: DeviceLayout) -> DeviceLayout:
-    """The layout with bytes in place of the digits of signals, of which nothing is written."""
+    """The layout without the digits of signals: bytes hold them, and other facts about them are left out."""
     if not any(signal.value.digits for signal in layout.device.signals.values()):
         return layout
     signals = {name: replace(signal, value=_bytes(signal.value)) for name, signal in layout.device.signals.items()}

@@ -13,7 +13,7 @@ from fieldspec.plc.routines.expressions import Elementary
 
 @dataclass(frozen=True, slots=True)
 class EnumMember:
-    """A member that there is, by the name of the dialect."""
+    """A member of a declared enum, with its name in the dialect."""
 
     name: str
     value: int
@@ -65,7 +65,7 @@ class TextTable:
 
     @property
     def longest(self) -> int:
-        """The characters of the longest text."""
+        """The number of characters in the longest text."""
         return max(len(text.text) for text in self.texts)
 
 
@@ -78,7 +78,7 @@ def coded(device: Device) -> Iterator[tuple[Enum, tuple[Text, ...]]]:
 
 
 def meaning(enum: Enum, member: Member) -> str:
-    """What stands on the device's own panel, if that is a form of the code, then the name, then what is wrong."""
+    """The text of a code: what the panel of the device shows, if that is a form of it, its name, and its problem."""
     panel_text = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
     title = panel_text + Name.of(member.name).title()
     return f"{title}: {member.problem}" if member.problem else title

@@ -18,8 +18,8 @@ def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[Device
     links, findings = {}, []
     for name, link in layout.links.items():
         reasons = list(_unsupported(link))
-        for fact, key, what in reasons[:1]:
-            text = f"{what}; there are no functions for that in {dialect.title}"
+        for fact, key, description in reasons[:1]:
+            text = f"{description}; there are no functions for that in {dialect.title}"
             findings.append(Diagnostic("plc_frames_supported", text, fact.place[key], help=LEAVE_OUT))
         if not reasons:
             links[name] = link

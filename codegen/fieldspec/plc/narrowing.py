@@ -82,7 +82,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> DeviceLayout:
         records=records,
         messages=messages,
         links=links,
-        registers=tuple(half for _, some in registers for half in some),
+        registers=tuple(half for _, register_halves in registers for half in register_halves),
         tables=tables,
     )
 
@@ -99,11 +99,11 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
 
     The numbers of parts and conversions are not split: whoever calls a function gives them as a whole.
     """
-    seen: set[int] = set()
+    found_facts: set[int] = set()
     for fact, value in stated_values(layout):
         is_wide = value.type.is_odd and value.type.container > dialect.widest
-        if (is_wide or value.type.name == "f64") and id(fact) not in seen:
-            seen.add(id(fact))
+        if (is_wide or value.type.name == "f64") and id(fact) not in found_facts:
+            found_facts.add(id(fact))
             yield fact, value.type
     parts = [part for link in layout.links.values() for part in (*link.request.parts, *link.response.parts)]
     wholes: list[tuple[Fact, Primitive]] = [
@@ -111,8 +111,8 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
         *((conversion, conversion.type) for conversion in layout.device.conversions.values()),
     ]
     for fact, kind in wholes:
-        if kind.container > dialect.widest and id(fact) not in seen:
-            seen.add(id(fact))
+        if kind.container > dialect.widest and id(fact) not in found_facts:
+            found_facts.add(id(fact))
             yield fact, kind
 
 
@@ -131,12 +131,12 @@ def _wide(value: Value | None) -> bool:
 
 
 def _is_split(field: FieldLayout) -> bool:
-    """Whether a number that is too wide becomes two."""
+    """Whether a field has a number that is too wide and is split into halves."""
     return _wide(field.value) and not field.is_list and field.field.measures is None
 
 
 def _record(record: RecordLayout, split_records: dict[int, RecordLayout]) -> RecordLayout:
-    """A record with halves, and those within it, each of which becomes the same in all places."""
+    """A record with split numbers, and the records in it; a record that is used twice is converted once."""
     if id(record) not in split_records:
         split_records[id(record)] = _split(record, split_records)
     return split_records[id(record)]
@@ -167,7 +167,7 @@ def _measuring(field: FieldLayout, measure: Measure, halves: list[FieldLayout]) 
 
 
 def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
-    """The halves in the order of the wire, with what stands behind the name."""
+    """The suffixes and values of the halves in the order of the wire."""
     kinds = zip(("high", "low"), _HALVES[value.type.name], strict=True)
     const = value.const
     shifted = {"high": None if const is None else const >> 32, "low": None if const is None else const & 0xFFFFFFFF}

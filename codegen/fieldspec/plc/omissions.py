@@ -56,8 +56,8 @@ def _without_tasks(layout: DeviceLayout, remaining: DeviceLayout) -> DeviceLayou
     present = {operand.path for operand in Operands(remaining.device).all}
     tasks = []
     for task in layout.device.tasks:
-        needed = dict.fromkeys(_needed(layout, operands, task, set(remaining.messages)))
-        absent = [path for path in needed if path not in present]
+        paths = dict.fromkeys(_needed(layout, operands, task, set(remaining.messages)))
+        absent = [path for path in paths if path not in present]
         reason = f"it needs {', '.join(absent)}, which {'is' if len(absent) == 1 else 'are'} left out"
         tasks.append(replace(task, not_applicable=task.not_applicable or reason) if absent and not task.open else task)
     return replace(remaining, device=replace(remaining.device, tasks=tuple(tasks)))

@@ -14,10 +14,10 @@ from fieldspec.plc.routines.expressions import BITS, BYTE, REAL, SIGNED, UNSIGNE
 
 def places(size: int, order: str, swapped: bool) -> list[int]:
     """By how many bits each byte of a number is moved to the left, the byte at the lowest place first."""
-    steps = [8 * at for at in range(size)]
+    steps = [8 * position for position in range(size)]
     if (order == "big") != swapped:
         steps.reverse()
-    return [steps[at ^ 1] for at in range(size)] if swapped else steps
+    return [steps[position ^ 1] for position in range(size)] if swapped else steps
 
 
 @dataclass(frozen=True, slots=True)

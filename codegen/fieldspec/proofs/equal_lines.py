@@ -36,7 +36,7 @@ def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str,
 
 def _wire(device: Device) -> ObjectsKey:
     """All objects that can decide what is on the wire. Versions share those that do not differ."""
-    named = (
+    sections = (
         device.links,
         device.messages,
         device.records,
@@ -47,7 +47,7 @@ def _wire(device: Device) -> ObjectsKey:
         device.signals,
         device.conversions,
     )
-    return ObjectsKey((*(content for contents in named for content in contents.values()), *device.groups))
+    return ObjectsKey((*(content for contents in sections for content in contents.values()), *device.groups))
 
 
 def _members(spec: DeviceSpec, line: str) -> list[str]:

@@ -123,35 +123,35 @@ def put_back(
 def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:
     """The tree with the print of an erratum, or the unchanged tree and the findings of the schema about that print."""
     whole = find(tree, f"errata/{erratum.id}/printed")
-    at = keys(tree, erratum.fact)
-    if not isinstance(whole, Mapping) or at is None:
+    fact_keys = keys(tree, erratum.fact)
+    if not isinstance(whole, Mapping) or fact_keys is None:
         return tree, []
-    fact = node_at(tree, at)
+    fact = node_at(tree, fact_keys)
     assert isinstance(fact, Mapping)
-    wrong = put(tree, at, _as_printed(fact, whole, at))
+    wrong = put(tree, fact_keys, _as_printed(fact, whole, fact_keys))
     assert isinstance(wrong, Mapping)
-    item = at[:2]  # the rest of the tree is as it was
-    if len(at) <= len(item) and _lacking(whole, at):
+    item = fact_keys[:2]  # the rest of the tree is as it was
+    if len(fact_keys) <= len(item) and _lacking(whole, fact_keys):
         return wrong, []
     broken = violations_at(wrong, item)
     return (tree, broken) if broken else (wrong, [])
 
 
-def _as_printed(fact: Mapping, printed: Mapping, at: list[str | int]) -> Mapping | None:
+def _as_printed(fact: Mapping, printed: Mapping, fact_keys: list[str | int]) -> Mapping | None:
     """A fact with what the manual prints of it; None where the print lacks it."""
-    if _lacking(printed, at):
+    if _lacking(printed, fact_keys):
         return None
     for key, value in printed.values.items():
-        gone = isinstance(value, Scalar) and value.value is None
-        fact = fact.without(key) if gone else fact.with_value(key, value)
+        is_removed = isinstance(value, Scalar) and value.value is None
+        fact = fact.without(key) if is_removed else fact.with_value(key, value)
     return fact
 
 
-def _lacking(printed: Mapping, at: list[str | int]) -> bool:
+def _lacking(printed: Mapping, fact_keys: list[str | int]) -> bool:
     """Whether the print lacks the whole fact. Claims of second places have a key of that name themselves."""
     present = printed.values.get(MISSING)
     absent = isinstance(present, Scalar) and present.value is False
-    return absent and MISSING not in part_at(schema_path(at)).get("properties", {})
+    return absent and MISSING not in part_at(schema_path(fact_keys)).get("properties", {})
 
 
 def finding_key(finding: Diagnostic) -> tuple[str, str, int]:

@@ -183,8 +183,8 @@ def _compare_meaning(
     for name, value in actual.items():
         if name in expected:
             if not _is_same_value(expected[name], value):
-                path, want, have = _difference(name, expected[name], value)
-                text = f"{path} is {spec_text(have)} in the bytes, but {spec_text(want)} in the values"
+                path, want, decoded_value = _difference(name, expected[name], value)
+                text = f"{path} is {spec_text(decoded_value)} in the bytes, but {spec_text(want)} in the values"
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
                 yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
@@ -220,7 +220,7 @@ def _difference(path: str, expected: Any, actual: Any) -> tuple[str, Any, Any]:
     if isinstance(expected, dict) and isinstance(actual, dict) and expected.keys() <= actual.keys():
         pairs = [(f"{path}.{name}", value, actual[name]) for name, value in expected.items()]
     elif isinstance(expected, list) and isinstance(actual, list) and len(expected) == len(actual):
-        pairs = [(f"{path}[{at}]", *pair) for at, pair in enumerate(zip(expected, actual, strict=True))]
+        pairs = [(f"{path}[{index}]", *pair) for index, pair in enumerate(zip(expected, actual, strict=True))]
     inner = next((pair for pair in pairs if not _is_same_value(pair[1], pair[2])), None)
     return (path, expected, actual) if inner is None else _difference(*inner)
 

@@ -25,16 +25,16 @@ def without_needed(
     }
     if not any(of_allowances.values()):
         return {version: [*findings] for version, findings in by_version.items()}
-    needed: set[_Key] = set()
+    needed_keys: set[_Key] = set()
     for version, keys in of_allowances.items():
         stated = {
             (allowance.fact.place["allow"].file.path, allowance.fact.place["allow"].start)
             for allowance in allowances(devices[version])
         }
-        others = set().union(*of_allowances.values()) - keys
-        needed |= {key for key in others if key[2:] in stated}
+        other_keys = set().union(*of_allowances.values()) - keys
+        needed_keys |= {key for key in other_keys if key[2:] in stated}
     return {
-        version: [finding for finding in findings if _key(finding) not in needed]
+        version: [finding for finding in findings if _key(finding) not in needed_keys]
         for version, findings in by_version.items()
     }
 

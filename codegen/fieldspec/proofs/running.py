@@ -41,8 +41,8 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
 
     devices = {version: spec.at(version)[0] for version in spec.versions()}
     rules = {name for name, _, _ in RULES}
-    named = (acceptance for device in devices.values() for acceptance in device.accepts)
-    return [*rules_known(named, rules), *accepts_used([*_steps(spec, devices)])]
+    acceptances = (acceptance for device in devices.values() for acceptance in device.accepts)
+    return [*rules_known(acceptances, rules), *accepts_used([*_steps(spec, devices)])]
 
 
 def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[ComparedVersions]:
@@ -162,10 +162,10 @@ def outcome(spec: DeviceSpec) -> Outcome:
             *everything(devices[version], broken, remembered=remembered),
             *behaviour_findings(devices[version], spec.tree_at(version)),
         ]
-    needed = without_needed(devices, by_version)
-    findings = [*of_versions(needed, spec.versions())]
+    remaining = without_needed(devices, by_version)
+    findings = [*of_versions(remaining, spec.versions())]
     for version, device in devices.items():
-        if has_errors(needed[version]):
+        if has_errors(remaining[version]):
             continue
         layouts[version] = device_layout(device)
         errata = [erratum for erratum in device.errata if erratum.id not in settled]

@@ -26,5 +26,5 @@ def number_of_bits(word: Flags, bit: Bit, number: int) -> int:
 
 def unlisted_bits(word: Flags, number: int) -> list[int]:
     """The places of the bits that are 1 and that the spec does not list."""
-    listed = {place for bit in word.bits for place in range(bit.first, bit.last + 1)}
-    return [place for place, is_set in enumerate(bits_of_word(word, number)) if is_set and place not in listed]
+    known_places = {place for bit in word.bits for place in range(bit.first, bit.last + 1)}
+    return [place for place, is_set in enumerate(bits_of_word(word, number)) if is_set and place not in known_places]

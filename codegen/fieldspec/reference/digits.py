@@ -32,11 +32,11 @@ def digits_of_number(value: Value, number: int) -> bytes:
         return (text.upper() if value.digits == "upper_hex" else text).encode()
     sign = "-" if number < 0 else "+" if _has_sign(value) else ""
     digits = str(abs(number)).zfill(value.places + 1)
-    behind = f".{digits[len(digits) - value.places :]}" if value.places else ""
+    fraction_digits = f".{digits[len(digits) - value.places :]}" if value.places else ""
     before = digits[: len(digits) - value.places]
     if value.has_blanks:
-        return (sign + before + behind).rjust(value.size).encode()
-    return (sign + before.zfill(value.size - len(sign) - len(behind)) + behind).encode()
+        return (sign + before + fraction_digits).rjust(value.size).encode()
+    return (sign + before.zfill(value.size - len(sign) - len(fraction_digits)) + fraction_digits).encode()
 
 
 def _has_sign(value: Value) -> bool:
@@ -46,7 +46,7 @@ def _has_sign(value: Value) -> bool:
 def _pattern(value: Value) -> str:
     if value.digits != "decimal":
         return f"{_DIGIT[value.digits]}*"
-    behind = rf"\.[0-9]{{{value.places}}}" if value.places else ""
+    fraction_digits = rf"\.[0-9]{{{value.places}}}" if value.places else ""
     if value.has_blanks:
-        return f" *{'-?' if value.type.signed else ''}(0|[1-9][0-9]*){behind}"
-    return f"{'[+-]' if value.type.signed else ''}[0-9]+{behind}"
+        return f" *{'-?' if value.type.signed else ''}(0|[1-9][0-9]*){fraction_digits}"
+    return f"{'[+-]' if value.type.signed else ''}[0-9]+{fraction_digits}"

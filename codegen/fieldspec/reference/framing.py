@@ -68,8 +68,8 @@ class Framing:
 
     def _of_sizes(self, stream: bytes) -> Iterator[bytes]:
         """At each place, the bytes as far as their length, or the size of their message, goes are a frame, or none."""
-        place, least, _ = 0, *self._sizes()
-        while len(stream) - place >= least:
+        place, smallest, _ = 0, *self._sizes()
+        while len(stream) - place >= smallest:
             size = self._size(stream[place:])
             if size == WAITS or size > len(stream) - place:
                 return
@@ -104,8 +104,8 @@ class Framing:
         length = self.shape.role("length")
         assert length is not None
         size = int(numbers["length"]) * length.unit_size + length.base + self.marks
-        least, most = self._sizes()
-        return size if least <= size <= most else NONE
+        smallest, largest = self._sizes()
+        return size if smallest <= size <= largest else NONE
 
     def _size_of_message(self, code: int, data: bytes) -> int:
         messages = self.link.messages_with_code(code, self.direction)
@@ -123,8 +123,8 @@ class Framing:
         number = value_construct(count.value, count.order, count.swapped).parse(data[place : place + count.size])
         units = number - measure.plus
         size = self.around + tail.offset + units * (1 if measure.of == "bytes" else tail.size) + self.marks
-        least, most = self._sizes()
-        return size if least <= size <= most else NONE
+        smallest, largest = self._sizes()
+        return size if smallest <= size <= largest else NONE
 
     def _is_addressed(self, address: int | None) -> bool:
         known = self.link.link.unit_addresses
@@ -134,8 +134,8 @@ class Framing:
 
     def _is_right(self, frame: bytes) -> bool:
         """Whether all parts around the data are right, whatever the data are."""
-        least, most = self._sizes()
-        if not least <= len(frame) <= most:
+        smallest, largest = self._sizes()
+        if not smallest <= len(frame) <= largest:
             return False
         try:
             head = self.codec.frame_head(frame, self.direction)
@@ -155,5 +155,5 @@ def _has_size(record: RecordLayout) -> bool:
     """Whether a record has one size, or one list at its end which a field counts."""
     if record.size is not None:
         return True
-    is_plain = not record.spans and record.inner_lists is None and record.selector is None
-    return is_plain and len(_counts(record)) == 1
+    ends_with_list = not record.spans and record.inner_lists is None and record.selector is None
+    return ends_with_list and len(_counts(record)) == 1

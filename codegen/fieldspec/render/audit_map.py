@@ -136,7 +136,7 @@ def _overview(space: Space) -> Drawing:
 
 def _block(space: Space, block: Block) -> Drawing:
     boxes: list[Box] = []
-    marks = [Mark(_LEFT + at * _BOX + _BOX // 2, _HEAD - 4, f"{at:X}", "middle") for at in range(A_ROW)]
+    marks = [Mark(_LEFT + column * _BOX + _BOX // 2, _HEAD - 4, f"{column:X}", "middle") for column in range(A_ROW)]
     y = _HEAD
     by_line = _by_line(block)
     for first, last in _lines(block, by_line):
@@ -202,16 +202,16 @@ def _pieces(space: Space, runs: Iterable[Run], line: int, y: int) -> Iterator[Bo
         first, last = max(run.first, line), min(run.last, line + A_ROW - 1)
         width = (last - first + 1) * _BOX
         name = " and ".join(occupant.name for occupant in run.occupants)
-        about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
+        descriptions = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
         ends = space.number_text(run.first) + (f" to {space.number_text(run.last)}" if run.size > 1 else "")
-        title = f"{ends}: {_run_text(run)}{f', {about}' if about else ''}"
+        title = f"{ends}: {_run_text(run)}{f', {descriptions}' if descriptions else ''}"
         x = _LEFT + (first - line) * _BOX
         lines = _fitting(f"…{name}" if name and first > run.first else name, width, 2)
         yield Box(x, y + 1, width, _HIGH - 2, run.state, lines, clean(title))
 
 
 def _run_text(run: Run) -> str:
-    """A run in words."""
+    """The text of a run: its state and its names."""
     names = " and ".join(occupant.name for occupant in run.occupants)
     state = STATES[run.state]
     if run.occupants and run.state == "used":
@@ -229,7 +229,7 @@ def _fitting(text: str, width: int, lines: int) -> tuple[str, ...]:
         return ()
     if lines == 1:
         return (f"{_beginning(text, room - _WIDE)}…",)
-    breaks = [at for at in range(len(head), 0, -1) if text[at] == "_" and _width(text[at:]) <= room]
+    breaks = [index for index in range(len(head), 0, -1) if text[index] == "_" and _width(text[index:]) <= room]
     if breaks:
         return text[: breaks[0]], text[breaks[0] :]
     if _width(text[len(head) :]) <= room:
@@ -240,10 +240,10 @@ def _fitting(text: str, width: int, lines: int) -> tuple[str, ...]:
 
 def _beginning(text: str, room: float) -> str:
     """The letters of a text that fit into a width."""
-    at = 0
-    while at < len(text) and (room := room - _width(text[at])) >= 0:
-        at += 1
-    return text[:at]
+    length = 0
+    while length < len(text) and (room := room - _width(text[length])) >= 0:
+        length += 1
+    return text[:length]
 
 
 def _width(text: str) -> float:

@@ -28,10 +28,10 @@ def _char_width(char: str) -> int:
 def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """A table as text, with two blanks between columns."""
     lines = [[visible_text(cell) for cell in row] for row in (headings, *rows)]
-    widths = [max(width(line[at]) for line in lines) for at in range(len(headings))]
+    widths = [max(width(line[index]) for line in lines) for index in range(len(headings))]
     text = ""
     for line in lines:
-        padded = (cell + " " * (widths[at] - width(cell)) for at, cell in enumerate(line))
+        padded = (cell + " " * (widths[index] - width(cell)) for index, cell in enumerate(line))
         text += "  ".join(padded).rstrip() + "\n"
     return text
 
@@ -64,17 +64,17 @@ _FIXED = 2
 """The columns that stay in a table that is split: they tell its rows apart."""
 
 
-def split(table: Table, most: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The numbers of the columns that fit into `most` columns of a terminal, and of those that stand below their rows.
+def split(table: Table, limit: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """The numbers of the columns that fit into `limit` columns of a terminal, and of those that stand below their rows.
 
     The widest columns go first, of equal ones the last; the first two always stay.
     """
     lines = [[visible_text(cell) for cell in row] for row in (table.headings, *table.rows)]
-    widths = [max(width(line[at]) for line in lines) for at in range(len(table.headings))]
+    widths = [max(width(line[index]) for line in lines) for index in range(len(table.headings))]
     stay = list(range(len(widths)))
     below: list[int] = []
-    while len(stay) > _FIXED and sum(widths[at] + _GAP for at in stay) - _GAP > most:
-        widest = max(stay[_FIXED:], key=lambda at: (widths[at], at))
+    while len(stay) > _FIXED and sum(widths[index] + _GAP for index in stay) - _GAP > limit:
+        widest = max(stay[_FIXED:], key=lambda index: (widths[index], index))
         stay.remove(widest)
         below.append(widest)
     return tuple(stay), tuple(sorted(below))
@@ -82,9 +82,9 @@ def split(table: Table, most: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
 
 def narrowed(table: Table) -> Table:
     """A table without its empty columns."""
-    full = [at for at in range(len(table.headings)) if any(cells[at] for cells in table.rows)]
-    rows = tuple(tuple(cells[at] for at in full) for cells in table.rows)
-    return Table(tuple(table.headings[at] for at in full), rows, table.styles)
+    full = [index for index in range(len(table.headings)) if any(cells[index] for cells in table.rows)]
+    rows = tuple(tuple(cells[index] for index in full) for cells in table.rows)
+    return Table(tuple(table.headings[index] for index in full), rows, table.styles)
 
 
 _A_ROW = 16
@@ -99,10 +99,10 @@ def drawn(word: Flags) -> Iterator[str]:
     for high in range(width, 0, -_A_ROW):
         if high < width:
             yield ""
-        yield from _row(word, max(0, high - _A_ROW), high)
+        yield from _bits_drawing(word, max(0, high - _A_ROW), high)
 
 
-def _row(word: Flags, low: int, high: int) -> Iterator[str]:
+def _bits_drawing(word: Flags, low: int, high: int) -> Iterator[str]:
     holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
     numbers = range(high - 1, low - 1, -1)
     wall = "+---" * len(numbers) + "+"
@@ -115,10 +115,10 @@ def _row(word: Flags, low: int, high: int) -> Iterator[str]:
     yield wall
     yield boxes + "|"
     yield wall
-    named = [bit for bit in word.bits if not bit.reserved and low <= bit.first < high]
-    for at, bit in enumerate(named):
+    meaningful_bits = [bit for bit in word.bits if not bit.reserved and low <= bit.first < high]
+    for index, bit in enumerate(meaningful_bits):
         line = [" "] * _column(bit, high)
-        for later in named[at + 1 :]:
+        for later in meaningful_bits[index + 1 :]:
             line[_column(later, high)] = "|"
         yield "".join(line) + _bit_text(bit)
 

@@ -45,7 +45,7 @@ _ALL = "all outputs"
 
 
 def page() -> str:
-    """The whole page."""
+    """The text of the page of capabilities."""
     reasons: dict[str, int] = {}
     tables = {name: capabilities(name) for name in COLUMNS}
     lines = [_INTRODUCTION, f"| construct | {' | '.join(COLUMNS)} |", f"|---{'|---' * len(COLUMNS)}|"]

@@ -17,8 +17,8 @@ def summary_blocks(
     `totals` are counts by kind, `faults` the files that could not be read with the reason of each.
     """
     frames, sizes = totals["frames"], totals["bytes_of"]
-    every = sum(sizes.values())
-    share = f"{100 * sizes.get('ok', 0) / every:.2f} %" if every else "none"
+    total_size = sum(sizes.values())
+    share = f"{100 * sizes.get('ok', 0) / total_size:.2f} %" if total_size else "none"
     counts = (
         _number_of(files, "file"),
         _number_of(sum(frames.values()), "frame"),
@@ -26,7 +26,7 @@ def summary_blocks(
         _number_of(parts, "part"),
     )
     yield Line(", ".join(counts), "bold")
-    yield Line(f"valid: {share} of {every:,} bytes on the line")
+    yield Line(f"valid: {share} of {total_size:,} bytes on the line")
     wrong = [(reason, frames[reason], sizes.get(reason, 0)) for reason in frames if reason not in _NOT_FAULTS]
     if wrong:
         rows = tuple((reason, f"{count:,}", f"{size:,}") for reason, count, size in wrong)
@@ -37,11 +37,11 @@ def summary_blocks(
     if totals["units"]:
         units = sorted(totals["units"].items(), key=lambda item: int(item[0]))
         yield Table(("unit address", "valid frames"), tuple((unit, f"{count:,}") for unit, count in units))
-    for what, count in (*totals["counters"].items(), *(("clock: " + key, n) for key, n in totals["clock"].items())):
+    for counter, count in (*totals["counters"].items(), *(("clock: " + key, n) for key, n in totals["clock"].items())):
         if count:
-            yield Line(f"{what}: {count:,}", "yellow")
-    for name, why in faults.items():
-        yield Line(f"{name} could not be read: {why}", "red")
+            yield Line(f"{counter}: {count:,}", "yellow")
+    for name, fault in faults.items():
+        yield Line(f"{name} could not be read: {fault}", "red")
 
 
 def _number_of(number: int, noun: str) -> str:

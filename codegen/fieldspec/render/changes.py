@@ -99,8 +99,10 @@ def remark(entry: AcceptedChange) -> str:
 
 def hurts(differences: Iterable[Difference], threshold: str) -> bool:
     """Whether a change that is not accepted is at least `breaking`, `behaviour` or `any`."""
-    least = {"breaking": Effect.SOURCE, "behaviour": Effect.BEHAVIOUR, "any": Effect.DOCS}[threshold]
-    return any(entry.change.effect.rank <= least.rank for difference in differences for entry in difference.open)
+    lowest_effect = {"breaking": Effect.SOURCE, "behaviour": Effect.BEHAVIOUR, "any": Effect.DOCS}[threshold]
+    return any(
+        entry.change.effect.rank <= lowest_effect.rank for difference in differences for entry in difference.open
+    )
 
 
 def title(difference: Difference) -> str:

@@ -143,9 +143,11 @@ def html_page(differences: Sequence[Difference]) -> str:
 
 def _html_table(group: Group) -> _HtmlTable:
     rows = [
-        _HtmlRow(*map(clean, (change.rule, change.path, change.message, remark(entry), change.old, change.new, where)))
+        _HtmlRow(
+            *map(clean, (change.rule, change.path, change.message, remark(entry), change.old, change.new, places_text))
+        )
         for entry in group.changes
-        for change, where in [(entry.change, places(entry.change))]
+        for change, places_text in [(entry.change, places(entry.change))]
     ]
     return _HtmlTable(group.effect.value if group.effect else "accepted", group.heading, rows)
 

@@ -30,8 +30,8 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
         yield Line("columns: " + ", ".join(_column(role, listing.heading(role)) for role in roles))
     if listing.skipped:
         rows = ", ".join(map(str, listing.skipped[:_MOST_SKIPPED]))
-        more = f" and {len(listing.skipped) - _MOST_SKIPPED} more" if len(listing.skipped) > _MOST_SKIPPED else ""
-        yield Line(f"rows without an address: {rows}{more}")
+        rest_text = f" and {len(listing.skipped) - _MOST_SKIPPED} more" if len(listing.skipped) > _MOST_SKIPPED else ""
+        yield Line(f"rows without an address: {rows}{rest_text}")
     if result.shifted:
         yield Line("")
         yield Line(_shift(result), "bold")

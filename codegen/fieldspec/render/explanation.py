@@ -112,11 +112,11 @@ def register_table(explanation: Explanation) -> Table:
 def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
     """The notes and errata about the frame, each once."""
     rows = (*explanation.rows, *explanation.registers)
-    seen = set()
+    visited = set()
     for row in rows:
         for note in row.notes:
-            if note not in seen:
-                seen.add(note)
+            if note not in visited:
+                visited.add(note)
                 yield f"note on {row.path or 'the frame'}: {note}"
     touching = {*explanation.errata, *(number for row in rows for number in row.errata)}
     for erratum in layout.device.errata:
@@ -145,8 +145,8 @@ def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 
 def _is_alike(example: Example, explanation: Explanation) -> bool:
     """Whether an example has the link, direction and message of a frame."""
-    of = (example.link, example.direction, example.message or explanation.message)
-    return of == (explanation.link, explanation.direction, explanation.message)
+    example_key = (example.link, example.direction, example.message or explanation.message)
+    return example_key == (explanation.link, explanation.direction, explanation.message)
 
 
 def raw_text(row: ExplanationRow, hexadecimal: bool) -> str:
@@ -185,16 +185,16 @@ def _run(row: ExplanationRow) -> object:
 
 def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, ...], bool]]:
     """The lines of neighbouring elements of a list, some numbers a line."""
-    for at in range(0, len(rows), _NUMBERS_A_LINE):
-        part = rows[at : at + _NUMBERS_A_LINE]
+    for start in range(0, len(rows), _NUMBERS_A_LINE):
+        part = rows[start : start + _NUMBERS_A_LINE]
         first, last = part[0], part[-1]
         name, _, index = first.path.rpartition("[")
         path = first.path if first is last else f"{name}[{index[:-1]}..{last.path.rpartition('[')[2]}"
-        sent = " ".join(row.sent for row in part).strip()
+        sent_text = " ".join(row.sent for row in part).strip()
         data = " ".join(row.raw.hex().upper() for row in part)
         numbers = " ".join(str(row.number) for row in part)
-        source = "" if at else first.source
-        yield (first.at, sent, data, path, "" if at else _label(first), numbers, "", "", "", source), False
+        source = "" if start else first.source
+        yield (first.at, sent_text, data, path, "" if start else _label(first), numbers, "", "", "", source), False
 
 
 def _lines(row: ExplanationRow, first: tuple[str, ...], data: int, raw: int) -> Iterator[tuple[tuple[str, ...], bool]]:
@@ -225,9 +225,9 @@ def _hex(data: bytes) -> str:
 
 
 def _chunks(text: str) -> list[str]:
-    """Bytes in digits, cut into lines."""
+    """The digits of bytes, cut into lines."""
     size = 3 * _BYTES_A_LINE
-    return [text[at : at + size].strip() for at in range(0, len(text), size)]
+    return [text[start : start + size].strip() for start in range(0, len(text), size)]
 
 
 # In JSON, bytes are a text of hexadecimal digits, and null is what does not apply.
@@ -260,8 +260,8 @@ def as_data(
         "readings": [_reading(reading) for reading in readings],
         "remarks": list(remarks),
         "values": _json_value(explanation.values),
-        "rows": [_row(row) for row in explanation.rows],
-        "registers": [_row(row) for row in explanation.registers],
+        "rows": [_row_data(row) for row in explanation.rows],
+        "registers": [_row_data(row) for row in explanation.registers],
         "errata": [
             {"id": erratum.id, "fact": erratum.fact, "printed": _printed(erratum.printed), "reason": erratum.reason}
             for erratum in layout.device.errata
@@ -280,7 +280,7 @@ def _count_name(row: ExplanationRow) -> str:
     return "size" if row.unit == BYTE else f"{row.unit or WORD}s"
 
 
-def _row(row: ExplanationRow) -> dict[str, object]:
+def _row_data(row: ExplanationRow) -> dict[str, object]:
     return {
         "kind": row.kind,
         "offset": row.offset,

@@ -68,8 +68,8 @@ def _sarif_rule(code: str) -> dict[str, object]:
 def _sarif_result(finding: Diagnostic, number: int) -> dict[str, object]:
     text = finding.message + (f"\n{finding.help}" if finding.help else "")
     related = [
-        {"id": at, "message": {"text": label.text}, **_sarif_location(label.span)}
-        for at, label in enumerate(finding.labels, 1)
+        {"id": number, "message": {"text": label.text}, **_sarif_location(label.span)}
+        for number, label in enumerate(finding.labels, 1)
     ]
     return {
         "ruleId": finding.code,

@@ -169,8 +169,8 @@ def numbered(item: Item, number: int) -> bool:
     match item:
         case Register():
             steps = (number - item.address) // item.stride
-            inside = 0 <= steps < item.count and number < item.address + steps * item.stride + item.width
-            return inside or number == item.number
+            is_inside = 0 <= steps < item.count and number < item.address + steps * item.stride + item.width
+            return is_inside or number == item.number
         case TableLayout():
             table = item.table
             return table.base <= number < table.base + table.stride * (table.count - 1) + item.words

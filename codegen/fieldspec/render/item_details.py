@@ -89,12 +89,12 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
 
 
 def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
-    many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
+    count_text = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
     unit = layout.device.space(register.space).unit
     words = f"1 {unit}" if register.width == 1 or unit == BIT else f"{register.width} {unit}s"
     yield "space", _space(layout.device, register.space)
     number = layout.device.space(register.space).first_number + register.address
-    yield "address", f"0x{register.address:04X} ({number}), {words}{many}"
+    yield "address", f"0x{register.address:04X} ({number}), {words}{count_text}"
     if register.count > 1 and address is not None and register.address <= address < register.end:
         index = register.index_from + (address - register.address) // register.stride
         yield "here", f"0x{address:04X} is {register.name}[{index}]"
@@ -153,15 +153,18 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
         if message_layout.name in link.messages and len(layout.links) > 1 and message.links:
             yield "sent on", link.name
         if message_layout.name in link.messages and message.code is None:
-            ways = [way for way in _DIRECTIONS if message_layout.name in link.carried(way)]
-            sizes = ((way, lengths(link, way, message_layout.name)) for way in ways)
-            yield "bytes", ", ".join(f"{link.link.direction_name(way)} {_bounds(*size)}" for way, size in sizes)
+            ways = [direction for direction in _DIRECTIONS if message_layout.name in link.carried(direction)]
+            sizes = ((direction, lengths(link, direction, message_layout.name)) for direction in ways)
+            yield (
+                "bytes",
+                ", ".join(f"{link.link.direction_name(direction)} {_bounds(*size)}" for direction, size in sizes),
+            )
 
 
-def _bounds(least: int, most: int | None) -> str:
-    if most is None:
-        return f"{least} or more"
-    return str(least) if most == least else f"{least}..{most}"
+def _bounds(minimum: int, maximum: int | None) -> str:
+    if maximum is None:
+        return f"{minimum} or more"
+    return str(minimum) if maximum == minimum else f"{minimum}..{maximum}"
 
 
 def _signal(layout: DeviceLayout, signal: Signal) -> Details:
@@ -179,9 +182,9 @@ def _signal(layout: DeviceLayout, signal: Signal) -> Details:
                         ),
                         None,
                     )
-                    way = link.direction_name(direction) if link else direction
-                    at = f", byte {field.offset}" if message.data(direction).has_place(field) else ""
-                    yield "lies in", f"{message.name} {way}{at}{_words(field.field.word_span)}"
+                    direction_name = link.direction_name(direction) if link else direction
+                    place_text = f", byte {field.offset}" if message.data(direction).has_place(field) else ""
+                    yield "lies in", f"{message.name} {direction_name}{place_text}{_words(field.field.word_span)}"
     for conversion in layout.device.conversions.values():
         if signal.name in conversion.signals:
             yield "share of", f"{references_text(layout.device, conversion)}: {conversion.name}"
@@ -206,20 +209,23 @@ def _conversion(layout: DeviceLayout, conversion: Conversion) -> Details:
 def _parameter(item: ParameterNumber, number: int | None) -> Details:
     parameter_set, parameter = item.parameter_set, item.parameter
     yield "set", parameter_set.name
-    yield "number", _number(parameter_set, item.number)
+    yield "number", _parameter_number_text(parameter_set, item.number)
     if parameter is None:
         yield "row", "none: the manual states no meaning of the number itself"
         return
     if parameter.count > 1:
-        last = _number(parameter_set, parameter.number + parameter.count - 1)
-        yield "count", f"{parameter.count} of them, {_number(parameter_set, parameter.number)}, to {last}"
+        last = _parameter_number_text(parameter_set, parameter.number + parameter.count - 1)
+        yield (
+            "count",
+            f"{parameter.count} of them, {_parameter_number_text(parameter_set, parameter.number)}, to {last}",
+        )
         own = [
             candidate
             for candidate in (number, (number or 0) - parameter_set.base)
             if candidate is not None and candidate != item.number
         ]
-        here = next((candidate for candidate in own if parameter_set.numbered(candidate) is parameter), None)
-        yield "here", "" if here is None else _number(parameter_set, here)
+        selected = next((candidate for candidate in own if parameter_set.numbered(candidate) is parameter), None)
+        yield "here", "" if selected is None else _parameter_number_text(parameter_set, selected)
     yield "access", parameter.access or "not printed"
     value = parameter.value
     yield from value_details(value if parameter.elements is None else replace(value, default=None))
@@ -234,7 +240,7 @@ def _parameter(item: ParameterNumber, number: int | None) -> Details:
     yield "reserved", "it has no meaning for the user" if parameter.reserved else ""
 
 
-def _number(parameter_set: ParameterSet, number: int) -> str:
+def _parameter_number_text(parameter_set: ParameterSet, number: int) -> str:
     """`Pt317, 0x2317 on the wire`"""
     if not parameter_set.base:
         return parameter_set.number_text(number)
@@ -271,7 +277,7 @@ def _link(layout: DeviceLayout, link: Link) -> Details:
         name = "marks" if link.has_common_delimiters else f"{direction} marks"
         yield name, " .. ".join(mark.hex(" ").upper() for mark in link.delimiters(direction) if mark)
     orders = (("bytes", link.byte_order), ("words", link.word_order))
-    yield "order", ", ".join(f"{what} {order}" for what, order in orders if order)
+    yield "order", ", ".join(f"{unit_name} {order}" for unit_name, order in orders if order)
     yield "sends", _sends(layout, link)
 
 
@@ -279,7 +285,7 @@ def _sends(layout: DeviceLayout, link: Link) -> str:
     """The names of its messages, and the words of the link for messages and directions, where it has its own."""
     word = "" if link.message_name == "message" else f"{link.message_name}: "
     names = ", ".join(_names(layout, link))
-    ways = [link.direction_name(way) for way in _DIRECTIONS]
+    ways = [link.direction_name(direction) for direction in _DIRECTIONS]
     spoken = "" if tuple(ways) == _DIRECTIONS else f"; {ways[0]} goes to the device, {ways[1]} comes from it"
     return f"{word}{names}{spoken}" if word or spoken else ""
 

@@ -57,11 +57,11 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
 
 
 def left_out_lines() -> Iterator[str]:
-    """The lines of the part."""
+    """The lines of the part about what outputs leave out."""
     yield _INTRODUCTION
     yield "| what breaks a rule | rules | becomes of it |"
     yield "|---|---|---|"
-    for what, rules, result in ROWS:
-        yield f"| {what} | {', '.join(f'[{code}](checks.md#{code})' for code in rules)} | {result} |"
+    for subject, rules, result in ROWS:
+        yield f"| {subject} | {', '.join(f'[{code}](checks.md#{code})' for code in rules)} | {result} |"
     yield ""
     yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels refuse nothing."

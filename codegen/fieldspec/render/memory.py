@@ -37,15 +37,15 @@ def drawn(placed: Placed) -> Iterator[str]:
     yield " " * 6 + "".join(f"{number:<{_BYTE}}" for number in range(_A_ROW)).rstrip()
     before: list[str] = []
     mark = ""
-    for at in range(0, placed.size, _A_ROW):
-        row = names[at : at + _A_ROW]
+    for offset in range(0, placed.size, _A_ROW):
+        row = names[offset : offset + _A_ROW]
         yield from _wall(before, row)
         if row == before and len(set(row)) == 1:
             if mark != ":":
                 yield f"{'':5}:"
             mark = ":"
         else:
-            yield f"{at:>4} {_boxes(row, before)}"
+            yield f"{offset:>4} {_boxes(row, before)}"
             mark = ""
         before = row
     yield from _wall([], before)
@@ -60,14 +60,14 @@ def _wall(above: list[str], below: list[str]) -> Iterator[str]:
 
 def _boxes(row: list[str], before: list[str]) -> str:
     """The boxes of a row; bytes of one value share a box."""
-    text, at = "|", 0
-    while at < len(row):
-        count = next((n for n, name in enumerate(row[at:]) if name != row[at]), len(row) - at)
+    text, index = "|", 0
+    while index < len(row):
+        count = next((n for n, name in enumerate(row[index:]) if name != row[index]), len(row) - index)
         room = count * _BYTE - 1
-        goes_on = at == 0 and before[-1:] == row[:1] and row[0] != _NOTHING
-        name = f"({row[at]})" if goes_on else row[at]
+        goes_on = index == 0 and before[-1:] == row[:1] and row[0] != _NOTHING
+        name = f"({row[index]})" if goes_on else row[index]
         text += f" {_cut(name, room - 2):<{room - 2}} |"
-        at += count
+        index += count
     return text
 
 
@@ -84,26 +84,26 @@ def _names(placed: Placed) -> list[str]:
 
 def _fill(names: list[str], placed: Placed, before: str, start: int) -> None:
     for placed_member in placed.members:
-        path, at = f"{before}{placed_member.member.name}", start + placed_member.at
+        path, offset = f"{before}{placed_member.member.name}", start + placed_member.at
         if placed_member.bit is not None:
-            name = names[at]
-            names[at] = path if name == _NOTHING else f"{name.partition(' ..')[0]} .. {placed_member.member.name}"
+            name = names[offset]
+            names[offset] = path if name == _NOTHING else f"{name.partition(' ..')[0]} .. {placed_member.member.name}"
         elif placed_member.inner is not None and placed_member.inner.struct.kind != "bits":
-            _fill(names, placed_member.inner, f"{path}[0]." if placed_member.is_array else f"{path}.", at)
+            _fill(names, placed_member.inner, f"{path}[0]." if placed_member.is_array else f"{path}.", offset)
             _name(
                 names,
                 f"{path}[1..{placed_member.count - 1}]",
-                at + placed_member.stride,
+                offset + placed_member.stride,
                 placed_member.stride * (placed_member.count - 1),
             )
         elif placed_member.is_array and placed_member.size * placed_member.count <= _A_ROW:
             for number in range(placed_member.count):
-                _name(names, f"{path}[{number}]", at + number * placed_member.stride, placed_member.size)
+                _name(names, f"{path}[{number}]", offset + number * placed_member.stride, placed_member.size)
         else:
             _name(
                 names,
                 f"{path}[0..{placed_member.count - 1}]" if placed_member.is_array else path,
-                at,
+                offset,
                 placed_member.end - placed_member.at,
             )
 

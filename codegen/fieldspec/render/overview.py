@@ -64,18 +64,24 @@ def field_table(record: RecordLayout, base: int | None = None) -> Block:
 
 def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tuple[str, ...]]:
     """The row of a field, or of the types that it has by cases; behind a value that varies in width it has no place."""
-    at = f"+{field.offset}" if base is None else f"0x{base + field.offset // 2:04X}"
-    at = at if has_place else ""
+    place_text = f"+{field.offset}" if base is None else f"0x{base + field.offset // 2:04X}"
+    place_text = place_text if has_place else ""
     label = " ".join(text for text in (field.field.printed_name, field.field.label) if text)
     name = "reserved" if field.field.reserved and not field.name else field.name
     choice = field.field.choice
     if choice is None:
-        yield (at, _type(field, field.record.name if field.record else ""), name, label, *_value(field.value))
+        yield (place_text, _type(field, field.record.name if field.record else ""), name, label, *_value(field.value))
         return
     for case in field.cases:
-        when = " or ".join(case.case.when)
-        yield (at, _type(field, case.value.type.name), f"{name}, {choice.by} {when}", label, *_value(case.value))
-        at = label = ""
+        condition = " or ".join(case.case.when)
+        yield (
+            place_text,
+            _type(field, case.value.type.name),
+            f"{name}, {choice.by} {condition}",
+            label,
+            *_value(case.value),
+        )
+        place_text = label = ""
 
 
 def _type(field: FieldLayout, name: str) -> str:
@@ -186,9 +192,9 @@ def _signals(device: Device) -> Table:
     rows = []
     for signal in device.signals.values():
         label = " ".join(text for text in (signal.printed_name, signal.label) if text)
-        way = {"request": "to", "response": "from"}.get(signal.direction, "")
+        direction_text = {"request": "to", "response": "from"}.get(signal.direction, "")
         names = signal.value.enum or signal.value.flags
-        rows.append((signal.name, label, signal.value.type.name, way, unit_text(signal.value), names))
+        rows.append((signal.name, label, signal.value.type.name, direction_text, unit_text(signal.value), names))
     return narrowed(Table(("signal", "label", "type", "way", "unit", "names"), tuple(rows)))
 
 

@@ -75,8 +75,8 @@ def _write(engine: Engine, step: RegisterAccess, values: Mapping[str, Any]) -> t
         return step, values
     space, (address,) = accessed_words(engine, step, values, "write")
     word, and_mask, or_mask = engine.memory.words[space, address], values[step.and_mask], values[step.or_mask]
-    most = (1 << 8 * engine.layout.device.space(step.space).unit_size) - 1
+    maximum = (1 << 8 * engine.layout.device.space(step.space).unit_size) - 1
     return RegisterAccess("write", step.start, "", "word", step.space), {
         step.start: values[step.start],
-        "word": ((word & and_mask) | (or_mask & ~and_mask)) & most,
+        "word": ((word & and_mask) | (or_mask & ~and_mask)) & maximum,
     }

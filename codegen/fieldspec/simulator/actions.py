@@ -121,10 +121,10 @@ def _addresses(operation: Operation, name: str, other: str) -> list[tuple[str, i
     pairs = {register.copy_of: register for register in (*own.registers, *its.registers) if register.copy_of}
     result = []
     for register in own.registers:
-        named = register.copy_of or register.name
-        if named in pairs:
+        original_name = register.copy_of or register.name
+        if original_name in pairs:
             space = device.space_name(register.space)
-            result += [(named, space, register.address + word) for word in range(register.width)]
+            result += [(original_name, space, register.address + word) for word in range(register.width)]
     return [(space, address) for _, space, address in sorted(result)]
 
 
@@ -176,8 +176,8 @@ def _append(operation: Operation, action: Part) -> None:
         number = operation.number(value)
         raw[field] = int(number) if isinstance(number, float | Decimal) else number
     records.insert(0, raw)
-    most = collection.get("most") if collection is not None else None
-    del records[most or len(records) :]
+    maximum = collection.get("most") if collection is not None else None
+    del records[maximum or len(records) :]
 
 
 def _remove(operation: Operation, action: Part) -> None:

@@ -22,13 +22,13 @@ class Ramp:
     last: float
 
     def distance(self, seconds: float) -> float:
-        """The distance after some of its seconds."""
+        """The distance after some seconds of the ramp."""
         if self.seconds in (0.0, inf):
             return self.first * seconds if self.seconds else 0.0
         return self.first * seconds + (self.last - self.first) * seconds * seconds / (2 * self.seconds)
 
     def speed(self, seconds: float) -> float:
-        """The speed after some of its seconds."""
+        """The speed after some seconds of the ramp."""
         if self.seconds in (0.0, inf):
             return self.last
         return self.first + (self.last - self.first) * seconds / self.seconds
@@ -74,7 +74,7 @@ class Axis:
 
     @property
     def moving(self) -> bool:
-        """Whether a motion goes on."""
+        """Whether the axis moves."""
         return bool(self.ramps)
 
     def position(self, now: float) -> float:
@@ -98,8 +98,8 @@ class Axis:
 
     def speed(self, now: float) -> float:
         """The speed at a time, negative where the position decreases."""
-        at = self.ramp(now)
-        return at[0].speed(at[1]) if at else 0.0
+        current = self.ramp(now)
+        return current[0].speed(current[1]) if current else 0.0
 
     def move(self, now: float, goal: float, speed: float, rise: float, fall: float, limits: Limits, kind: str) -> None:
         """Begins to move to a position. A speed of 0 leaves the axis at rest."""
@@ -112,7 +112,7 @@ class Axis:
         self.limited = abs(bounded - goal) > _SAME
 
     def run(self, now: float, speed: float, rise: float, fall: float, limits: Limits) -> None:
-        """Begins to move on and on; at a limit it stops."""
+        """Begins a motion without an end; at a limit it stops."""
         bound = limits.highest if speed > 0 else limits.lowest
         if abs(bound) != inf or speed == 0:
             self.move(now, bound, abs(speed), rise, fall, limits, "move")
@@ -131,7 +131,7 @@ class Axis:
         self.limited = False
 
     def halt(self, now: float) -> None:
-        """Stands still at once."""
+        """Ends a motion at once, without a ramp."""
         self.origin = self.goal = self.position(now)
         self.ramps, self.kind, self.limited = (), "", False
 
@@ -168,8 +168,10 @@ def _ramps(distance: float, present: float, speed: float, rise: float, fall: flo
         distance, present = distance - braking, 0.0
     sign = copysign(1.0, distance)
     length, begin = abs(distance), abs(present)
-    both = rise + fall
-    peak = min(speed, sqrt(max(0.0, (length + begin * begin * rise / 2) * 2 / both))) if both else speed
+    rise_and_fall = rise + fall
+    peak = (
+        min(speed, sqrt(max(0.0, (length + begin * begin * rise / 2) * 2 / rise_and_fall))) if rise_and_fall else speed
+    )
     slope = rise if peak >= begin else fall
     first = Ramp(abs(peak - begin) * slope, sign * begin, sign * peak)
     last = Ramp(peak * fall, sign * peak, 0.0)

@@ -10,7 +10,7 @@ class Clock(Protocol):
     """A clock: seconds since any moment, and a way to wait for a time to pass."""
 
     def now(self) -> float:
-        """The seconds."""
+        """The present time in seconds."""
 
     def sleep(self, seconds: float) -> None:
         """Waits until so many seconds of this clock have passed."""
@@ -23,11 +23,11 @@ class SystemClock:
         self.rate = rate
 
     def now(self) -> float:
-        """The seconds of the simulation."""
+        """The time of the machine in seconds, `rate` times as fast."""
         return time.monotonic() * self.rate
 
     def sleep(self, seconds: float) -> None:
-        """Waits."""
+        """Waits for some seconds of simulated time."""
         if seconds > 0:
             time.sleep(seconds / self.rate)
 
@@ -39,7 +39,7 @@ class ManualClock:
         self.seconds = 0.0
 
     def now(self) -> float:
-        """The seconds."""
+        """The time to which the clock was advanced, in seconds."""
         return self.seconds
 
     def sleep(self, seconds: float) -> None:

@@ -21,7 +21,7 @@ _modules: dict[tuple[str, str, str], ModuleType] = {}
 
 
 class Framer(Protocol):
-    """A framer of the generated code."""
+    """What the framers of generated code do: cut bytes into frames."""
 
     dropped: int
 
@@ -65,7 +65,7 @@ class _Texts(MetaPathFinder, InspectLoader):
         return spec_from_loader(fullname, self, is_package=fullname in self.packages)
 
     def get_source(self, fullname: str) -> str:
-        """The text of a module."""
+        """The source text of a module."""
         return self.texts[fullname]
 
     def is_package(self, fullname: str) -> bool:

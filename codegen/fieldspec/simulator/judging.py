@@ -27,7 +27,7 @@ class DamagedError(Exception):
 
 
 def refusal_reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
-    """Why a request that cannot be decoded is refused."""
+    """The reason for which a request that cannot be decoded is refused."""
     shape = frames.link.request
     coded = shape.role("code")
     parts = frames.original_parts(frame, "request")

@@ -115,13 +115,13 @@ class Line:
             return
         if not answer.frame:
             return
-        sent, late = answer.frame, 0.0
+        sent_frame, late = answer.frame, 0.0
         if fault is not None:
-            sent, late = self.faults.damaged(fault, self.server, self.link, sent)
+            sent_frame, late = self.faults.damaged(fault, self.server, self.link, sent_frame)
         text = f"{answer.text}, {fault.kind}" if fault is not None else answer.text
-        if sent:
-            self.listener(now, self.link, "response", sent, text)
-            yield Sending(self.delay() + late, sent)
+        if sent_frame:
+            self.listener(now, self.link, "response", sent_frame, text)
+            yield Sending(self.delay() + late, sent_frame)
         else:
             self.listener(now, self.link, "response", b"", text)
 

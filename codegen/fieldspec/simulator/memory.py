@@ -61,7 +61,7 @@ def default_raw(device: Device, value: Value) -> Raw:
 
 
 def _fits(value: Value, number: int) -> bool:
-    """Whether a value can be a number."""
+    """Whether a value can have a number."""
     return value.low <= number <= value.high and (value.ranges is None or number in value.ranges)
 
 

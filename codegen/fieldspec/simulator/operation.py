@@ -55,16 +55,16 @@ class Operation(ABC):
         return all(self._has(name, expected) for name, expected in condition.items())
 
     def _has(self, name: str, expected: Any) -> bool:
-        wanted = expected if isinstance(expected, tuple) else (expected,)
+        expected_values = expected if isinstance(expected, tuple) else (expected,)
         scope, _, rest = name.partition("/")
         if scope == "state":
-            return self.states[rest] in wanted
+            return self.states[rest] in expected_values
         if scope == "axis":
-            return any(bool(self.of_axis(rest)) == bool(value) for value in wanted)
+            return any(bool(self.of_axis(rest)) == bool(value) for value in expected_values)
         if scope == "element":
             raw = self.element.get(rest)
-            return any(raw == self._member(rest, value) for value in wanted)
-        return any(self._equals(cell, value) for cell in self._in_use(name) for value in wanted)
+            return any(raw == self._member(rest, value) for value in expected_values)
+        return any(self._equals(cell, value) for cell in self._in_use(name) for value in expected_values)
 
     def _equals(self, cell: Cell, value: object) -> bool:
         raw = cell.read()
@@ -155,12 +155,12 @@ class Operation(ABC):
         change = (abs(ramp[0].last) > abs(ramp[0].first)) - (abs(ramp[0].last) < abs(ramp[0].first)) if ramp else 0
         limits = self.limits()
         zone = float(self.number(self.axis_keys.get("zone", 0)))
-        near = not axis.moving or abs(axis.goal - axis.position(now)) < zone
+        is_near = not axis.moving or abs(axis.goal - axis.position(now)) < zone
         return {
             "moving": axis.moving,
             "homing": axis.moving and axis.kind == "home",
             "homed": axis.homed,
-            "in_position": near,
+            "in_position": is_near,
             "accelerating": change > 0,
             "decelerating": change < 0,
             "constant_speed": ramp is not None and change == 0 and speed != 0,

@@ -75,11 +75,11 @@ def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any], s
     parameter = known[0].numbered(known[1])
     if parameter is None:
         return Target(known[0].name, known[1], None, first, count)
-    most = parameter.elements or 1
+    element_count = parameter.elements or 1
     if count is not None and parameter.elements is None and (first or count > 1):
         raise Refusal("no_array", f"{parameter.name} has one value")
-    if first + (count or 1) > most:
-        raise Refusal("subindex_invalid", f"{parameter.name} has {most} elements")
+    if first + (count or 1) > element_count:
+        raise Refusal("subindex_invalid", f"{parameter.name} has {element_count} elements")
     return Target(known[0].name, known[1], parameter, first, count)
 
 
@@ -107,9 +107,9 @@ def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
         return
     refuse_unwritable(target)
     for index, raw in zip(target.elements, raws, strict=True):
-        why = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)
-        if why:
-            raise Refusal("value_invalid", f"{parameter.name} cannot be {spec_text(raw)}: {why}")
+        objection = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)
+        if objection:
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {spec_text(raw)}: {objection}")
     elements = engine.memory.elements
     before = {index: elements[target.set_name, target.number, index] for index in target.elements}
     for index, raw in zip(target.elements, raws, strict=True):
@@ -141,8 +141,8 @@ def write_all(engine: Engine, name: str, values: list[Raw] | Raw) -> None:
     rows = numbers_of(engine.layout.device.sets(name))
     raws = values if isinstance(values, list) else [values]
     for (_, _, parameter), raw in zip(rows, raws, strict=True):
-        why = "" if parameter.reserved else invalid(engine, parameter.value, raw)
-        if why:
-            raise Refusal("value_invalid", f"{parameter.name} cannot be {spec_text(raw)}: {why}")
+        objection = "" if parameter.reserved else invalid(engine, parameter.value, raw)
+        if objection:
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {spec_text(raw)}: {objection}")
     for (set_name, number, parameter), raw in zip(rows, raws, strict=True):
         write_parameter(engine, Target(set_name, number, parameter, 0, None), [raw])

@@ -36,18 +36,18 @@ def number_of_kind(record: RecordLayout, kind: str) -> int | None:
 
 
 def initial_value(device: Device, field: FieldLayout) -> Any:
-    """What a field of a response has where nothing else states it.
+    """The value of a field of a response where nothing else states it.
 
     A list of any length has the least number of records that it can have, and of values the same, but one at least.
     """
     repeat = field.field.repeat
-    least = field.count or (repeat.low if repeat is not None else 0)
+    minimum = field.count or (repeat.low if repeat is not None else 0)
     if field.record is not None:
         if not field.is_list:
             return initial_values(device, field.record)
-        return [initial_values(device, field.record) for _ in range(least)]
+        return [initial_values(device, field.record) for _ in range(minimum)]
     raw = in_type(default_raw(device, field.value), field) if field.value is not None else 0
-    return [raw] * max(least, 1) if field.is_list else raw
+    return [raw] * max(minimum, 1) if field.is_list else raw
 
 
 def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:

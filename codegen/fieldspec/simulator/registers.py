@@ -62,9 +62,9 @@ def place_words(
     try:
         for occupant in _touched(engine, space, addresses):
             raw = memory.read(space, occupant)
-            why = _invalid(engine, occupant, raw)
-            if why:
-                raise Refusal("value_invalid", f"{occupant.path} cannot be {spec_text(raw)}: {why}")
+            objection = _invalid(engine, occupant, raw)
+            if objection:
+                raise Refusal("value_invalid", f"{occupant.path} cannot be {spec_text(raw)}: {objection}")
             if not _is_whole(occupant, addresses) and occupant.atomic and not _accepts(engine, "partial_values"):
                 raise Refusal("value_invalid", f"{occupant.path} is to be written in one request")
             paths.append(_path(occupant))
@@ -125,18 +125,18 @@ def _judge(engine: Engine, space: str, address: int, place: int, operation: str)
     if all(engine.memory.is_absent(occupant) for occupant in present):
         raise Refusal("unknown_address", f"the device has not got {present[0].path}")
     for occupant in present:
-        why = FORBIDS.get((operation, occupant.access))
-        if why:
-            raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {why}")
+        objection = FORBIDS.get((operation, occupant.access))
+        if objection:
+            raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {objection}")
 
 
 def _touched(engine: Engine, space: str, addresses: Sequence[int]) -> Iterator[Occupant]:
     """The occupants that share words with a span, each once."""
-    seen: set[tuple[str, int]] = set()
+    visited: set[tuple[str, int]] = set()
     for address in addresses:
         for occupant in engine.memory.at(space, address):
-            if (occupant.path, occupant.address) not in seen:
-                seen.add((occupant.path, occupant.address))
+            if (occupant.path, occupant.address) not in visited:
+                visited.add((occupant.path, occupant.address))
                 yield occupant
 
 
@@ -144,9 +144,9 @@ def _is_whole(occupant: Occupant, addresses: Sequence[int]) -> bool:
     return all(address in addresses for address in range(occupant.address, occupant.address + occupant.words))
 
 
-def _accepts(engine: Engine, what: str) -> bool:
+def _accepts(engine: Engine, subject: str) -> bool:
     return any(
-        part.subject == what and engine.holds(part.get("if") or {}) for part in engine.behaviour.of_kind("accept")
+        part.subject == subject and engine.holds(part.get("if") or {}) for part in engine.behaviour.of_kind("accept")
     )
 
 

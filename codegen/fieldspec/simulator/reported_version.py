@@ -35,7 +35,7 @@ class ReportedVersion:
 
     @property
     def text(self) -> str:
-        """What a person is told."""
+        """The sentence that tells a person which version the device reports."""
         return f"{self.fact} is {self.reported}, which tells the version {self.version}"
 
 
@@ -45,29 +45,31 @@ def reported_version(layout: DeviceLayout, behaviour: Behaviour) -> ReportedVers
     It is None too where the behaviour states the value.
     """
     device = layout.device
-    detection, how = device.detection, version_detection(device)
+    detection, version_form = device.detection, version_detection(device)
     value = detecting_value(device, detection) if detection is not None else None
-    if how is None or value is None or value.const is not None:
+    if version_form is None or value is None or value.const is not None:
         return None
     names = Names(device, behaviour)
     stated = [part.subject for kind in ("initial", "show") for part in behaviour.of_kind(kind)]
-    if any(operand.path == how.fact for signal in stated for operand in names.of_signal(signal.partition("[")[0])):
+    if any(
+        operand.path == version_form.fact for signal in stated for operand in names.of_signal(signal.partition("[")[0])
+    ):
         return None
     usual = [] if value.default is None else [value.default]
-    for candidate in (*usual, *_candidates(how, device.version, value)):
-        if isinstance(candidate, int | str) and _fits(value, candidate) and _tells(device, how, candidate):
-            return ReportedVersion(how.fact, candidate, device.version, value)
+    for candidate in (*usual, *_candidates(version_form, device.version, value)):
+        if isinstance(candidate, int | str) and _fits(value, candidate) and _tells(device, version_form, candidate):
+            return ReportedVersion(version_form.fact, candidate, device.version, value)
     return None
 
 
-def _candidates(how: VersionDetection, version: str, value: Value) -> Iterator[int | str]:
+def _candidates(version_form: VersionDetection, version: str, value: Value) -> Iterator[int | str]:
     """Values that may tell a version: those that the spec names, then those whose digits are the version."""
-    yield from (item for item, named in how.named if named == version)
+    yield from (item for item, named_version in version_form.named if named_version == version)
     if value.type.kind is Kind.TEXT:
         yield from (version, *map(_dotted, _numbers_of(version)))
         return
     for numbers in _numbers_of(version):
-        yield from _whole(how, numbers, version)
+        yield from _whole(version_form, numbers, version)
 
 
 def _numbers_of(version: str) -> Iterator[list[int]]:
@@ -79,22 +81,22 @@ def _numbers_of(version: str) -> Iterator[list[int]]:
     if not version.startswith(EARLIER):
         yield numbers
         return
-    last = max((at for at, number in enumerate(numbers) if number), default=None)
+    last = max((index for index, number in enumerate(numbers) if number), default=None)
     if last is not None:
         yield [*numbers[:last], numbers[last] - 1, *(9 for _ in numbers[last + 1 :])]
 
 
-def _whole(how: VersionDetection, numbers: list[int], version: str) -> Iterator[int]:
+def _whole(version_form: VersionDetection, numbers: list[int], version: str) -> Iterator[int]:
     """The numbers whose digits or bytes are those of a version."""
-    if how.form == "bytes" and len(numbers) <= how.places and max(numbers) <= 0xFF:
-        yield int.from_bytes(bytes(numbers).ljust(how.places, b"\0"), "big")
-    base = _BASES.get(how.form)
+    if version_form.form == "bytes" and len(numbers) <= version_form.places and max(numbers) <= 0xFF:
+        yield int.from_bytes(bytes(numbers).ljust(version_form.places, b"\0"), "big")
+    base = _BASES.get(version_form.form)
     if base is None:
         return
     printed = version.partition(".")[2]
     minor = "".join(map(str, numbers[1:]))
-    for digits in (printed, minor.rjust(how.places, "0"), minor.ljust(how.places, "0")):
-        if len(digits) == how.places and (digits or "0").isdigit():
+    for digits in (printed, minor.rjust(version_form.places, "0"), minor.ljust(version_form.places, "0")):
+        if len(digits) == version_form.places and (digits or "0").isdigit():
             yield int(f"{numbers[0]}{digits}", base)
 
 
@@ -110,7 +112,7 @@ def _fits(value: Value, candidate: int | str) -> bool:
     return in_bounds and (value.ranges is None or candidate in value.ranges)
 
 
-def _tells(device: Device, how: VersionDetection, candidate: int | str) -> bool:
+def _tells(device: Device, version_form: VersionDetection, candidate: int | str) -> bool:
     """Whether a program that reads the value chooses the version of the device."""
     lines = tuple(
         tuple((version.id, version.id) for version in line.versions)
@@ -118,7 +120,7 @@ def _tells(device: Device, how: VersionDetection, candidate: int | str) -> bool:
         if line.builds or line.like
     )
     try:
-        version = version_in(lines, candidate, how.form, how.places, dict(how.named))
+        version = version_in(lines, candidate, version_form.form, version_form.places, dict(version_form.named))
         return module_name(lines, version, False) == device.version
     except UnknownFirmwareError:
         return False

@@ -31,14 +31,14 @@ def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
             count, unused = count + elements, unused + (not elements)
             continue
         space = entry.space if entry.space in spaces else first
-        at = memory.place(space, entry.address)
-        present = memory.at(space, at)
+        address_place = memory.place(space, entry.address)
+        present = memory.at(space, address_place)
         if not present:
             unused += 1
             continue
         number = entry.values[0]
         bit = next((o for o in present if o.value.type.name == "bit"), None)
-        wide = next((o for o in present if o.address == at and o.words > 1), None)
+        wide = next((o for o in present if o.address == address_place and o.words > 1), None)
         if len(entry.values) == 1 and wide is not None and (entry.words == wide.words or not 0 <= number <= 0xFFFF):
             memory.write(space, wide, number)
             words = wide.words

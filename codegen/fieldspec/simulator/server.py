@@ -58,7 +58,8 @@ class Server:
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
         except CodecError as error:
             return Answer(b"", f"damaged: {error.detail}")
-        garbled = next((p for p in shape.digits if p.read(parts[(at := p.at(len(parts))) : at + p.size]) is None), None)
+        starts = ((part, part.at(len(parts))) for part in shape.digits)
+        garbled = next((part for part, start in starts if part.read(parts[start : start + part.size]) is None), None)
         if garbled is not None:
             return Answer(b"", f"damaged: {garbled.name} is no number")
         if shape.checksums and not frames.has_right_checksum(frame, "request"):
@@ -79,9 +80,9 @@ class Server:
             return Answer(b"", "another identifier")
         if code is None and not message:
             message = judging.recognised_message(frames, frame)
-        asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
+        requested = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
-        if asked is not None and asked.name not in frames.link.carried("response"):
+        if requested is not None and requested.name not in frames.link.carried("response"):
             silent = silent or "not answered"
         asked_values: dict[str, Any] = {}
         try:
@@ -156,9 +157,9 @@ class Server:
         target = parameters.target_of(engine, announced.request, values, size)
         if target is not None:
             return self._of_parameter(link, announced, values, target)
-        every = parameters.part_of(announced.request, "values")
-        if every is not None and every.value is not None and every.value.parameter is not None:
-            parameters.write_all(engine, every.value.parameter.set, values[every.name])
+        values_field = parameters.part_of(announced.request, "values")
+        if values_field is not None and values_field.value is not None and values_field.value.parameter is not None:
+            parameters.write_all(engine, values_field.value.parameter.set, values[values_field.name])
         engine.follow_message(message.name, message.place.path, message.roles)
         engine.refresh()
         return {}
@@ -217,11 +218,11 @@ class Server:
         engine.refresh()
         read = parameters.read_parameter(engine, target)
         if answer_field.carries_bytes and value is not None:
-            sent = sent_bytes(engine.layout.device, answer_field, value, read[0])
-            if pieces is not None and not carries(answer_field, len(sent)):
+            data = sent_bytes(engine.layout.device, answer_field, value, read[0])
+            if pieces is not None and not carries(answer_field, len(data)):
                 return self.transfers.begin_read(link, Transfer(pieces, target, value, values), read[0])
-            if pieces is not None and len(sent) < value.size:
-                return field_of_bytes(answer_field, sent)
+            if pieces is not None and len(data) < value.size:
+                return field_of_bytes(answer_field, data)
             if not carries(answer_field, value.size):
                 raise Refusal("type_invalid", f"no response carries {value.size} bytes")
             return bytes_of_value(engine.layout.device, answer_field, value, read[0])
@@ -235,7 +236,7 @@ class Server:
         return {response.selector.name: number, answer_field.name: read}
 
     def _store(self, record: RecordLayout, path: str, values: Mapping[str, Any]) -> None:
-        """Puts the fields of a request where rules look for them."""
+        """Copies the fields of a request to where rules read them."""
         memory = self.engine.memory
         for field in record.fields:
             value, own = values.get(field.name), field.field.place.path
@@ -324,12 +325,7 @@ class Server:
         return values
 
     def _refused(
-        self,
-        frames: FrameCodec,
-        head: Mapping[str, Any],
-        code: int | None,
-        refusal: Refusal,
-        asked: Mapping[str, Any],
+        self, frames: FrameCodec, head: Mapping[str, Any], code: int | None, refusal: Refusal, fields: Mapping[str, Any]
     ) -> Answer:
         """The response that refuses a request, or silence.
 
@@ -351,7 +347,7 @@ class Server:
             value = field.value
             if value is not None and value.const is None and value.type.kind is Kind.INTEGER and not field.is_list:
                 is_code = coded is not None and field.field.same_as == coded.name
-                values[field.name] = code if is_code else asked.get(field.name, 0)
+                values[field.name] = code if is_code else fields.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number
         code = part.get("code", code) if record.code is None else record.code
         is_uncoded = frames.link.has_uncoded_exceptions
@@ -369,7 +365,7 @@ class Server:
         return Answer(frame, text)
 
     def _unsaid(self, frames: FrameCodec, text: str) -> Answer:
-        """Silence where a response is due that no frame can carry."""
+        """An answer without a frame, where no frame can say what is due."""
         self.complain(f"{frames.link.name}: {text}")
         return Answer(b"", text)
 
@@ -386,8 +382,8 @@ class Server:
 
     def _marked(self, frames: FrameCodec, head: Mapping[str, Any], marked: str, text: str) -> Answer:
         """A response without data, with a bit set in its header."""
-        answered = frames.link.carried("response").values()
-        empty = next((message for message in answered if not message.response.fields), None)
+        answering_messages = frames.link.carried("response").values()
+        empty = next((message for message in answering_messages if not message.response.fields), None)
         if empty is None:
             return self._unsaid(frames, f"{text}; the device is silent")
         cells = self.engine.cells.of(marked)

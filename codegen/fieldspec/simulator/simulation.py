@@ -72,7 +72,7 @@ class Simulation:
         return self.clock.now() - self.started
 
     def advance(self) -> None:
-        """Brings the device up to the present."""
+        """Brings the device to the present time."""
         with self.lock:
             self.engine.advance(self.now())
 
@@ -159,7 +159,7 @@ class Simulation:
             return
 
     def _run(self, link: str, carrier: Carrier, settings: LineSettings) -> None:
-        """Serves one carrier until it ends."""
+        """Serves a carrier until it ends."""
         line = self.line(link, framed=not carrier.datagrams)
         silence = self.silence(link, settings)
         waited = 0.0
@@ -258,7 +258,7 @@ def stated_place(layout: LinkLayout) -> str:
 
 
 def usual_place(layout: LinkLayout) -> str:
-    """Where a link is served that no place is stated for.
+    """The place at which a link is served where none is stated.
 
     Serial links are on a pseudo-terminal, other frames in a stream on TCP; what has neither length, nor delimiters, nor
     checksum comes in datagrams. Nothing says on which bus CAN frames are.

@@ -114,12 +114,12 @@ def number_changed(comparison: Comparison) -> Iterator[Change]:
             yield change("number_changed", effect, pair, "number", text, old, new)
     for set_pair in comparison.of(ParameterSet):
         space = set_pair.new.name if set_pair.old.space == set_pair.old.name else set_pair.old.space
-        for key, what, before, after in (
+        for key, subject, before, after in (
             ("base", "what is added to its numbers", set_pair.old.base, set_pair.new.base),
             ("space", "the space of its numbers", space, set_pair.new.space),
         ):
             if before != after:
-                text = f"{named(set_pair.new)}: {difference_text(what, before, after)}"
+                text = f"{named(set_pair.new)}: {difference_text(subject, before, after)}"
                 yield change("number_changed", Effect.WIRE, set_pair, key, text, before, after)
 
 
@@ -147,10 +147,10 @@ def space_changed(comparison: Comparison) -> Iterator[Change]:
         if message.old.accesses is not None and message.new.accesses is not None:
             yield from _moved(comparison, message, message.old.accesses.space, message.new.accesses.space, "accesses")
     for space in comparison.of(AddressSpace):
-        for key, what, effect in _OF_SPACE:
+        for key, subject, effect in _OF_SPACE:
             old, new = _space_value(space.old, key), _space_value(space.new, key)
             if old != new:
-                text = f"{named(space.new)}: {difference_text(what, old, new)}"
+                text = f"{named(space.new)}: {difference_text(subject, old, new)}"
                 yield change("space_changed", effect, space, key, text, old, new)
 
 

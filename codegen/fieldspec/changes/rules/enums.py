@@ -140,8 +140,8 @@ def aliases_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             lost = not set(pair.old.aliases) <= {pair.new.name, *pair.new.aliases}
             effect = Effect.SOURCE if lost else Effect.DOCS
-            what = f"{named(pair.containers[1])}: {named(pair.new)}"
-            text = f"{what}: {difference_text('what else it is called', old or None, new or None)}"
+            subject = f"{named(pair.containers[1])}: {named(pair.new)}"
+            text = f"{subject}: {difference_text('what else it is called', old or None, new or None)}"
             yield change("aliases_changed", effect, pair, "aliases", text, old, new, (PYTHON, C) if lost else ())
 
 

@@ -145,12 +145,12 @@ def applicability_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Parameter):
-        for key, what in (("applies_to", "what it exists for"), ("messages", "what it has an effect with")):
+        for key, subject in (("applies_to", "what it exists for"), ("messages", "what it has an effect with")):
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if key == "messages":
                 old = tuple(comparison.renamed_to(key, name) for name in old)
             if old != new:
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("applicability_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
 
 
@@ -180,7 +180,7 @@ def documentation_changed(comparison: Comparison) -> Iterator[Change]:
                 text = (
                     f"{named(pair.new)} has another {enumeration([key.replace('_', ' ') for key in keys], len(keys))}"
                 )
-                old, new = ("; ".join(_key_text(*each) for each in side) for side in _old_and_new(differ))
+                old, new = ("; ".join(_key_text(*difference) for difference in side) for side in _old_and_new(differ))
                 yield change("documentation_changed", Effect.DOCS, pair, keys[0], text, old, new)
 
 
@@ -261,6 +261,6 @@ def example_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             old = comparison.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
             if old != new:
-                what = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                subject = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("example_changed", Effect.DOCS, pair, key, text, old, new)

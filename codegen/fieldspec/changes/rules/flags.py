@@ -91,11 +91,11 @@ def state_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(State):
         word = pair.old.place.path.partition("/states/")[0]
-        for key, what in (("set", "what is 1 in it"), ("clear", "what is 0 in it")):
+        for key, subject in (("set", "what is 1 in it"), ("clear", "what is 0 in it")):
             old = tuple(comparison.renamed_to(word, name) for name in getattr(pair.old, key))
             new = getattr(pair.new, key)
             if sorted(old) != sorted(new):
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("state_changed", Effect.WIRE, pair, key, text, old, new)
 
 

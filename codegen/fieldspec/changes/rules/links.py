@@ -37,11 +37,11 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Link):
-        for key, what in _KEYS.items():
+        for key, subject in _KEYS.items():
             old, new = _framing(pair.old, key), _framing(pair.new, key)
             common = key.startswith("response_") and pair.old.has_common_delimiters and pair.new.has_common_delimiters
             if old != new and not common:
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
     for part in comparison.of(Part):
         old, new = _bits(part.old), _bits(part.new)
@@ -85,13 +85,13 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new:
             check = "checksum" in (pair.old.role, pair.new.role)
-            what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
+            subject, key = ("what it covers", "covers") if check else ("what it counts", "counts")
             yield change(
                 "check_changed",
                 Effect.WIRE,
                 pair,
                 key,
-                f"{named(pair.new)}: {difference_text(what, old, new)}",
+                f"{named(pair.new)}: {difference_text(subject, old, new)}",
                 old,
                 new,
             )
@@ -135,10 +135,10 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
             text = f"{named(pair.new)}: {difference_text('the code', old, new)}"
             yield change("code_changed", Effect.WIRE, pair, "code", text, old, new)
-        answered = pair.old.code_of("response"), pair.new.code_of("response")
+        response_codes = pair.old.code_of("response"), pair.new.code_of("response")
         is_stated = pair.old.response_code is not None or pair.new.response_code is not None
-        if is_stated and answered[0] != answered[1]:
-            old, new = map(hexadecimal, answered)
+        if is_stated and response_codes[0] != response_codes[1]:
+            old, new = map(hexadecimal, response_codes)
             text = f"{named(pair.new)}: {difference_text('the code of the response', old, new)}"
             yield change("code_changed", Effect.WIRE, pair, "response_code", text, old, new)
         if pair.old.number != pair.new.number:
@@ -191,8 +191,8 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
     for part in comparison.of(Part):
         if part.old.role != part.new.role:
             yield _role_text(part, "role", "the role", part.old.role, part.new.role)
-        beside = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
-        same = comparison.renamed_to(beside, part.old.same_as) if part.old.same_as else ""
+        request_path = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
+        same = comparison.renamed_to(request_path, part.old.same_as) if part.old.same_as else ""
         if same != part.new.same_as:
             text = f"{named(part.new)}: {difference_text('the part that it repeats', same, part.new.same_as)}"
             yield change("role_changed", Effect.BEHAVIOUR, part, "same_as", text, same, part.new.same_as)
@@ -215,23 +215,25 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
             yield _role_text(message, "segments", "how its value follows in pieces", before, after)
 
 
-def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, what: str, old: str, new: str) -> Change:
+def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, subject: str, old: str, new: str) -> Change:
     return change(
-        "role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {difference_text(what, old, new)}", old, new
+        "role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {difference_text(subject, old, new)}", old, new
     )
 
 
 def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
-    beside = pair.old.place.path.rpartition("/")[0]
+    holder_path = pair.old.place.path.rpartition("/")[0]
     old, new = _measure(pair.old.measures), _measure(pair.new.measures)
     if (measure := pair.old.measures) is not None:
-        old = _measure(Measure(measure.of, comparison.renamed_to(beside, measure.field), measure.plus))
+        old = _measure(Measure(measure.of, comparison.renamed_to(holder_path, measure.field), measure.plus))
     if old != new:
         yield _role_text(pair, "measures", "what it measures", old, new)
-    by = comparison.renamed_to(beside, pair.old.choice.by) if pair.old.choice else ""
-    if pair.old.choice and pair.new.choice and by != pair.new.choice.by:
-        yield _role_text(pair, "choice", "what decides its type", by, pair.new.choice.by)
-    same = comparison.renamed_to(beside.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
+    selector = comparison.renamed_to(holder_path, pair.old.choice.by) if pair.old.choice else ""
+    if pair.old.choice and pair.new.choice and selector != pair.new.choice.by:
+        yield _role_text(pair, "choice", "what decides its type", selector, pair.new.choice.by)
+    same = (
+        comparison.renamed_to(holder_path.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
+    )
     if same != pair.new.same_as:
         text = f"{named(pair.new)}: {difference_text('the field that it repeats', same, pair.new.same_as)}"
         yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, same, pair.new.same_as)
@@ -264,24 +266,24 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Message):
         links = tuple(comparison.renamed_to("links", name) for name in _links(comparison.old, pair.old))
-        answered = tuple(comparison.renamed_to("links", name) for name in _answered_on(comparison.old, pair.old))
-        beside = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
+        answering_links = tuple(comparison.renamed_to("links", name) for name in _answered_on(comparison.old, pair.old))
+        supplements = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
         if pair.old.is_requested != pair.new.is_requested:
             words = "users send it" if pair.new.is_requested else "only the device sends it"
             text = f"{named(pair.new)}: {words} now"
             values = pair.old.is_requested, pair.new.is_requested
             yield change("sending_changed", Effect.WIRE, pair, "requested", text, *values)
-        for key, what, old, new, fallback in (
+        for key, subject, old, new, fallback in (
             ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
-            ("answered_on", "where it is answered", answered, _answered_on(comparison.new, pair.new), None),
-            ("supplements", "what it is sent with", beside, pair.new.supplements, pair.new.supplements),
+            ("answered_on", "where it is answered", answering_links, _answered_on(comparison.new, pair.new), None),
+            ("supplements", "what it is sent with", supplements, pair.new.supplements, pair.new.supplements),
         ):
             stated = getattr(pair.old, key) or fallback
             if key == "answered_on":
                 stated = (pair.old.answered_on, pair.new.answered_on) != (None, None)
             if stated and sorted(old) != sorted(new):
                 lost = key == "answered_on" or (key == "links" and bool(set(old) - set(new)))
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
 
 

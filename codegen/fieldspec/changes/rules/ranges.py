@@ -102,11 +102,11 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Limit):
-        for attribute, (key, what) in _KEYS.items():
+        for attribute, (key, subject) in _KEYS.items():
             old, new = getattr(pair.old, attribute), getattr(pair.new, attribute)
             if old != new:
                 effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("limit_changed", effect, pair, key, text, old, new)
 
 

@@ -63,16 +63,16 @@ def length_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = fields.sizes
         if before != after:
             old, new = fields.containers
-            what = " ".join(word for word in ("the length of the", fields.direction or kind(new), _of(new)) if word)
-            text = f"{named(new)}: {difference_text(what, _length_text(before), _length_text(after))}"
+            subject = " ".join(word for word in ("the length of the", fields.direction or kind(new), _of(new)) if word)
+            text = f"{named(new)}: {difference_text(subject, _length_text(before), _length_text(after))}"
             key = fields.direction or "fields"
-            where = f"{path(new, None)}/{fields.direction}".rstrip("/")
+            fact_path = f"{path(new, None)}/{fields.direction}".rstrip("/")
             places = span(old, key, None), span(new, key, None)
             yield Change(
                 "length_changed",
                 Effect.WIRE,
                 kind(new),
-                where,
+                fact_path,
                 text,
                 _length_text(before),
                 _length_text(after),
@@ -112,8 +112,8 @@ def case_changed(comparison: Comparison) -> Iterator[Change]:
 
 def _enum(comparison: Comparison, field: Field) -> str:
     """The name of the old enum whose members the cases name."""
-    by = field.choice.by if field.choice else ""
-    values = (field.value for field in fields_beside(field, comparison.old) if field.name == by)
+    selector = field.choice.by if field.choice else ""
+    values = (field.value for field in fields_beside(field, comparison.old) if field.name == selector)
     return next((value.enum for value in values if value is not None), "")
 
 

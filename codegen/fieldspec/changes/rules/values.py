@@ -120,8 +120,8 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
         exponent = _exponent(comparison, value_pair)
         if exponent != value_pair.new.scale_by:
             new = value_pair.new.scale_by
-            what = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
-            text = f"{named(value_pair.of.new)}: {difference_text(what, exponent, new)}"
+            subject = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
+            text = f"{named(value_pair.of.new)}: {difference_text(subject, exponent, new)}"
             yield change("scale_changed", Effect.WIRE, value_pair, "scale_by", text, exponent, new)
 
 
@@ -130,8 +130,8 @@ def _exponent(comparison: Comparison, pair: ValuePair) -> str:
     name = pair.old.scale_by
     if not name:
         return ""
-    beside = comparison.renamed_to(pair.of.old.place.path.rpartition("/")[0], name)
-    return beside if beside != name else comparison.renamed_to("registers", name)
+    field_name = comparison.renamed_to(pair.of.old.place.path.rpartition("/")[0], name)
+    return field_name if field_name != name else comparison.renamed_to("registers", name)
 
 
 def unit_changed(comparison: Comparison) -> Iterator[Change]:
@@ -151,10 +151,10 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
             text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
             yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))
     for unit in comparison.of(DeclaredUnit):
-        for key, what in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
+        for key, subject in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
             before, after = getattr(unit.old, key) or None, getattr(unit.new, key) or None
             if before != after:
-                text = f"the unit {named(unit.new)}: {difference_text(what, before, after)}"
+                text = f"the unit {named(unit.new)}: {difference_text(subject, before, after)}"
                 yield change("unit_changed", Effect.WIRE, unit, key, text, before, after)
 
 
@@ -285,7 +285,7 @@ def conversion_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Conversion):
         paths = tuple(map(comparison.renamed_path, pair.old.references))
         renamed = tuple(comparison.renamed_to("signals", name) for name in pair.old.signals)
-        for key, what, old, new in (
+        for key, subject, old, new in (
             ("full_scale", "the full scale", pair.old.full_scale, pair.new.full_scale),
             ("complement", "subtraction from the reference", pair.old.complement, pair.new.complement),
             ("type", "the type of the count", pair.old.type.name, pair.new.type.name),
@@ -293,5 +293,5 @@ def conversion_changed(comparison: Comparison) -> Iterator[Change]:
             ("references", "the reference", paths, pair.new.references),
         ):
             if old != new:
-                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
                 yield change("conversion_changed", Effect.WIRE, pair, key, text, old, new)

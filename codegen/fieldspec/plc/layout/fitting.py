@@ -16,7 +16,7 @@ CONVERT = "convert the bytes by a function instead of laying a struct over them"
 
 @dataclass(frozen=True, slots=True)
 class Misfit:
-    """Where an image differs from the wire: what of it, why, and the fact that says where it lies."""
+    """A difference between an image and the wire: the path of the member, the reason, and its fact."""
 
     path: str
     reason: str
@@ -24,7 +24,7 @@ class Misfit:
 
 
 def misfits(placed: Placed, before: str = "") -> Iterator[Misfit]:
-    """All differences of places and sizes; none where the image is exact."""
+    """The differences between an image and the wire in offsets and sizes; none where the image is exact."""
     for placed_member in placed.members:
         path = f"{before}{placed_member.member.name}"
         wire = placed_member.member.at

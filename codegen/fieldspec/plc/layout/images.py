@@ -21,8 +21,8 @@ class Naming(Protocol):
         """The name of an image, or of the bits of a word."""
         ...
 
-    def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
-        """The names of the members of a struct. Those without a fact give way to the others."""
+    def members(self, key: str, members: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
+        """The names of the members of a struct; a member without a fact takes a name that no fact has."""
         ...
 
     def remark(self, fact: Fact, value: Value | None) -> str:
@@ -31,15 +31,15 @@ class Naming(Protocol):
 
 
 class SpecNaming:
-    """Everything by its name in the spec."""
+    """Names images and members as the spec names their facts."""
 
     def struct(self, key: str, fact: Fact) -> str:
         """See `Naming`."""
         return key
 
-    def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
+    def members(self, key: str, members: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
         """See `Naming`."""
-        return [name for name, _, _ in named]
+        return [name for name, _, _ in members]
 
     def remark(self, fact: Fact, value: Value | None) -> str:
         """See `Naming`."""
@@ -62,8 +62,10 @@ class Images:
         """The image of a record; of a list without an end, as many elements as there can be."""
         if record.name not in self._records:
             kinds = [self._type(field) for field in record.fields]
-            named = zip(record.fields, kinds, strict=True)
-            names = self.naming.members(record.name, [(field.name, field.field, kind_of) for field, kind_of in named])
+            typed_fields = zip(record.fields, kinds, strict=True)
+            names = self.naming.members(
+                record.name, [(field.name, field.field, kind_of) for field, kind_of in typed_fields]
+            )
             members = tuple(
                 StructMember(
                     name,
@@ -106,8 +108,8 @@ class Images:
             known: Mapping[int, tuple[str, Fact]] = bit_names(flags)
             places = list(bit_places(value.size, order, swapped))
             facts: list[tuple[str, Fact | None]] = [known.get(bit, (f"reserved_{bit}", None)) for _, _, bit in places]
-            named = [(name, fact, BOOL) for name, fact in facts]
-            names = self.naming.members(flags.name, named)
+            bit_members = [(name, fact, BOOL) for name, fact in facts]
+            names = self.naming.members(flags.name, bit_members)
             members = tuple(
                 StructMember(
                     name,
@@ -116,9 +118,9 @@ class Images:
                     fact,
                     None,
                     byte,
-                    at,
+                    position,
                 )
-                for name, (_, fact), (byte, at, bit) in zip(names, facts, places, strict=True)
+                for name, (_, fact), (byte, position, bit) in zip(names, facts, places, strict=True)
             )
             struct = Struct(
                 self.naming.struct(flags.name, flags), flags.name, "bits", titled(flags), members, value.size, flags

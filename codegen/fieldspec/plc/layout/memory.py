@@ -26,9 +26,9 @@ class Memory:
     even: int = 1
     bits: bool = False
 
-    def aligned(self, at: int, to: int) -> int:
-        """The next place from `at` on that is a multiple of an alignment."""
-        return -(-at // to) * to
+    def aligned(self, offset: int, to: int) -> int:
+        """The least multiple of an alignment that is not less than an offset."""
+        return -(-offset // to) * to
 
 
 MEMORIES = {
@@ -48,7 +48,7 @@ class PlacedMember:
     """A member `at` bytes behind the begin of its struct; of a BOOL that shares its byte, `bit` is the bit in it.
 
     `size` is that of one element in bytes, 0 for a bit; there are `count`, `stride` bytes apart. `inner` is the struct
-    that an element is, if it is one. `listed` says that it is an array.
+    that an element is, if it is one. `is_array` says that the member is an array.
     """
 
     member: StructMember
@@ -62,7 +62,7 @@ class PlacedMember:
 
     @property
     def end(self) -> int:
-        """The byte behind it."""
+        """The offset of the first byte after the member."""
         return self.at + (self.count - 1) * self.stride + max(self.size, 1)
 
 
@@ -76,20 +76,20 @@ class Placed:
     size: int
     alignment: int
 
-    def rows(self, before: str = "", at: int = 0, bits: bool = True) -> Iterator[tuple[str, int, PlacedMember]]:
+    def rows(self, before: str = "", offset: int = 0, bits: bool = True) -> Iterator[tuple[str, int, PlacedMember]]:
         """All members by their paths, with their places behind the begin; inner ones behind what holds them.
 
         Those of words of bits are left out unless `bits` is true.
         """
         for placed_member in self.members:
             path = f"{before}{placed_member.member.name}"
-            yield path, at + placed_member.at, placed_member
+            yield path, offset + placed_member.at, placed_member
             if placed_member.inner is not None and (bits or placed_member.inner.struct.kind != "bits"):
                 path += "[]" if placed_member.is_array else ""
-                yield from placed_member.inner.rows(f"{path}.", at + placed_member.at, bits)
+                yield from placed_member.inner.rows(f"{path}.", offset + placed_member.at, bits)
 
     def gaps(self) -> Iterator[tuple[int, int]]:
-        """The bytes that are filled up: the first one and how many."""
+        """The gaps between members: the offset of the first filling byte of each, and the number of its bytes."""
         end = 0
         for placed_member in self.members:
             if placed_member.at > end:
@@ -101,24 +101,24 @@ class Placed:
 
 def placed(struct: Struct, memory: Memory, structs: Mapping[str, Struct]) -> Placed:
     """A struct in a model of memory. `structs` has those that lie in it by name."""
-    at, alignment = 0, memory.composite
+    offset, alignment = 0, memory.composite
     bit: int | None = None
     members: list[PlacedMember] = []
     for member in struct.members:
         if memory.bits and isinstance(member.type, Elementary) and member.type.family == "truth":
-            at, bit = (at, 0) if bit is None else (at, bit + 1) if bit < 7 else (at + 1, 0)
-            members.append(PlacedMember(member, at, bit, 0, 1, 0, None, is_array=False))
+            offset, bit = (offset, 0) if bit is None else (offset, bit + 1) if bit < 7 else (offset + 1, 0)
+            members.append(PlacedMember(member, offset, bit, 0, 1, 0, None, is_array=False))
             continue
         if bit is not None:
-            at, bit = at + 1, None
+            offset, bit = offset + 1, None
         sizes = _placed(member, memory, structs)
-        of = _alignment(member.type, memory, structs)
-        at, alignment = memory.aligned(at, of), max(alignment, of)
+        member_alignment = _alignment(member.type, memory, structs)
+        offset, alignment = memory.aligned(offset, member_alignment), max(alignment, member_alignment)
         members.append(
-            PlacedMember(member, at, None, sizes.size, sizes.count, sizes.stride, sizes.inner, sizes.is_array)
+            PlacedMember(member, offset, None, sizes.size, sizes.count, sizes.stride, sizes.inner, sizes.is_array)
         )
-        at += _size(member.type, memory, structs)
-    end = at if bit is None else at + 1
+        offset += _size(member.type, memory, structs)
+    end = offset if bit is None else offset + 1
     return Placed(struct, memory, tuple(members), memory.aligned(end, max(alignment, memory.even)), alignment)
 
 

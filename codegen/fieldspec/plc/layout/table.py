@@ -27,13 +27,13 @@ def table(structs: Iterable[Placed]) -> list[Sequence[Cell]]:
 def member_rows(placed: Placed, bits: bool = True) -> Iterator[tuple[Cell, ...]]:
     """For each member its path, type, byte, bit, size, elements, bytes from one to the next, and how it lies there."""
     wires = wire_bytes(placed)
-    for path, at, placed_member in placed.rows(bits=bits):
+    for path, offset, placed_member in placed.rows(bits=bits):
         repetition = (placed_member.count, placed_member.stride) if placed_member.is_array else (None, None)
         size = placed_member.size or None
         yield (
             path,
             type_name(placed_member.member.type),
-            at,
+            offset,
             placed_member.bit,
             size,
             *repetition,
@@ -65,7 +65,7 @@ def read(placed: Placed, placed_member: PlacedMember) -> str:
 
 
 def type_name(kind: Type) -> str:
-    """`ARRAY[0..3] OF INT`"""
+    """The name of a type without a dialect: `ARRAY[0..3] OF INT`"""
     if isinstance(kind, ArrayType):
         return f"ARRAY[{kind.low}..{kind.high}] OF {type_name(kind.of)}"
     return kind.name if isinstance(kind, Elementary | EnumType) else kind.name.strip('"')

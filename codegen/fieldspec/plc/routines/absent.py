@@ -45,7 +45,7 @@ def absent_routines(world: World) -> Iterator[Routine]:
         number = Variable(f"{PREFIXES[kind.name]}{'Value' if kind is REAL else 'Counts'}", kind)
         owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
         states = ", ".join(f"{sentinel.value} is {sentinel.name}" for sentinel in first.value.sentinels)
-        about = f"Of {owners}. " if owners else ""
+        owners_text = f"Of {owners}. " if owners else ""
         yield Routine(
             function,
             "scaling",
@@ -54,7 +54,7 @@ def absent_routines(world: World) -> Iterator[Routine]:
             (Assignment(Variable(function, BOOL), _test(first, number, kind)),),
             (
                 f"Whether a number of {name} is no quantity: {states}.",
-                f"{about}{world.comment(first.fact, None)}".strip(),
+                f"{owners_text}{world.comment(first.fact, None)}".strip(),
             ),
         )
 
@@ -68,7 +68,9 @@ def _test(quantity: Quantity, number: Expression, kind: Elementary) -> Expressio
     sentinels = quantity.value.sentinels
     if kind is REAL:
         literals = [Fraction(f"{sentinel.value}.0", REAL) for sentinel in sentinels]
-        return either([every([compared(number, ">=", of), compared(number, "<=", of)]) for of in literals])
+        return either(
+            [every([compared(number, ">=", literal), compared(number, "<=", literal)]) for literal in literals]
+        )
     return either(
         [
             compared(number, "<", Whole(count + 1, kind))

@@ -78,12 +78,12 @@ def received(
     reasons = list(answers.refusal.every) if answers.refusal is not None else []
     whole = [*answers.head.values(), *answers.fields.every, *reasons]
     targets = {item.name: output(outputs[item.name]) for item in whole if item in names or item in reasons}
-    answered = {item.name: variables.declare(f"{item.name}Answered", item.type, "local") for item in whole}
+    answer_variables = {item.name: variables.declare(f"{item.name}Answered", item.type, "local") for item in whole}
 
     def gives(items: Iterable[Variable]) -> list[Statement]:
-        return [Assignment(targets[item.name], answered[item.name]) for item in items]
+        return [Assignment(targets[item.name], answer_variables[item.name]) for item in items]
 
-    return Received(answered, gives(names), gives(reasons))
+    return Received(answer_variables, gives(names), gives(reasons))
 
 
 def judged(
@@ -91,8 +91,8 @@ def judged(
     link: LinkLayout,
     message: MessageLayout,
     status: Variable,
-    asked: Mapping[str, Expression],
-    answered: Mapping[str, Expression],
+    request_values: Mapping[str, Expression],
+    response_values: Mapping[str, Expression],
     variables: Variables,
     bodies: Callable[[str], Sequence[Statement]],
     right: Sequence[Statement],
@@ -110,10 +110,10 @@ def judged(
     body: list[Expression] = []
     for own, other in repeated_parts(link):
         if other.name in answers.head:
-            ours = _known(world, asks.head.get(own.name), own.value, own.constant, asked)
+            ours = _known(world, asks.head.get(own.name), own.value, own.constant, request_values)
             tests = station if other.role == "unit_address" else head
             if ours is not None:
-                tests.append(comparison.differ(answered[answers.head[other.name].name], ours))
+                tests.append(comparison.differ(response_values[answers.head[other.name].name], ours))
     error = link.link.exception_response
     coded = link.request.role("code")
     if error is not None and coded is not None and answers.refusal is not None:
@@ -121,25 +121,32 @@ def judged(
             variable = answers.refusal.variables.get(field.name)
             if field.field.same_as == coded.name and variable is not None and message.message.code is not None:
                 code = Whole(message.message.code, UNSIGNED[coded.size])
-                head.append(every([refused, comparison.differ(answered[variable.name], code)]))
+                head.append(every([refused, comparison.differ(response_values[variable.name], code)]))
     flag = variables.local("xOther", BOOL)
     statements: list[Statement] = []
     for request_field, response_field in repeated_fields(message):
-        theirs = _value(world, message.response, response_field, answers.fields, answered)
-        ours = _value(world, message.request, request_field, asks.fields, asked)
+        theirs = _value(world, message.response, response_field, answers.fields, response_values)
+        ours = _value(world, message.request, request_field, asks.fields, request_values)
         if theirs is None or ours is None:
             continue
         if isinstance(theirs.type, ArrayType | StructType):
-            both = ((response_field, theirs, answers.fields, answered), (request_field, ours, asks.fields, asked))
-            have, wanted = (_elements(*side) for side in both)
-            unlike = comparison.unlike(flag, (theirs, response_field), (ours, request_field), have)
-            if have is not None and wanted is not None and {type(have), type(wanted)} != {Whole}:
-                body.append(compared(have, "<>", wanted))
-                unlike = [when(compared(have, "=", wanted), unlike)]
+            sides = (
+                (response_field, theirs, answers.fields, response_values),
+                (request_field, ours, asks.fields, request_values),
+            )
+            received_count, requested_count = (_elements(*side) for side in sides)
+            unlike = comparison.unlike(flag, (theirs, response_field), (ours, request_field), received_count)
+            if (
+                received_count is not None
+                and requested_count is not None
+                and {type(received_count), type(requested_count)} != {Whole}
+            ):
+                body.append(compared(received_count, "<>", requested_count))
+                unlike = [when(compared(received_count, "=", requested_count), unlike)]
             statements += unlike
         else:
             body.append(comparison.differ(theirs, ours))
-    body += _counts(comparison, message, asks.fields, answers.fields, asked, answered)
+    body += _counts(comparison, message, asks.fields, answers.fields, request_values, response_values)
     if statements:
         body.append(flag)
     readable = either([good, refused]) if error is not None else good
@@ -153,7 +160,7 @@ def judged(
     if body:
         branches.append((either(body), bodies("other")))
     before: list[Statement] = [Assignment(flag, Truth(False)), when(good, statements)] if statements else []
-    return [*before, Condition(tuple((test, tuple(then)) for test, then in branches), tuple(right))]
+    return [*before, Condition(tuple((test, tuple(branch)) for test, branch in branches), tuple(right))]
 
 
 def _counts(
@@ -161,8 +168,8 @@ def _counts(
     message: MessageLayout,
     asks: Fields,
     answers: Fields,
-    asked: Mapping[str, Expression],
-    answered: Mapping[str, Expression],
+    request_values: Mapping[str, Expression],
+    response_values: Mapping[str, Expression],
 ) -> list[Expression]:
     """Whether a response has other than as many registers or bits as were asked for."""
     world, access = comparison.world, message.message.accesses
@@ -172,19 +179,19 @@ def _counts(
     field, values = message.request.named(access.count), message.response.named(access.values)
     if field is None or values is None or values.field.repeat is None:
         return []
-    wanted = _value(world, message.request, field, asks, asked)
-    if wanted is None or not isinstance(wanted.type, Elementary):
+    requested_count = _value(world, message.request, field, asks, request_values)
+    if requested_count is None or not isinstance(requested_count.type, Elementary):
         return []
-    have = answered[answers.count.name]
+    received_count = response_values[answers.count.name]
     unit = device.space(access.space).unit_size
     if device.bit_access(message.message) is not None:
-        bits = Operation("+", (converted(wanted, UDINT), Whole(7, UDINT)), UDINT)
-        return [compared(converted(have, UDINT), "<>", Operation("/", (bits, Whole(8, UDINT)), UDINT))]
+        bits = Operation("+", (converted(requested_count, UDINT), Whole(7, UDINT)), UDINT)
+        return [compared(converted(received_count, UDINT), "<>", Operation("/", (bits, Whole(8, UDINT)), UDINT))]
     if values.size == unit:
-        return [comparison.differ(have, wanted)]
+        return [comparison.differ(received_count, requested_count)]
     sizes = [
-        Operation("*", (converted(of, UDINT), Whole(size, UDINT)), UDINT)
-        for of, size in ((have, values.size), (wanted, unit))
+        Operation("*", (converted(units, UDINT), Whole(size, UDINT)), UDINT)
+        for units, size in ((received_count, values.size), (requested_count, unit))
     ]
     return [compared(sizes[0], "<>", sizes[1])]
 
@@ -220,7 +227,7 @@ class _Comparison:
         self.world, self.variables = world, variables
 
     def differ(self, left: Expression, right: Expression) -> Expression:
-        """Whether two single values differ, of whatever types they are."""
+        """Whether two single values differ; their types may differ too."""
         if left.type == right.type:
             return compared(left, "<>", right)
         for own, other in ((left, right), (right, left)):
@@ -231,8 +238,12 @@ class _Comparison:
         assert isinstance(left.type, Elementary)
         assert isinstance(right.type, Elementary)
         real = "real" in (left.type.family, right.type.family)
-        both = (left.type, right.type)
-        kind = LREAL if real else narrowest(min(of.low for of in both), max(of.high for of in both))
+        kinds = (left.type, right.type)
+        kind = (
+            LREAL
+            if real
+            else narrowest(min(side_kind.low for side_kind in kinds), max(side_kind.high for side_kind in kinds))
+        )
         return compared(converted(left, kind), "<>", converted(right, kind))
 
     def _members(self, kind: EnumType) -> list[EnumMemberExpression]:
@@ -242,7 +253,7 @@ class _Comparison:
         return [EnumMemberExpression(names[own.name], own.value, kind) for own in members if not own.unavailable]
 
     def _is(self, other: Expression, member: EnumMemberExpression) -> Expression:
-        """Whether a value is a number that an enum lists."""
+        """Whether a value equals the number of an enum member."""
         if isinstance(other.type, EnumType):
             same = [own for own in self._members(other.type) if own.value == member.value]
             return either([compared(other, "=", own) for own in same]) if same else Truth(False)
@@ -259,14 +270,16 @@ class _Comparison:
         count: Expression | None = None,
         depth: int = 0,
     ) -> list[Statement]:
-        """What sets a flag where two fields differ: `count` elements of lists, and the members of structs."""
+        """The statements that set a flag where two fields differ, with `count` elements in lists."""
         (own, field), (other, origin) = left, right
         if isinstance(own.type, ArrayType) and isinstance(other.type, ArrayType):
             index = self.variables.local(f"iRepeated{depth or ''}")
             last = plus(count, -1) if count is not None else number(min(own.type.high, other.type.high))
-            elements = [Element(of, index, of.type.of) for of in (own, other) if isinstance(of.type, ArrayType)]
-            inside = self.unlike(flag, (elements[0], field), (elements[1], origin), None, depth + 1)
-            return [Loop(index, number(0), last, tuple(inside))]
+            elements = [
+                Element(array, index, array.type.of) for array in (own, other) if isinstance(array.type, ArrayType)
+            ]
+            element_statements = self.unlike(flag, (elements[0], field), (elements[1], origin), None, depth + 1)
+            return [Loop(index, number(0), last, tuple(element_statements))]
         if field.record is not None and origin.record is not None:
             statements: list[Statement] = []
             ours, theirs = members_of(self.world, field.record, own), members_of(self.world, origin.record, other)
@@ -281,7 +294,7 @@ class _Comparison:
 def _elements(
     field: FieldLayout, value: Expression, fields: Fields, values: Mapping[str, Expression]
 ) -> Expression | None:
-    """How many elements a list has; None for a struct."""
+    """The number of elements of a list; None for a struct."""
     if field.field.repeat is not None and fields.count is not None:
         return values[fields.count.name]
     return number(value.type.high + 1) if isinstance(value.type, ArrayType) else None

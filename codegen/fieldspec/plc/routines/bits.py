@@ -67,7 +67,7 @@ def single_bit_routines(world: World) -> Iterator[Routine]:
 
 
 def _weighed() -> tuple[Statement, ...]:
-    """What puts 2 to the power of the bit's place into the local variable."""
+    """The statements that put 2 to the power of the bit's place into the local variable."""
     twice = Assignment(_WEIGHT, Operation("*", (_WEIGHT, Whole(2, UINT)), UINT))
     last = Operation("MOD", (_INDEX, number(8)), INT)
     return Assignment(_WEIGHT, Whole(1, UINT)), Loop(_STEP, number(1), last, (twice,))
@@ -101,9 +101,9 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for register in registers:
 
-        def read(at: Expression, variable: Expression) -> list[Statement]:
-            byte = _byte(bits_range.array, at)
-            return [Assignment(variable, Call(world.routine("bit"), (("usiByte", byte), ("iIndex", at)), (), BOOL))]
+        def read(index: Expression, variable: Expression) -> list[Statement]:
+            byte = _byte(bits_range.array, index)
+            return [Assignment(variable, Call(world.routine("bit"), (("usiByte", byte), ("iIndex", index)), (), BOOL))]
 
         draft.add(bits_range.each(register, struct, None, read))
     draft.refuse(compared(bits_range.taken, "=", number(0)), "not_covered")
@@ -123,9 +123,9 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
     bits_range = _range(world, group, draft, "receives the bits")
     for register in registers:
 
-        def write(at: Expression, variable: Expression) -> list[Statement]:
-            byte = _byte(bits_range.array, at)
-            inputs = (("usiByte", byte), ("iIndex", at), ("xValue", variable))
+        def write(index: Expression, variable: Expression) -> list[Statement]:
+            byte = _byte(bits_range.array, index)
+            inputs = (("usiByte", byte), ("iIndex", index), ("xValue", variable))
             return [Assignment(byte, Call(world.routine("with_bit"), inputs, (), USINT))]
 
         draft.add(bits_range.each(register, struct, None, write))
@@ -139,5 +139,5 @@ def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> Reg
     return RegisterRange(world, group, draft, array, 8 * (world.bits.high + 1), "bit", remark)
 
 
-def _byte(array: Variable, at: Expression) -> Element:
-    return Element(array, Operation("/", (at, number(8)), INT), USINT)
+def _byte(array: Variable, index: Expression) -> Element:
+    return Element(array, Operation("/", (index, number(8)), INT), USINT)

@@ -107,14 +107,14 @@ def _crc(check: Checksum) -> _Make:
     return make
 
 
-def _word_xor(of: Expression, bits: int) -> Expression:
-    return Operation("XOR", (of, Whole(bits, WORD)), WORD)
+def _word_xor(word: Expression, bits: int) -> Expression:
+    return Operation("XOR", (word, Whole(bits, WORD)), WORD)
 
 
 def _xor(check: Checksum) -> _Make:
     def make(frame: Variable, result: Variable, first: Expression) -> tuple[tuple[Variable, ...], Body]:
-        taken = Operation("XOR", (_CHECK, converted(Element(frame, _AT, BYTE), WORD)), WORD)
-        body = (Assignment(_CHECK, Whole(check.initial, WORD)), _bytes(first, (Assignment(_CHECK, taken),)))
+        checked = Operation("XOR", (_CHECK, converted(Element(frame, _AT, BYTE), WORD)), WORD)
+        body = (Assignment(_CHECK, Whole(check.initial, WORD)), _bytes(first, (Assignment(_CHECK, checked),)))
         if check.complement == "twos":
             rest = Operation("-", (Whole(256, UINT), Conversion(_CHECK, UINT)), UINT)
             whole: Expression = Operation("MOD", (rest, Whole(256, UINT)), UINT)
@@ -143,12 +143,12 @@ def _derived(check: Checksum) -> tuple[Elementary, str, _Make]:
     if check.method == "crc":
         bits = f"{check.width} bits by the polynomial 16#{check.polynomial:0{check.width // 4}X}"
         return WORD if check.width > 8 else BYTE, f"The CRC of some bytes, of {bits}.", _crc(check)
-    of = {"": "", "ones": "The ones' complement of ", "twos": "The two's complement of "}[check.complement]
+    complement = {"": "", "ones": "The ones' complement of ", "twos": "The two's complement of "}[check.complement]
     start = f" from {check.initial} on" if check.initial else ""
     if check.method == "xor":
-        text = f"{of}the exclusive or of some bytes{start}."
+        text = f"{complement}the exclusive or of some bytes{start}."
         return BYTE, text[0].upper() + text[1:], _xor(check)
-    text = f"{of}the lowest byte of the sum of some bytes{start}."
+    text = f"{complement}the lowest byte of the sum of some bytes{start}."
     return BYTE, text[0].upper() + text[1:], _sum(check)
 
 

@@ -31,8 +31,8 @@ def _needed(world: World, routines: list[Routine]) -> list[Routine]:
     optional = {world.routine(enum, "to_raw") for enum in world.names.enums}
     if not optional:
         return routines
-    needed = set().union(*map(called, routines))
-    return [routine for routine in routines if routine.name in needed or routine.name not in optional]
+    called_names = set().union(*map(called, routines))
+    return [routine for routine in routines if routine.name in called_names or routine.name not in optional]
 
 
 def _all(world: World) -> Iterator[Routine]:

@@ -70,7 +70,7 @@ def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine])
 
 @dataclass(frozen=True, slots=True)
 class _Standard:
-    """The variables that all blocks have."""
+    """The variables that the body of every exchange block uses."""
 
     execute: Variable
     abort: Variable
@@ -87,7 +87,7 @@ class _Standard:
 
 
 class _Exchange:
-    """A block while it is being made."""
+    """Makes the block that exchanges a message."""
 
     def __init__(self, world: World, link: LinkLayout, message: MessageLayout, build: Routine, parse: Routine) -> None:
         self.world, self.link, self.message, self.build, self.parse = world, link, message, build, parse
@@ -101,7 +101,7 @@ class _Exchange:
         self.declared, self._declare = self.variables.declared, self.variables.declare
 
     def block(self, name: str) -> Routine:
-        """The whole block."""
+        """The block that exchanges the message: its variables and its statements."""
         execute = self._declare(
             "Execute", BOOL, "input", "a rising edge starts; the other inputs stay until Busy is FALSE"
         )
@@ -134,8 +134,8 @@ class _Exchange:
 
     def _remarks(self) -> Iterator[str]:
         title = self.message.message.title or self.message.name.replace("_", " ")
-        more = self.world.comment(self.message.message, None)
-        yield f"Exchanges a message on {self.link.name}: {title}. {more}".strip()
+        comment = self.world.comment(self.message.message, None)
+        yield f"Exchanges a message on {self.link.name}: {title}. {comment}".strip()
         yield "ErrorID: " + "; ".join(f"{code} {text}" for code, text in ERRORS.values()) + "."
         yield (
             "Nothing starts without a rising edge of Execute, the first scan included. Done, CommandAborted and Error "
@@ -143,7 +143,7 @@ class _Exchange:
         )
 
     def _output(self, declared: Declared) -> Variable:
-        """Declares what the answer gives; the request may have another value of the same name."""
+        """Declares an output for a part of the response; where the request has the name, another one."""
         variable = declared.variable
         if variable.name in self.asked:
             return self._declare(f"{variable.name}Answered", variable.type, declared.role, declared.remark)
@@ -159,11 +159,11 @@ class _Exchange:
         state, tries = self._declare("iState", INT, "local"), self._declare("iTry", INT, "local")
         reason, timer = self._declare("uiReason", UINT, "local"), self._declare("fbTimeout", TIMER, "local")
 
-        def in_state(which: int) -> Expression:
-            return compared(state, "=", number(which))
+        def in_state(expected: int) -> Expression:
+            return compared(state, "=", number(expected))
 
-        def ended(output: Variable, why: Expression | None = None) -> list[Statement]:
-            first = [Assignment(standard.error_id, why)] if why is not None else []
+        def ended(output: Variable, error_code: Expression | None = None) -> list[Statement]:
+            first = [Assignment(standard.error_id, error_code)] if error_code is not None else []
             return [
                 *first,
                 *(Assignment(output, Truth(True)), Assignment(standard.busy, Truth(False))),
@@ -183,7 +183,7 @@ class _Exchange:
             }
             return Assignment(status, routine.called(**{**arguments, LENGTH: length}))
 
-        again: list[Statement] = [Assignment(standard.send, Truth(False)), Assignment(state, number(_AGAIN))]
+        repeat: list[Statement] = [Assignment(standard.send, Truth(False)), Assignment(state, number(_AGAIN))]
         good = compared(status, "=", self.status.of("ok"))
         bodies = {
             **{key: noted(key) for key in ("damaged", "station", "other")},
@@ -219,8 +219,8 @@ class _Exchange:
         ]
         waiting: list[Statement] = [
             when(arrived, [called(self.parse, count, answer.answered), *judgement]),
-            when(every([in_state(_WAIT), standard.failed]), [Assignment(reason, because("transport")), *again]),
-            when(every([in_state(_WAIT), Member(timer, "Q", BOOL)]), again),
+            when(every([in_state(_WAIT), standard.failed]), [Assignment(reason, because("transport")), *repeat]),
+            when(every([in_state(_WAIT), Member(timer, "Q", BOOL)]), repeat),
         ]
         repeating = [
             when(

@@ -30,7 +30,7 @@ class Elementary:
 
 @dataclass(frozen=True, slots=True)
 class EnumType:
-    """A declared enum and the type of its numbers."""
+    """An enum as the type of a variable, by its name, with the type of its numbers."""
 
     name: str
     base: Elementary
@@ -38,7 +38,7 @@ class EnumType:
 
 @dataclass(frozen=True, slots=True)
 class StructType:
-    """A declared struct."""
+    """A struct as the type of a variable, by its name."""
 
     name: str
 
@@ -76,9 +76,9 @@ SIGNED = {1: SINT, 2: INT, 3: DINT, 4: DINT, 5: LINT, 6: LINT, 7: LINT, 8: LINT}
 """The narrowest types with all numbers of some bytes."""
 
 
-def sequence(count: int, of: Type) -> ArrayType:
+def sequence(count: int, element: Type) -> ArrayType:
     """An array of some elements, the first one numbered 0."""
-    return ArrayType(0, count - 1, of)
+    return ArrayType(0, count - 1, element)
 
 
 def innermost(kind: Type) -> Type:
@@ -107,7 +107,7 @@ class Fraction:
 
 @dataclass(frozen=True, slots=True)
 class Truth:
-    """TRUE or FALSE."""
+    """The literal TRUE or FALSE."""
 
     value: bool
     type: Elementary = BOOL
@@ -210,26 +210,26 @@ Expression: TypeAlias = (
 
 
 def number(value: int) -> Whole:
-    """An index, a length or an offset."""
+    """A whole number as a literal of INT: an index, a length or an offset."""
     return Whole(value, INT)
 
 
-def converted(of: Expression, to: Elementary) -> Expression:
+def converted(value: Expression, to: Elementary) -> Expression:
     """A value in a type, itself where it has that type already."""
-    return of if of.type == to else Conversion(of, to)
+    return value if value.type == to else Conversion(value, to)
 
 
-def plus(of: Expression, more: int) -> Expression:
+def plus(base: Expression, increment: int) -> Expression:
     """A sum of an index and a number; two numbers are added here."""
-    if isinstance(of, Whole):
-        return Whole(of.value + more, INT)
-    if more < 0:
-        return Operation("-", (of, number(-more)), INT)
-    return Operation("+", (of, number(more)), INT) if more else of
+    if isinstance(base, Whole):
+        return Whole(base.value + increment, INT)
+    if increment < 0:
+        return Operation("-", (base, number(-increment)), INT)
+    return Operation("+", (base, number(increment)), INT) if increment else base
 
 
 def compared(left: Expression, operator: str, right: Expression) -> Operation:
-    """A comparison. Raises ValueError for one of a thing with itself, whose outcome is no news."""
+    """A comparison. Raises ValueError for an expression and itself, since the outcome is known."""
     if left == right:
         raise ValueError(f"{left} is compared with itself")
     return Operation(operator, (left, right), BOOL)
@@ -247,7 +247,7 @@ def either(tests: Iterable[Expression]) -> Expression:
     return operands[0] if len(operands) == 1 else Operation("OR", operands, BOOL)
 
 
-def within(of: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
+def within(tested: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
     """Whether a number lies in one of some intervals; None where every number of its type does.
 
     Bounds that are those of the type are left out: compilers warn of comparisons that always hold.
@@ -255,30 +255,30 @@ def within(of: Expression, intervals: Iterable[tuple[int, int]], kind: Elementar
     tests: list[Expression] = []
     for low, high in sorted(intervals):
         if low == high:
-            tests.append(compared(of, "=", Whole(low, kind)))
+            tests.append(compared(tested, "=", Whole(low, kind)))
             continue
         bounds: list[Expression] = []
         if low > kind.low:
-            bounds.append(compared(of, ">=", Whole(low, kind)))
+            bounds.append(compared(tested, ">=", Whole(low, kind)))
         if high < kind.high:
-            bounds.append(compared(of, "<=", Whole(high, kind)))
+            bounds.append(compared(tested, "<=", Whole(high, kind)))
         if not bounds:
             return None
         tests.append(every(bounds))
     return either(tests)
 
 
-def outside(of: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
+def outside(tested: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
     """Whether a whole number lies in none of some intervals; None where every number of its type lies in one."""
     bounds = sorted(intervals)
-    inside = within(of, bounds, kind)
-    if inside is None or len(bounds) > 1:
-        return None if inside is None else Negation(inside)
+    is_within = within(tested, bounds, kind)
+    if is_within is None or len(bounds) > 1:
+        return None if is_within is None else Negation(is_within)
     (low, high) = bounds[0]
     if low == high:
-        return compared(of, "<>", Whole(low, kind))
-    tests = [compared(of, "<", Whole(low, kind))] if low > kind.low else []
-    return either([*tests, *([compared(of, ">", Whole(high, kind))] if high < kind.high else [])])
+        return compared(tested, "<>", Whole(low, kind))
+    tests = [compared(tested, "<", Whole(low, kind))] if low > kind.low else []
+    return either([*tests, *([compared(tested, ">", Whole(high, kind))] if high < kind.high else [])])
 
 
 def joined(parts: Iterable[tuple[Expression, int]], size: int) -> Expression:
@@ -288,11 +288,11 @@ def joined(parts: Iterable[tuple[Expression, int]], size: int) -> Expression:
     return moved[0] if len(moved) == 1 else Operation("OR", tuple(moved), wide)
 
 
-def part(of: Expression, bits: int, to: Elementary) -> Expression:
+def part(bit_string: Expression, bits: int, to: Elementary) -> Expression:
     """The part of a bit string that begins `bits` above its least significant bit."""
-    return converted(Shift("SHR", of, bits, of.type) if bits else of, to)
+    return converted(Shift("SHR", bit_string, bits, bit_string.type) if bits else bit_string, to)
 
 
 def added(terms: Iterable[Expression], kind: Elementary) -> Expression:
-    """A sum."""
+    """The sum of terms in a type."""
     return reduce(lambda left, right: Operation("+", (left, right), kind), terms)

@@ -40,7 +40,7 @@ def head_members(shape: FrameLayout) -> list[PartLayout]:
 
 
 def wire_of(part: PartLayout) -> Wire:
-    """The value of a part that holds one."""
+    """The wire value of a part, which must have a value."""
     assert part.value is not None
     return Wire(part.value, part.order, False)
 
@@ -52,7 +52,7 @@ def code_type(shape: FrameLayout) -> Elementary | None:
 
 
 def frame_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
-    """What opens the responses of a link and closes its requests."""
+    """The functions that close the requests of a link and open its responses."""
     if wrapped(link):
         yield wrap_routine(world, link)
         yield unwrap_routine(world, link)
@@ -77,33 +77,33 @@ def _close(world: World, link: LinkLayout) -> Routine:
     holder = Bytes(frame, number(0))
     total = plus(body_length, shape.header_size + shape.trailer_size)
     draft.add([Assignment(length, number(0))])
-    most = world.frame.high + 1
-    out_of_room = compared(total, ">", number(most))
+    room = world.frame.high + 1
+    out_of_room = compared(total, ">", number(room))
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
     for part in shape.header:
         if part.role != "checksum":
             draft.add(_write_header_part(draft, world, link, shape, part, arguments, code, total, holder))
     check = shape.checksum
-    behind = [part for part in shape.trailer if part is not check]
-    if behind:
+    trailing_parts = [part for part in shape.trailer if part is not check]
+    if trailing_parts:
         tail = draft.local("iTail")
         draft.add([Assignment(tail, plus(body_length, shape.header_size))])
-        for part in behind:
+        for part in trailing_parts:
             draft.add(_write_constant(part, Bytes(frame, tail), part.offset + shape.trailer_size))
     if check is not None:
         total_size = shape.header_size + shape.trailer_size
 
-        def place(at: int) -> Expression:
-            return number(at) if at >= 0 else plus(body_length, total_size + at)
+        def place(index: int) -> Expression:
+            return number(index) if index >= 0 else plus(body_length, total_size + index)
 
-        at = draft.local("iAt")
-        draft.add([Assignment(at, total if check.stop is None else place(check.stop))])
-        wide = world.checksum(check.algorithm, at, frame, place(check.start))
+        position = draft.local("iAt")
+        draft.add([Assignment(position, total if check.stop is None else place(check.stop))])
+        wide = world.checksum(check.algorithm, position, frame, place(check.start))
         raw = draft.local(_CHECKS[check.size], wide.type)
         draft.add([Assignment(raw, wide)])
         if check.stop != check.offset:
-            draft.add([Assignment(at, place(check.offset))])
-        draft.add(Bytes(frame, at).stored(0, check.size, check.order, False, raw))
+            draft.add([Assignment(position, place(check.offset))])
+        draft.add(Bytes(frame, position).stored(0, check.size, check.order, False, raw))
     draft.add([Assignment(length, total)])
     return draft.finished()
 
@@ -123,8 +123,8 @@ def _write_header_part(
     if part.role == "length":
         raw = draft.local(_LENGTHS[wire.bits.size], wire.bits)
         units, tests = _units(shape, part, total)
-        most = (world.frame.high + 1 - part.base) // part.unit_size
-        if most > wire.value.type.high:
+        greatest_length = (world.frame.high + 1 - part.base) // part.unit_size
+        if greatest_length > wire.value.type.high:
             tests.append(compared(units, ">", number(wire.value.type.high)))
         refusals = [draft.refusal(either(tests), "wrong_length")] if tests else []
         value = Conversion(units, wire.bits)
@@ -148,14 +148,14 @@ def _write_header_part(
 
 
 def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[Statement]:
-    """What puts the constant of a part at an offset."""
+    """The statements that write the constant of a part at an offset."""
     wire = wire_of(part)
     assert part.constant is not None
     return holder.stored(offset, part.size, part.order, False, wire.literal(part.constant))
 
 
 def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
-    """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it."""
+    """The number in a length part of a frame of `total` bytes, and the conditions under which it has no such number."""
     size_from_base = plus(total, -part.base)
     tests: list[Expression] = (
         [compared(size_from_base, "<", number(0))] if part.base > shape.header_size + shape.trailer_size else []
@@ -171,9 +171,9 @@ def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: 
     if part.size == 1:
         return holder.stored(part.offset, 1, part.order, False, converted(source, wire.bits))
     raw = draft.local("wRaw", wire.bits)
-    beyond = outside(source, [(0, wire.value.type.high)], wire.whole) if wire.value.type.is_odd else None
+    too_large = outside(source, [(0, wire.value.type.high)], wire.whole) if wire.value.type.is_odd else None
     return [
-        *([] if beyond is None else [draft.refusal(beyond, "unknown_code")]),
+        *([] if too_large is None else [draft.refusal(too_large, "unknown_code")]),
         Assignment(raw, converted(source, wire.bits)),
         *holder.stored(part.offset, part.size, part.order, False, raw),
     ]
@@ -198,35 +198,35 @@ def _open(world: World, link: LinkLayout) -> Routine:
     body = draft.declare("iBody", INT, "output", "index of the first byte of the body")
     body_length = draft.declare("iBodyLength", INT, "output", "bytes of the body")
     holder = Bytes(frame, number(0))
-    least = shape.header_size + shape.trailer_size
+    shortest = shape.header_size + shape.trailer_size
     draft.add([Assignment(body, number(shape.header_size)), Assignment(body_length, number(0))])
     if refused is not None:
         draft.add([Assignment(refused, Truth(False))])
-    draft.refuse(compared(length, "<", number(least)), "incomplete")
+    draft.refuse(compared(length, "<", number(shortest)), "incomplete")
     draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
     for length_part in shape.lengths:
         draft.refuse(_length_differs(world, shape, length_part, holder, length), "wrong_length")
     check = shape.checksum
     if check is not None:
 
-        def place(at: int) -> Expression:
-            return number(at) if at >= 0 else plus(length, at)
+        def place(index: int) -> Expression:
+            return number(index) if index >= 0 else plus(length, index)
 
-        at = draft.local("iAt")
-        draft.add([Assignment(at, place(check.offset))])
-        have = Bytes(frame, at).number(0, check.size, check.order, False)
-        stop = at if check.stop == check.offset else length if check.stop is None else place(check.stop)
+        position = draft.local("iAt")
+        draft.add([Assignment(position, place(check.offset))])
+        received_check = Bytes(frame, position).number(0, check.size, check.order, False)
+        stop = position if check.stop == check.offset else length if check.stop is None else place(check.stop)
         wide = world.checksum(check.algorithm, stop, frame, place(check.start))
-        draft.refuse(compared(wide, "<>", have), "wrong_check")
+        draft.refuse(compared(wide, "<>", received_check), "wrong_check")
     for part in shape.header:
         if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = outputs.get(part.name)
             draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
-    behind = [part for part in shape.trailer if part is not check and not part.reserved]
-    if behind:
+    trailing_parts = [part for part in shape.trailer if part is not check and not part.reserved]
+    if trailing_parts:
         tail = draft.local("iTail")
         draft.add([Assignment(tail, plus(length, -shape.trailer_size))])
-        for part in behind:
+        for part in trailing_parts:
             offset = part.offset + shape.trailer_size
             draft.add(read(draft, world, wire_of(part), Bytes(frame, tail), offset, None))
     coded = shape.role("code")
@@ -236,7 +236,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
         part = next(part for part in shape.header if part.name == error.part)
         other = outside(converted(outputs[part.name], wire_of(part).whole), error.normal.intervals, wire_of(part).whole)
         draft.add([Assignment(refused, other if other is not None else Truth(False))])
-    draft.add([Assignment(body_length, plus(length, -least))])
+    draft.add([Assignment(body_length, plus(length, -shortest))])
     return draft.finished()
 
 

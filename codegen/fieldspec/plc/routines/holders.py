@@ -29,15 +29,15 @@ class Holder(Protocol):
 
     @property
     def unit(self) -> int:
-        """The bytes of an element."""
+        """The number of bytes in an element of the array."""
         ...
 
     def behind(self: Self, offset: int) -> Self:
-        """The same array from some bytes further on."""
+        """The same array from some bytes further on: the offset is added to that of the record."""
         ...
 
     def moved(self: Self, first: Expression) -> Self:
-        """The same array from another index on."""
+        """The same array with a record that begins at another index."""
         ...
 
     def index(self) -> Expression | None:
@@ -45,25 +45,25 @@ class Holder(Protocol):
         ...
 
     def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
-        """The bit string of a number that begins some bytes further on."""
+        """The bit string of a number of `size` bytes at an offset in the record."""
         ...
 
     def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
-        """What puts a bit string there; `bits` is a variable or a literal."""
+        """The statements that store a bit string at an offset; `bits` is a variable or a literal."""
         ...
 
     def byte(self, offset: int) -> Expression:
-        """The byte some bytes further on."""
+        """The byte at an offset in the record."""
         ...
 
     def byte_stored(self, offset: int, byte: Expression) -> Statement:
-        """What puts a byte there."""
+        """The statement that stores a byte at an offset in the record."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Bytes:
-    """An array of bytes."""
+    """A holder whose array has bytes as elements."""
 
     array: Expression
     first: Expression
@@ -96,13 +96,13 @@ class Bytes:
 
     def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
         """See `Holder`."""
-        parts = [(self.byte(offset + at), bits) for at, bits in enumerate(places(size, order, swapped))]
+        parts = [(self.byte(offset + index), bits) for index, bits in enumerate(places(size, order, swapped))]
         return joined(_highest_first(parts), size)
 
     def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
         """See `Holder`."""
         steps = enumerate(places(size, order, swapped))
-        return [self.byte_stored(offset + at, _part(bits, moved, 1)) for at, moved in steps]
+        return [self.byte_stored(offset + index, _part(bits, moved, 1)) for index, moved in steps]
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,16 +152,16 @@ class Words:
         """By how many bits each word is moved, None where the value does not consist of whole words as they are."""
         if size % 2 or (self.start + offset) % 2 or order != self.order:
             return None
-        steps = [16 * at for at in range(size // 2)]
+        steps = [16 * index for index in range(size // 2)]
         return steps if (order == "big") == swapped else steps[::-1]
 
     def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
         """See `Holder`."""
         steps = self._steps(offset, size, order, swapped)
         if steps is None:
-            parts = [(self.byte(offset + at), bits) for at, bits in enumerate(places(size, order, swapped))]
+            parts = [(self.byte(offset + index), bits) for index, bits in enumerate(places(size, order, swapped))]
         else:
-            parts = [(self._word(offset + 2 * at), bits) for at, bits in enumerate(steps)]
+            parts = [(self._word(offset + 2 * index), bits) for index, bits in enumerate(steps)]
         return joined(_highest_first(parts), size)
 
     def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
@@ -169,8 +169,8 @@ class Words:
         steps = self._steps(offset, size, order, swapped)
         if steps is None:
             bytewise = enumerate(places(size, order, swapped))
-            return [self.byte_stored(offset + at, _part(bits, moved, 1)) for at, moved in bytewise]
-        return [Assignment(self._word(offset + 2 * at), _part(bits, moved, 2)) for at, moved in enumerate(steps)]
+            return [self.byte_stored(offset + index, _part(bits, moved, 1)) for index, moved in bytewise]
+        return [Assignment(self._word(offset + 2 * index), _part(bits, moved, 2)) for index, moved in enumerate(steps)]
 
 
 def _highest_first(parts: Iterable[tuple[Expression, int]]) -> list[tuple[Expression, int]]:

@@ -42,7 +42,7 @@ from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
 
 
 def message_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
-    """What builds the requests of a link, and what parses its responses."""
+    """The functions that build the requests of a link and parse its responses."""
     if not framed(link):
         return
     for message in link.messages.values():
@@ -65,8 +65,8 @@ def _of_message(world: World, link: LinkLayout, message: MessageLayout, deed: st
 
 
 def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
-    name, group, about = _of_message(world, link, message, "build")
-    draft = Draft(name, group, world.status, about, message.message.doc)
+    name, group, description = _of_message(world, link, message, "build")
+    draft = Draft(name, group, world.status, description, message.message.doc)
     shape, record = link.request, message.request
     parameters = request_parameters(draft, world, link, message)
     head: dict[str, Expression] = {variable.name: variable for variable in parameters.head.values()}
@@ -104,12 +104,12 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
 
 
 def _own_count(field: FieldLayout, fields: Fields) -> Expression | None:
-    """How many elements a repeated field has; None for any other, also for a list of a fixed length beside it."""
+    """The number of elements of a repeated field; None for any other, also for a list of a fixed length."""
     return fields.count if field.field.repeat is not None else None
 
 
 def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields, holder: Bytes) -> Expression:
-    """Writes the fields; the expression is how many bytes they are."""
+    """Adds the statements that write the fields of a body, and gives the number of its bytes."""
     last = record.fields[-1] if record.fields else None
     repeat = last.field.repeat if last is not None else None
     if fields.count is not None and repeat is not None:
@@ -154,16 +154,16 @@ def _write_length(
 
 
 def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
-    name, group, about = _of_message(world, link, message, "parse")
+    name, group, description = _of_message(world, link, message, "parse")
     error = link.link.exception_response
     refusal = world.layout.records[error.record] if error is not None else None
     refused_doc = "Where the device refuses, the status says so, and further outputs say why." if refusal else ""
-    draft = Draft(name, group, world.status, about, message.message.doc, refused_doc)
+    draft = Draft(name, group, world.status, description, message.message.doc, refused_doc)
     shape, record = link.response, message.response
     length = draft.declare(LENGTH, INT, "input", "how many bytes of aFrame were received")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
     parameters = response_parameters(draft, world, link, message)
-    fields, why = parameters.fields, parameters.refusal
+    fields, refusal_fields = parameters.fields, parameters.refusal
     status = draft.local("eStatus", world.status.type)
     body, size = draft.local("iBody"), draft.local("iBodyLength")
     source: Variable = frame
@@ -203,9 +203,9 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
             other = every([Negation(refused), other])
         draft.refuse(other, "unknown_code")
     holder = Bytes(source, body)
-    if refused is not None and refusal is not None and why is not None:
+    if refused is not None and refusal is not None and refusal_fields is not None:
         before, draft.body = draft.body, []
-        _read_body(draft, world, refusal, why, holder, size)
+        _read_body(draft, world, refusal, refusal_fields, holder, size)
         inner = [*draft.body, *draft.status.give(draft.result, "refused")]
         draft.body = [*before, when(refused, inner)]
     refuse_other_subcode(draft, link, message, holder, size)
@@ -216,7 +216,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
 def _read_body(
     draft: Draft, world: World, record: RecordLayout, fields: Fields, holder: Bytes, size: Expression
 ) -> None:
-    """Checks how long the body is, and puts it into the outputs."""
+    """Adds the statements that check the length of a body and read its fields into the outputs."""
     if record.least:
         draft.refuse(compared(size, "<", number(record.least)), "incomplete")
     if record.most is not None:
@@ -244,16 +244,16 @@ def _read_body(
             wire = Wire.of_field(field)
             bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
             measured = measure(record, field, fields.count, element)
-            wanted = (
+            expected = (
                 Whole(measured.value, wire.bits) if isinstance(measured, Whole) else Conversion(measured, wire.bits)
             )
-            draft.refuse(compared(bits, "<>", wanted), "wrong_measure")
+            draft.refuse(compared(bits, "<>", expected), "wrong_measure")
 
 
 def _element_count(
     draft: Draft, count: Variable, size: Expression, last: FieldLayout, element: Expression
 ) -> list[Statement]:
-    """How many elements lie in a body, which must hold whole ones only."""
+    """The statements that compute the number of elements in a body, which must hold whole ones only."""
     rest = plus(size, -last.offset) if last.offset else size
     if element == number(1):
         return [Assignment(count, rest)]

@@ -36,12 +36,12 @@ class Fields:
     count: Variable | None
 
     def place(self, field: FieldLayout) -> Expression:
-        """The parameter of a field."""
+        """The parameter that stands for a field."""
         return self.variables[field.name]
 
     @property
     def every(self) -> Iterator[Variable]:
-        """All of them."""
+        """The parameters for the fields, and the one for the number of elements."""
         yield from self.variables.values()
         if self.count is not None:
             yield self.count
@@ -57,13 +57,13 @@ class Parameters:
 
 
 def request_parameters(draft: Draft, world: World, link: LinkLayout, message: MessageLayout) -> Parameters:
-    """Declares what builds a request."""
+    """Declares the inputs of the function that builds a request."""
     head = _head(draft, world, link.request, "input")
     return Parameters(head, _fields(draft, world, message, message.request, "input"))
 
 
 def response_parameters(draft: Draft, world: World, link: LinkLayout, message: MessageLayout) -> Parameters:
-    """Declares what a response gives, behind the frame that it is in."""
+    """Declares the outputs of the function that parses a response."""
     head = _head(draft, world, link.response, "output")
     fields = _fields(draft, world, message, message.response, "output")
     error = link.link.exception_response
@@ -73,7 +73,7 @@ def response_parameters(draft: Draft, world: World, link: LinkLayout, message: M
 
 
 def parameters_of(world: World, link: LinkLayout, message: MessageLayout) -> tuple[Parameters, Parameters]:
-    """The parameters of the two functions of a message: what is asked, and what is answered."""
+    """The parameters of the functions that build the request and parse the response of a message."""
     asking, answering = Draft("", "", world.status), Draft("", "", world.status)
     answering.declare(LENGTH, INT, "input")
     answering.declare(FRAME, world.frame, "in_out")

@@ -57,13 +57,13 @@ def comment(text: str, indent: str = "", form: str = "// {}") -> list[str]:
 
 
 def array_name(kind: ArrayType, spelling: Spelling) -> str:
-    """The name of an array type: `T_Gadget_BYTE_0_255`"""
+    """The name of an array type: its elements and its bounds, as in `T_Gadget_BYTE_0_255`"""
     bounds: list[str] = []
-    of: Type = kind
-    while isinstance(of, ArrayType):
-        bounds[:0] = [str(of.low), str(of.high)]
-        of = of.of
-    return spelling.array.format("_".join([type_text(of, spelling), *bounds]))
+    element: Type = kind
+    while isinstance(element, ArrayType):
+        bounds[:0] = [str(element.low), str(element.high)]
+        element = element.of
+    return spelling.array.format("_".join([type_text(element, spelling), *bounds]))
 
 
 def comment_text(text: str) -> str:
@@ -77,7 +77,7 @@ def comment_text(text: str) -> str:
 
 
 def type_text(kind: Type, spelling: Spelling) -> str:
-    """A type where a variable is declared."""
+    """The text of a type in a declaration."""
     if isinstance(kind, ArrayType) and (spelling.all_named or kind in spelling.named):
         return array_name(kind, spelling)
     if isinstance(kind, ArrayType):
@@ -110,31 +110,33 @@ def declaration(routine: Routine, spelling: Spelling) -> list[str]:
             continue
         lines.append("VAR" if role == "local" and routine.returns is None else word)
         for variable in declared:
-            beside = f" {form.format(comment_text(variable.remark))}" if variable.remark else ""
+            remark = f" {form.format(comment_text(variable.remark))}" if variable.remark else ""
             initial = f" := {variable.initial}" if variable.initial else ""
             lines.append(
-                f"{_STEP}{variable.variable.name} : {type_text(variable.variable.type, spelling)}{initial};{beside}"
+                f"{_STEP}{variable.variable.name} : {type_text(variable.variable.type, spelling)}{initial};{remark}"
             )
         lines.append("END_VAR")
     return lines
 
 
 def implementation(routine: Routine, spelling: Spelling) -> list[str]:
-    """The statements of a routine."""
+    """The lines of the statements of a routine."""
     return _body(routine.body, spelling, "")
 
 
 def routine_text(routine: Routine, spelling: Spelling) -> list[str]:
-    """The whole routine."""
+    """The lines of a routine: its declaration and its statements."""
     begin = [spelling.begin] if spelling.begin else []
     end = "END_FUNCTION_BLOCK" if routine.returns is None else spelling.end
     return [*declaration(routine, spelling), *begin, *implementation(routine, spelling), end]
 
 
-def call_lines(routine: Routine, spelling: Spelling, **others: Expression) -> list[str]:
-    """A call whose arguments are variables that are called as the parameters, or `others` by the parameters' names."""
+def call_lines(routine: Routine, spelling: Spelling, **arguments_by_name: Expression) -> list[str]:
+    """A call with variables of the parameters' names as arguments, or with the expressions of `arguments_by_name`."""
     names = [declared.variable for declared in routine.declared if declared.role != "local"]
-    arguments: dict[str, Expression] = {variable.name: others.get(variable.name, variable) for variable in names}
+    arguments: dict[str, Expression] = {
+        variable.name: arguments_by_name.get(variable.name, variable) for variable in names
+    }
     assert routine.returns is not None
     result = Variable("eStatus", routine.returns)
     return _body((Assignment(result, routine.called(**arguments)),), spelling, "")
@@ -152,7 +154,7 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
     inner = indent + _STEP
     match statement:
         case Assignment(target, value):
-            lines += _broken(f"{indent}{_text(target, spelling)} := ", value, ";", spelling, indent)
+            lines += _broken(f"{indent}{_expression_text(target, spelling)} := ", value, ";", spelling, indent)
         case Condition(branches, otherwise):
             word = "IF"
             for test, body in branches:
@@ -164,19 +166,19 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
                 lines += _body(otherwise, spelling, inner)
             lines.append(f"{indent}END_IF;")
         case Timing(timer, running, time):
-            texts = (_text(expression, spelling) for expression in (timer, running, time))
+            texts = (_expression_text(expression, spelling) for expression in (timer, running, time))
             lines.append("{}{}(IN := {}, PT := {});".format(indent, *texts))
         case Remark(text):
             lines += comment(text, indent, spelling.comment)
         case Return():
             lines.append(f"{indent}RETURN;")
         case Loop(index, first, last, body):
-            bounds = f"{_text(first, spelling)} TO {_text(last, spelling)}"
-            lines.append(f"{indent}FOR {_text(index, spelling)} := {bounds} DO")
+            bounds = f"{_expression_text(first, spelling)} TO {_expression_text(last, spelling)}"
+            lines.append(f"{indent}FOR {_expression_text(index, spelling)} := {bounds} DO")
             lines += _body(body, spelling, inner)
             lines.append(f"{indent}END_FOR;")
-        case Selection(of, cases, otherwise):
-            lines.append(f"{indent}CASE {_text(of, spelling)} OF")
+        case Selection(selector, cases, otherwise):
+            lines.append(f"{indent}CASE {_expression_text(selector, spelling)} OF")
             for labels, body in cases:
                 heads = list(_labels(labels, spelling, inner))
                 if isinstance(body[0], Remark):
@@ -200,8 +202,8 @@ def _labels(labels: Iterable[tuple[int, int] | EnumMemberExpression], spelling: 
     """The labels of a branch, on as many lines as they need."""
     line = indent
     texts = [_label(label, spelling) for label in labels]
-    for at, text in enumerate(texts):
-        mark = ":" if at + 1 == len(texts) else ","
+    for index, text in enumerate(texts):
+        mark = ":" if index + 1 == len(texts) else ","
         if len(line) + len(text) > _WIDTH:
             yield line.rstrip()
             line = indent
@@ -211,14 +213,14 @@ def _labels(labels: Iterable[tuple[int, int] | EnumMemberExpression], spelling: 
 
 def _label(label: tuple[int, int] | EnumMemberExpression, spelling: Spelling) -> str:
     if isinstance(label, EnumMemberExpression):
-        return _text(label, spelling)
+        return _expression_text(label, spelling)
     low, high = label
     return f"{low}" if low == high else f"{low}..{high}"
 
 
 def _broken(before: str, value: Expression, after: str, spelling: Spelling, indent: str) -> list[str]:
     """A line around an expression; where it is too long, its operands stand below each other."""
-    whole = f"{before}{_text(value, spelling)}{after}"
+    whole = f"{before}{_expression_text(value, spelling)}{after}"
     if len(whole) <= _WIDTH:
         return [whole]
     parts: list[str] = []
@@ -230,9 +232,9 @@ def _broken(before: str, value: Expression, after: str, spelling: Spelling, inde
             arguments = _arguments(value, spelling)
             parts = [*(f"{text}," for text in arguments[:-1]), arguments[-1]]
             before, end = f"{before}{spelling.routine.format(value.routine)}(", ")"
-        case Conversion(Operation(operator, operands) as of, to) if operator in _ASSOCIATIVE:
+        case Conversion(Operation(operator, operands) as inner, to) if operator in _ASSOCIATIVE:
             parts = _operands(operator, operands, spelling)
-            before, end = f"{before}{_name_of(of.type)}_TO_{to.name}(", ")"
+            before, end = f"{before}{_name_of(inner.type)}_TO_{to.name}(", ")"
     if len(parts) < 2:
         return [whole]
     deep = indent + 2 * _STEP
@@ -241,8 +243,8 @@ def _broken(before: str, value: Expression, after: str, spelling: Spelling, inde
 
 def _operands(operator: str, operands: Sequence[Expression], spelling: Spelling) -> list[str]:
     """Operands with the operator before each but the first."""
-    first, *others = (_operand(operand, operator, spelling) for operand in operands)
-    return [first, *(f"{operator} {text}" for text in others)]
+    first, *following = (_operand(operand, operator, spelling) for operand in operands)
+    return [first, *(f"{operator} {text}" for text in following)]
 
 
 def _name_of(kind: Type) -> str:
@@ -250,67 +252,69 @@ def _name_of(kind: Type) -> str:
     return kind.name
 
 
-def _operand(of: Expression, operator: str, spelling: Spelling) -> str:
+def _operand(operand: Expression, operator: str, spelling: Spelling) -> str:
     """An operand, in parentheses unless it is plain or of the same chain."""
-    text = _text(of, spelling)
-    if isinstance(of, Operation) and not (of.operator == operator and operator in _ASSOCIATIVE):
+    text = _expression_text(operand, spelling)
+    if isinstance(operand, Operation) and not (operand.operator == operator and operator in _ASSOCIATIVE):
         return f"({text})"
     return text
 
 
 def _arguments(call: Call, spelling: Spelling) -> list[str]:
     return [
-        *(f"{name} := {_text(value, spelling)}" for name, value in call.inputs),
-        *(f"{name} => {_text(value, spelling)}" for name, value in call.outputs),
+        *(f"{name} := {_expression_text(value, spelling)}" for name, value in call.inputs),
+        *(f"{name} => {_expression_text(value, spelling)}" for name, value in call.outputs),
     ]
 
 
-def _text(of: Expression, spelling: Spelling) -> str:
-    return _TEXTS[of.__class__](of, spelling)
+def _expression_text(expression: Expression, spelling: Spelling) -> str:
+    return _TEXTS[expression.__class__](expression, spelling)
 
 
-def _member_text(of: EnumMemberExpression, spelling: Spelling) -> str:
-    return spelling.member.format(of.type.name, of.member, of.value)
+def _member_text(member: EnumMemberExpression, spelling: Spelling) -> str:
+    return spelling.member.format(member.type.name, member.member, member.value)
 
 
-def _member(of: Member, spelling: Spelling) -> str:
-    return f"{_text(of.of, spelling)}.{of.name}"
+def _member(member: Member, spelling: Spelling) -> str:
+    return f"{_expression_text(member.of, spelling)}.{member.name}"
 
 
-def _element(of: Element, spelling: Spelling) -> str:
-    return f"{_text(of.of, spelling)}[{_text(of.index, spelling)}]"
+def _element(element: Element, spelling: Spelling) -> str:
+    return f"{_expression_text(element.of, spelling)}[{_expression_text(element.index, spelling)}]"
 
 
-def _operation(of: Operation, spelling: Spelling) -> str:
-    return f" {of.operator} ".join([_operand(operand, of.operator, spelling) for operand in of.operands])
+def _operation(operation: Operation, spelling: Spelling) -> str:
+    return f" {operation.operator} ".join(
+        [_operand(operand, operation.operator, spelling) for operand in operation.operands]
+    )
 
 
-def _negation(of: Negation, spelling: Spelling) -> str:
-    text = _text(of.of, spelling)
-    return f"NOT ({text})" if isinstance(of.of, Operation) else f"NOT {text}"
+def _negation(negation: Negation, spelling: Spelling) -> str:
+    text = _expression_text(negation.of, spelling)
+    return f"NOT ({text})" if isinstance(negation.of, Operation) else f"NOT {text}"
 
 
-def _shift(of: Shift, spelling: Spelling) -> str:
-    return spelling.shift.format(of.direction, _text(of.of, spelling), of.bits)
+def _shift(shift: Shift, spelling: Spelling) -> str:
+    return spelling.shift.format(shift.direction, _expression_text(shift.of, spelling), shift.bits)
 
 
-def _conversion(of: Conversion, spelling: Spelling) -> str:
-    return f"{_name_of(of.of.type)}_TO_{of.type.name}({_text(of.of, spelling)})"
+def _conversion(conversion: Conversion, spelling: Spelling) -> str:
+    return f"{_name_of(conversion.of.type)}_TO_{conversion.type.name}({_expression_text(conversion.of, spelling)})"
 
 
-def _call(of: Call, spelling: Spelling) -> str:
-    return f"{spelling.routine.format(of.routine)}({', '.join(_arguments(of, spelling))})"
+def _call(call: Call, spelling: Spelling) -> str:
+    return f"{spelling.routine.format(call.routine)}({', '.join(_arguments(call, spelling))})"
 
 
 _GREATEST_DECIMAL = (1 << 63) - 1
 
 
-def _whole(of: Whole, spelling: Spelling) -> str:
+def _whole(literal: Whole, spelling: Spelling) -> str:
     """A number; with its type where a compiler may take it for another one.
 
     Not every compiler knows a sign behind the mark of the type, so it stands before it.
     """
-    value, kind, hexadecimal = of.value, of.type, of.hexadecimal
+    value, kind, hexadecimal = literal.value, literal.type, literal.hexadecimal
     # Translators to C write decimal numbers without a suffix, and none beyond 63 bits has a type there.
     if kind.family == "bits" or hexadecimal or value > _GREATEST_DECIMAL:
         return f"{kind.name}#16#{value:0{2 * kind.size}X}"
@@ -321,16 +325,16 @@ def _whole(of: Whole, spelling: Spelling) -> str:
     return f"{'-' if value < 0 else ''}{kind.name}#{abs(value)}"
 
 
-def _fraction(of: Fraction, spelling: Spelling) -> str:
-    sign = "-" if of.digits.startswith("-") else ""
-    return f"{sign}{of.type.name}#{of.digits.removeprefix('-')}"
+def _fraction(literal: Fraction, spelling: Spelling) -> str:
+    sign = "-" if literal.digits.startswith("-") else ""
+    return f"{sign}{literal.type.name}#{literal.digits.removeprefix('-')}"
 
 
 _TEXTS: Mapping[type[Expression], Callable[[Any, Spelling], str]] = {
     Whole: _whole,
     Fraction: _fraction,
-    Truth: lambda of, spelling: "TRUE" if of.value else "FALSE",
-    Variable: lambda of, spelling: spelling.variable.format(of.name),
+    Truth: lambda expression, spelling: "TRUE" if expression.value else "FALSE",
+    Variable: lambda expression, spelling: spelling.variable.format(expression.name),
     EnumMemberExpression: _member_text,
     Member: _member,
     Element: _element,

@@ -32,7 +32,7 @@ _FRACTION_BITS = 23
 
 
 def real_routines(world: World) -> Iterator[Routine]:
-    """Both directions, where the device has such numbers."""
+    """The functions that convert between REAL and its 32 bits, where the device has such numbers."""
     if any(value.type.kind is Kind.FLOAT for value in values_of(world.layout)):
         yield _from_bits(world)
         yield _to_bits(world)

@@ -37,18 +37,18 @@ Place = Callable[[FieldLayout], Expression]
 
 
 def is_user_field(field: FieldLayout) -> bool:
-    """Whether users give the field: it is no constant, measures nothing, and has a meaning."""
+    """Whether users state the value of a field: it is no constant, measures nothing, and has a meaning."""
     constant = field.value is not None and field.value.const is not None
     return not (constant or field.field.measures or field.field.reserved)
 
 
 def members_of(world: World, record: RecordLayout, struct: Expression) -> Place:
-    """Where the fields of a record are in a variable of its struct."""
+    """The function that gives the struct member in which a field of a record is."""
     return lambda field: Member(struct, world.member(record.name, field.name), field_type(world, field))
 
 
 def field_type(world: World, field: FieldLayout) -> Type:
-    """The type of a field's variable; for a list, that of as many elements as there can be."""
+    """The type of the variable of a field; of a list, an array of as many elements as it can have."""
     element_type = (
         world.struct(field.record.name) if field.record is not None else world.type_of(Wire.of_field(field).value)
     )
@@ -59,7 +59,7 @@ def field_type(world: World, field: FieldLayout) -> Type:
 
 
 def read_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
-    """What puts the fields of a record without repeated ones into their variables."""
+    """The statements that read the fields of a record, which has no repeated ones, into their variables."""
     statements: list[Statement] = []
     for field in record.fields:
         if field.field.measures is None:
@@ -70,22 +70,24 @@ def read_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder
 def read_field(
     draft: Draft, world: World, field: FieldLayout, holder: Holder, place: Place, count: Expression | None
 ) -> list[Statement]:
-    """What puts one field into its variable; `count` is how many elements a repeated one has."""
+    """The statements that read a field into its variable; a repeated one has `count` elements."""
     if field.field.reserved:
         return []
     target = place(field) if is_user_field(field) else None
 
-    def element_statements(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
+    def element_statements(element_holder: Holder, offset: int, variable: Expression | None) -> list[Statement]:
         if field.record is not None:
             assert variable is not None
-            return read_fields(draft, world, field.record, at.behind(offset), members_of(world, field.record, variable))
-        return read(draft, world, Wire.of_field(field), at, offset, variable)
+            return read_fields(
+                draft, world, field.record, element_holder.behind(offset), members_of(world, field.record, variable)
+            )
+        return read(draft, world, Wire.of_field(field), element_holder, offset, variable)
 
     return _each(draft, field, holder, target, count, element_statements)
 
 
 def write_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
-    """What puts the variables of a record without repeated fields into the holder."""
+    """The statements that write the variables of a record, which has no repeated fields, into the holder."""
     statements: list[Statement] = []
     for field in record.fields:
         if field.field.measures is None:
@@ -96,17 +98,17 @@ def write_fields(draft: Draft, world: World, record: RecordLayout, holder: Holde
 def write_field(
     draft: Draft, world: World, field: FieldLayout, holder: Holder, place: Place, count: Expression | None
 ) -> list[Statement]:
-    """What puts the variable of one field into the holder."""
+    """The statements that write the variable of a field into the holder."""
     if not is_user_field(field):
         return write_number(Wire.of_field(field), holder, field.offset, field.count or 0)
 
-    def element_statements(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
+    def element_statements(element_holder: Holder, offset: int, variable: Expression | None) -> list[Statement]:
         assert variable is not None
         if field.record is not None:
             return write_fields(
-                draft, world, field.record, at.behind(offset), members_of(world, field.record, variable)
+                draft, world, field.record, element_holder.behind(offset), members_of(world, field.record, variable)
             )
-        return write(draft, world, Wire.of_field(field), at, offset, variable)
+        return write(draft, world, Wire.of_field(field), element_holder, offset, variable)
 
     return _each(draft, field, holder, place(field), count, element_statements)
 
@@ -130,37 +132,40 @@ def _each(
     start, step = holder.behind(field.offset).index(), field.size // holder.unit
     if start is None or field.size % holder.unit:
         assert count is None
-        elements = [Element(target, number(at), target.type.of) for at in range(field.count or 1)]
-        inner = [statements_of(holder, field.offset + at * field.size, element) for at, element in enumerate(elements)]
+        elements = [Element(target, number(position), target.type.of) for position in range(field.count or 1)]
+        inner = [
+            statements_of(holder, field.offset + position * field.size, element)
+            for position, element in enumerate(elements)
+        ]
         return [statement for statements in inner for statement in statements]
     index = _free_index(draft, target)
     element = Element(target, index, target.type.of)
-    here = added([start, Operation("*", (index, number(step)), INT) if step > 1 else index], INT)
+    start_index = added([start, Operation("*", (index, number(step)), INT) if step > 1 else index], INT)
     if isinstance(start, Whole) and start.value == 0 and step == 1:
-        here = index
+        start_index = index
     if field.record is None and field.size == holder.unit:
-        statements = statements_of(holder.moved(here), 0, element)
+        statements = statements_of(holder.moved(start_index), 0, element)
     else:
-        at = draft.local(f"iAt{index.name[1:]}")
-        statements = [Assignment(at, here), *statements_of(holder.moved(at), 0, element)]
+        position = draft.local(f"iAt{index.name[1:]}")
+        statements = [Assignment(position, start_index), *statements_of(holder.moved(position), 0, element)]
     last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
     return [Loop(index, number(0), last, tuple(statements))]
 
 
 def _free_index(draft: Draft, target: Expression) -> Variable:
-    """An index that no loop around this one has: the expression of the list says how deep it is."""
-    depth, of = 0, target
-    while isinstance(of, Member | Element):
-        depth += isinstance(of, Element)
-        of = of.of
+    """An index variable that no enclosing loop uses: the target expression says how deep the loop is."""
+    depth, expression = 0, target
+    while isinstance(expression, Member | Element):
+        depth += isinstance(expression, Element)
+        expression = expression.of
     return draft.local("iElement" if depth == 0 else f"iInner{depth if depth > 1 else ''}")
 
 
 def choice_type(field: FieldLayout) -> ArrayType:
-    """The type of the elements' variable."""
+    """The type of the variable of a list whose elements have the type that a selector chooses."""
     repeat = field.field.repeat
-    most = repeat.high if repeat is not None else field.count or 1
-    return ArrayType(0, most - 1, _widest(field))
+    limit = repeat.high if repeat is not None else field.count or 1
+    return ArrayType(0, limit - 1, _widest(field))
 
 
 def _widest(field: FieldLayout) -> Elementary:
@@ -168,7 +173,7 @@ def _widest(field: FieldLayout) -> Elementary:
 
 
 def selecting(draft: Draft, world: World, selector: FieldLayout, source: Expression) -> Expression:
-    """The number that decides, in a variable; other numbers than those of its enum are refused."""
+    """The number that chooses a case, in a variable; numbers that its enum does not list are refused."""
     value = Wire.of_field(selector).value
     if not isinstance(source.type, EnumType):
         return source
@@ -201,7 +206,7 @@ def read_choice(
     size: Expression,
     element: Expression,
 ) -> list[Statement]:
-    """What puts the elements into their variable, each at the low end of a bit string, and how many they are."""
+    """The statements that read the elements, each into the low bits of its variable, and count them."""
     assert isinstance(element, Variable)
     sizes = [
         (tuple(runs(numbers)), (Assignment(element, number(case.value.size)),)) for case, numbers in _shapes(field)
@@ -219,10 +224,10 @@ def read_choice(
             draft.refusal(compared(count, "<", number(repeat.low)), "incomplete"),
             draft.refusal(compared(count, ">", number(repeat.high)), "wrong_length"),
         ]
-    index, at, wide = draft.local("iElement"), draft.local("iAtElement"), _widest(field)
+    index, position, wide = draft.local("iElement"), draft.local("iAtElement"), _widest(field)
     branches = []
     for case, numbers in _shapes(field):
-        bits = Bytes(holder.array, at).number(0, case.value.size, case.order, case.swapped)
+        bits = Bytes(holder.array, position).number(0, case.value.size, case.order, case.swapped)
         target_element = Element(target, index, wide)
         body: list[Statement] = [Assignment(target_element, converted(bits, wide))]
         if case.value.type.kind is Kind.BOOLEAN:
@@ -231,10 +236,10 @@ def read_choice(
                 draft.refusal(compared(converted(target_element, whole), ">", Whole(1, whole)), "unknown_value")
             )
         branches.append((tuple(runs(numbers)), tuple(body)))
-    here = plus(holder.first, holder.start + field.offset)
-    place = Operation("+", (here, Operation("*", (index, element), INT)), INT)
+    start = plus(holder.first, holder.start + field.offset)
+    place = Operation("+", (start, Operation("*", (index, element), INT)), INT)
     last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
-    loop = Loop(index, number(0), last, (Assignment(at, place), Selection(selector, tuple(branches))))
+    loop = Loop(index, number(0), last, (Assignment(position, place), Selection(selector, tuple(branches))))
     return [*statements, loop]
 
 
@@ -248,12 +253,12 @@ def write_choice(
     count: Variable | None,
     element: Expression,
 ) -> list[Statement]:
-    """What puts the low ends of the elements' bit strings into the bytes; what does not fit is refused."""
+    """The statements that write the low bits of the elements; a value with too many bits is refused."""
     assert isinstance(element, Variable)
     sizes = [
         (tuple(runs(numbers)), (Assignment(element, number(case.value.size)),)) for case, numbers in _shapes(field)
     ]
-    index, at = draft.local("iElement"), draft.local("iAtElement")
+    index, position = draft.local("iElement"), draft.local("iAtElement")
     wide = _widest(field)
     source_element = Element(source, index, wide)
     branches = []
@@ -267,12 +272,12 @@ def write_choice(
             )
         raw = draft.local("dwRaw" if wide.size == 4 else f"{PREFIXES[wide.name]}Raw", wide)
         body.append(Assignment(raw, source_element))
-        body += Bytes(holder.array, at).stored(0, case.value.size, case.order, case.swapped, raw)
+        body += Bytes(holder.array, position).stored(0, case.value.size, case.order, case.swapped, raw)
         branches.append((tuple(runs(numbers)), tuple(body)))
-    here = plus(holder.first, holder.start + field.offset)
-    place = Operation("+", (here, Operation("*", (index, element), INT)), INT)
+    start = plus(holder.first, holder.start + field.offset)
+    place = Operation("+", (start, Operation("*", (index, element), INT)), INT)
     last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
     return [
         Selection(selector, tuple(sizes), draft.status.give(draft.result, "unknown_value")),
-        Loop(index, number(0), last, (Assignment(at, place), Selection(selector, tuple(branches)))),
+        Loop(index, number(0), last, (Assignment(position, place), Selection(selector, tuple(branches)))),
     ]

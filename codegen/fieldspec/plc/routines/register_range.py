@@ -51,7 +51,7 @@ def answer_type(world: World, register_layout: RegisterLayout) -> Type | None:
 
 
 def answer_name(register: RegisterLayout) -> str:
-    """What the variable of an answer is called in the language."""
+    """The name of the variable that holds what the device answers for a register."""
     return f"{register.name}_answer"
 
 

@@ -59,7 +59,7 @@ def _order_comment(world: World, record: RecordLayout) -> str:
 
 
 def wires(record: RecordLayout) -> list[Wire]:
-    """The values of a record and of those within it."""
+    """The wire values of a record and of the records in it."""
     values = []
     for field in record.fields:
         if field.record is not None:
@@ -138,7 +138,7 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
 
 
 def group_routines(world: World) -> Iterator[Routine]:
-    """The functions of all groups: of what can be read, and of what can be written."""
+    """The functions that unpack and pack the registers of each group."""
     device = world.layout.device
     groups = [(group, registers_of(world.layout, group)) for group in device.groups]
     if any(registers for _, registers in groups):
@@ -166,7 +166,7 @@ def has_bits(device: Device) -> bool:
 
 
 def registers_of(layout: DeviceLayout, group: RegisterGroup) -> list[RegisterLayout]:
-    """The registers of a group."""
+    """The registers of a group in the layout."""
     own = {id(register) for register in group.registers}
     return [register for register in layout.registers if id(register.register) in own]
 
@@ -177,7 +177,7 @@ def _holds(world: World) -> Routine:
     register, size = Variable("uiRegister", UINT), Variable("uiSize", UINT)
     name = world.routine("holds")
     end = _sum(register, size)
-    inside = every(
+    is_within = every(
         [
             compared(register, ">=", address),
             compared(end, "<=", Operation("+", (Conversion(address, UDINT), Conversion(words, UDINT)), UDINT)),
@@ -195,7 +195,7 @@ def _holds(world: World) -> Routine:
         ),
         (
             Assignment(Variable(name, BOOL), Truth(False)),
-            when(compared(words, ">", number(0)), [Assignment(Variable(name, BOOL), inside)]),
+            when(compared(words, ">", number(0)), [Assignment(Variable(name, BOOL), is_within)]),
         ),
         ("Whether all words of a register are among some words.",),
     )
@@ -241,9 +241,9 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
     for register in registers:
 
         def register_statements(
-            at: Expression, variable: Expression, register: RegisterLayout = register
+            index: Expression, variable: Expression, register: RegisterLayout = register
         ) -> list[Statement]:
-            words = Words(words_range.array, at, world.layout.device.byte_order)
+            words = Words(words_range.array, index, world.layout.device.byte_order)
             return read(draft, world, Wire.of_answer(register), words, 0, variable)
 
         draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
@@ -265,9 +265,9 @@ def _group_to_words(world: World, group: RegisterGroup, registers: list[Register
     for register in registers:
 
         def register_statements(
-            at: Expression, variable: Expression, register: RegisterLayout = register
+            index: Expression, variable: Expression, register: RegisterLayout = register
         ) -> list[Statement]:
-            words = Words(words_range.array, at, world.layout.device.byte_order)
+            words = Words(words_range.array, index, world.layout.device.byte_order)
             return write(draft, world, Wire.of_register(register), words, 0, variable)
 
         draft.add(words_range.each(register, struct, None, register_statements))

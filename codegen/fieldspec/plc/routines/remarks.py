@@ -13,7 +13,7 @@ from fieldspec.plc.routines.printer import comment_text
 
 
 def source(fact: Fact) -> str:
-    """Where the manual states a fact: `[8.2 L1622]`"""
+    """The places of a fact in the manual, for a comment: `[8.2 L1622]`"""
     return f"[{'; '.join(citation.text() for citation in fact.sources)}]" if fact.sources else ""
 
 
@@ -68,6 +68,6 @@ def of_value(value: Value | None) -> str:
 
 
 def count_of(value: Value) -> str:
-    """What one count is: `0.01 mm`, `100/2^14 %, then -40 added`"""
+    """The quantity of one count: `0.01 mm`, `100/2^14 %, then -40 added`"""
     offset = f", then {value.offset} added" if value.offset else ""
     return f"{value.scale_text or value.scale} {value.unit}".rstrip() + offset

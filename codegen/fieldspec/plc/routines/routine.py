@@ -30,7 +30,7 @@ from fieldspec.plc.routines.expressions import (
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """`target := value;`"""
+    """An assignment: `target := value;`"""
 
     target: Expression
     value: Expression
@@ -38,7 +38,7 @@ class Assignment:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """IF, with as many further tests as there are branches; `otherwise` may be empty."""
+    """An IF statement with an ELSIF for each further branch; without `otherwise` it has no ELSE."""
 
     branches: tuple[tuple[Expression, Body], ...]
     otherwise: Body = ()
@@ -65,7 +65,7 @@ class Selection:
 
 @dataclass(frozen=True, slots=True)
 class Return:
-    """RETURN."""
+    """A RETURN statement, which ends the routine."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +89,7 @@ Body: TypeAlias = tuple[Statement, ...]
 
 
 def when(test: Expression, body: Iterable[Statement], otherwise: Iterable[Statement] = ()) -> Condition:
-    """IF with one test."""
+    """An IF statement with one test."""
     return Condition(((test, tuple(body)),), tuple(otherwise))
 
 
@@ -126,24 +126,24 @@ class Routine:
 
     @property
     def result(self) -> Variable:
-        """What is assigned to return a value."""
+        """The variable of the routine's own name, to which its result is assigned."""
         assert self.returns is not None
         return Variable(self.name, self.returns)
 
     def of_role(self, role: str) -> list[Declared]:
-        """The variables with a role."""
+        """The declared variables that have a role."""
         return [declared for declared in self.declared if declared.role == role]
 
     def called(self, **arguments: Expression) -> Call:
         """A call with an expression for every parameter."""
         assert self.returns is not None
         outputs = {declared.variable.name for declared in self.of_role("output")}
-        wanted = [declared.variable.name for declared in self.declared if declared.role != "local"]
-        assert sorted(arguments) == sorted(wanted), (self.name, sorted(arguments), sorted(wanted))
+        expected = [declared.variable.name for declared in self.declared if declared.role != "local"]
+        assert sorted(arguments) == sorted(expected), (self.name, sorted(arguments), sorted(expected))
         return Call(
             self.name,
-            tuple((name, arguments[name]) for name in wanted if name not in outputs),
-            tuple((name, arguments[name]) for name in wanted if name in outputs),
+            tuple((name, arguments[name]) for name in expected if name not in outputs),
+            tuple((name, arguments[name]) for name in expected if name in outputs),
             self.returns,
         )
 
@@ -177,19 +177,19 @@ class Status:
         self._members = members
 
     def of(self, name: str) -> EnumMemberExpression:
-        """The status with a name."""
+        """The member of the enum for a status."""
         return EnumMemberExpression(self._members[name], self._numbers[name], self.type)
 
     def give(self, result: Variable, name: str) -> Body:
-        """Returns a status."""
+        """The statements that return a status."""
         return (Assignment(result, self.of(name)), Return())
 
     def refuse(self, result: Variable, test: Expression, name: str) -> Statement:
-        """Returns a status where a test holds."""
+        """The statement that returns a status where a test holds."""
         return Condition(((test, self.give(result, name)),))
 
     def passed_on(self, result: Variable, status: Expression) -> Statement:
-        """Returns what another routine has returned, unless all is well."""
+        """The statement that returns the status of another routine unless it is ok."""
         return when(compared(status, "<>", self.of("ok")), (Assignment(result, status), Return()))
 
 
@@ -201,7 +201,7 @@ _LEAVES = frozenset({Whole, EnumMemberExpression, Fraction, Truth, Return, Remar
 
 
 def called(routine: Routine) -> set[str]:
-    """The names of the routines that it calls."""
+    """The names of the routines that a routine calls."""
     return _names(routine.body)[0]
 
 
@@ -252,9 +252,9 @@ def _names(body: Body) -> tuple[set[str], set[str]]:
 class Variables:
     """The variables of a routine while it is being made. Names are compared without their case, as all dialects do."""
 
-    def __init__(self, *taken: str) -> None:
+    def __init__(self, *reserved: str) -> None:
         self.declared: list[Declared] = []
-        self._names = {name.lower() for name in taken}
+        self._names = {name.lower() for name in reserved}
         self._shared: dict[tuple[str, Type, str], Variable] = {}
 
     def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
@@ -269,24 +269,24 @@ class Variables:
         return variable
 
     def declared_once(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A variable that is shared by all who ask for it so; one that `declare` has made is never shared."""
+        """A variable that is shared by all requests for its name, type and role; `declare` shares none."""
         key = (name, kind, role)
         if key not in self._shared:
             self._shared[key] = self.declare(name, kind, role, remark, initial)
         return self._shared[key]
 
     def local(self, name: str, kind: Type = INT) -> Variable:
-        """A local variable that is shared."""
+        """A local variable that is shared by all requests for its name and type."""
         return self.declared_once(name, kind, "local")
 
     def needed(self, body: Body) -> tuple[Declared, ...]:
-        """What is declared, without local variables that no statement uses: compilers warn of them."""
+        """The declared variables without the local ones that no statement uses: compilers warn of them."""
         names = used(body)
         return tuple(item for item in self.declared if item.role != "local" or item.variable.name in names)
 
 
 class Draft(Variables):
-    """A routine that returns a status."""
+    """A routine under construction, which returns a status."""
 
     def __init__(self, name: str, group: str, status: Status, *remarks: str) -> None:
         super().__init__(name)
@@ -297,11 +297,11 @@ class Draft(Variables):
         self.body: list[Statement] = []
 
     def add(self, statements: Iterable[Statement]) -> None:
-        """Adds statements to the end."""
+        """Appends statements."""
         self.body += statements
 
     def refuse(self, test: Expression, status: str) -> None:
-        """Returns a status where a test holds."""
+        """Appends the statement that returns a status where a test holds."""
         self.body.append(self.status.refuse(self.result, test, status))
 
     def refusal(self, test: Expression, status: str) -> Statement:
@@ -309,7 +309,7 @@ class Draft(Variables):
         return self.status.refuse(self.result, test, status)
 
     def finished(self, last: Expression | None = None) -> Routine:
-        """The routine; at its end it returns a status, where none is given that all is well."""
+        """The finished routine, which returns the status in `last`, or ok."""
         body = (*self.body, Assignment(self.result, self.status.of("ok") if last is None else last))
         return Routine(
             self.name,

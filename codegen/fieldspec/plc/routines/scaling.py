@@ -56,7 +56,7 @@ class Quantity:
 
     @property
     def key(self) -> tuple[object, ...]:
-        """What makes two quantities of one name the same."""
+        """The facts in which two quantities of one name must be equal to share a function."""
         value = self.value
         sentinels = tuple((sentinel.value, sentinel.name) for sentinel in value.sentinels)
         ranges = value.ranges, value.write_ranges
@@ -73,20 +73,20 @@ def _has_scale(value: Value) -> bool:
 
 
 def by_name(quantities: Iterable[Quantity]) -> dict[str, list[Quantity]]:
-    """Values by names that differ; those of one name that mean the same are together."""
+    """Quantities by distinct names; those that have the same name and key are in one list."""
     groups: dict[tuple[object, ...], list[Quantity]] = {}
     for quantity in quantities:
         groups.setdefault((quantity.name, *quantity.key), []).append(quantity)
-    named: dict[str, list[Quantity]] = {}
+    by_distinct_name: dict[str, list[Quantity]] = {}
     for same in groups.values():
         first = same[0]
-        name = first.name if first.name not in named else f"{first.owner}_{first.name}"
+        name = first.name if first.name not in by_distinct_name else f"{first.owner}_{first.name}"
         number = 1
-        while name in named:
+        while name in by_distinct_name:
             number += 1
             name = f"{first.owner}_{first.name}_{number}"
-        named[name] = same
-    return named
+        by_distinct_name[name] = same
+    return by_distinct_name
 
 
 def every_value(layout: DeviceLayout) -> Iterator[Quantity]:
@@ -113,7 +113,7 @@ def every_value(layout: DeviceLayout) -> Iterator[Quantity]:
 
 
 def scaling_routines(world: World) -> Iterator[Routine]:
-    """Both directions of every quantity, and of every conversion by a reference."""
+    """The functions from counts to quantities and back, also of conversions by a reference."""
     for name, same in quantities(world.layout).items():
         yield _from_counts(world, name, same)
         yield _to_counts(world, name, same)
@@ -127,19 +127,19 @@ def _digits(number: Ratio | int) -> Fraction:
     return Fraction(f"{int(number)}.0")
 
 
-def times(of: Expression, ratio: Ratio) -> Expression:
+def times(value: Expression, ratio: Ratio) -> Expression:
     """A product with a ratio: multiplied and divided by whole numbers, which rounds less than a decimal factor."""
     above, below = ratio.numerator, ratio.denominator
-    product = of if above == 1 else Operation("*", (of, _digits(above)), LREAL)
+    product = value if above == 1 else Operation("*", (value, _digits(above)), LREAL)
     return product if below == 1 else Operation("/", (product, _digits(below)), LREAL)
 
 
-def _about(world: World, same: list[Quantity], way: str) -> list[str]:
+def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
     first = same[0]
     owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
     ranges, write_ranges = first.value.ranges, first.value.write_ranges
     return [
-        f"{way}: 1 count = {count_of(first.value)}.",
+        f"{direction}: 1 count = {count_of(first.value)}.",
         f"Counts: {ranges.text()}." if ranges is not None else "",
         f"Counts that may be written: {write_ranges.text()}." if write_ranges is not None else "",
         f"Of {owners}. {world.comment(first.fact, None)}" if owners else world.comment(first.fact, None),
@@ -177,13 +177,13 @@ def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     return draft.finished()
 
 
-def _plus(of: Expression, more: Ratio) -> Expression:
+def _plus(value: Expression, term_value: Ratio) -> Expression:
     """A sum with an exact number, which is divided where it is no whole number."""
-    if not more:
-        return of
-    whole = _digits(abs(more.numerator))
-    term = whole if more.denominator == 1 else Operation("/", (whole, _digits(more.denominator)), LREAL)
-    return Operation("+" if more > 0 else "-", (of, term), LREAL)
+    if not term_value:
+        return value
+    whole = _digits(abs(term_value.numerator))
+    term = whole if term_value.denominator == 1 else Operation("/", (whole, _digits(term_value.denominator)), LREAL)
+    return Operation("+" if term_value > 0 else "-", (value, term), LREAL)
 
 
 def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
@@ -201,15 +201,15 @@ def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
 
 
 def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Iterable[tuple[int, int]]) -> None:
-    """Adds what rounds a number to a whole one in some intervals, whether the dialect's conversion rounds or cuts."""
+    """Adds the statements that round a number to a count in the intervals, however the dialect converts."""
     bounds = sorted(intervals)
     low, high = bounds[0][0], bounds[-1][1]
     counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "output")
     exact, rest = draft.local("lrCount", LREAL), draft.local("lrRest", LREAL)
     draft.add([Assignment(counts, Whole(0, kind)), Assignment(exact, count)])
-    least = compared(exact, ">=", _digits(low)) if -low > _WHOLE_ONLY else compared(exact, ">", _half(low, -1))
-    most = compared(exact, "<", _digits(high + 1)) if high > _WHOLE_ONLY else compared(exact, "<", _half(high, 1))
-    draft.refuse(Negation(every([least, most])), "out_of_range")
+    above_low = compared(exact, ">=", _digits(low)) if -low > _WHOLE_ONLY else compared(exact, ">", _half(low, -1))
+    below_high = compared(exact, "<", _digits(high + 1)) if high > _WHOLE_ONLY else compared(exact, "<", _half(high, 1))
+    draft.refuse(Negation(every([above_low, below_high])), "out_of_range")
     whole = draft.local(f"{PREFIXES[kind.name]}Whole", kind)
     odd = compared(Operation("MOD", (whole, Whole(2, kind)), kind), "<>", Whole(0, kind))
     half, less = Fraction("0.5"), Fraction("-0.5")
@@ -235,7 +235,7 @@ def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Itera
 
 
 def _half(bound: int, sign: int) -> Fraction:
-    """Half a count beyond a bound."""
+    """A bound and half a count beyond it, as a literal."""
     twice = 2 * bound + sign
     minus = "-" if twice < 0 else ""
     return Fraction(f"{minus}{abs(twice) // 2}.5")

@@ -17,7 +17,7 @@ from fieldspec.plc.routines.wrapping import framed
 
 
 def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
-    """The messages that are sent without anything around them."""
+    """The messages whose data are sent without header and trailer: process data."""
     links = [link for link in layout.links.values() if not framed(link)]
     messages = {message.name: message for link in links for message in link.messages.values()}
     return list(messages.values())

@@ -42,7 +42,7 @@ from fieldspec.plc.routines.world import PREFIXES, World
 
 @dataclass(frozen=True, slots=True)
 class Wire:
-    """A value and the order of its bytes."""
+    """A value and the order of its bytes on the wire."""
 
     value: Value
     order: str
@@ -50,41 +50,41 @@ class Wire:
 
     @staticmethod
     def of_field(field: FieldLayout) -> Wire:
-        """The value of a field that holds one."""
+        """The wire value of a field that has a value."""
         assert field.value is not None
         return Wire(field.value, field.order, field.swapped)
 
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
-        """The value of a register, as it is written."""
+        """The wire value of a register in a write."""
         return Wire(register.register.value, register.order, register.swapped)
 
     @staticmethod
     def of_answer(register: RegisterLayout) -> Wire:
-        """The value of a register, as the device answers it."""
+        """The wire value of a register in a read, as the device answers it."""
         return Wire(register.register.answer, register.order, register.swapped)
 
     @property
     def kind(self) -> Kind:
-        """What it holds."""
+        """The kind of the value."""
         return self.value.type.kind
 
     @property
     def bits(self) -> Elementary:
-        """The bit string of a number."""
+        """The type of the bit string that holds the value."""
         return BITS[self.value.size]
 
     @property
     def whole(self) -> Elementary:
-        """The type of a whole number."""
+        """The type of whole numbers that holds the value."""
         return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
 
     def literal(self, number_of: int) -> Whole:
-        """The bits of a number."""
+        """The literal of the bit string of a number."""
         return Whole(number_of & ((1 << 8 * self.value.size) - 1), self.bits)
 
     def number(self, bits: Expression) -> Expression:
-        """The whole number of bits. Where its type has more bits, the sign is repeated in them."""
+        """The whole number in a bit string; the sign is repeated in bits that its type has beyond."""
         if not (self.value.type.is_odd and self.value.type.signed):
             return converted(bits, self.whole)
         sign = 1 << (8 * self.value.size - 1)
@@ -95,7 +95,7 @@ class Wire:
 def read(
     draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
 ) -> list[Statement]:
-    """What puts a value into a variable; where there is none, what refuses another value than the constant."""
+    """The statements that read a value into a variable; without one, they refuse anything but the constant."""
     value = wire.value
     if wire.kind in (Kind.TEXT, Kind.BYTES):
         return [] if target is None else _characters_read(draft, wire, holder, offset, target)
@@ -131,19 +131,19 @@ def _received(draft: Draft, target: Expression, name: str) -> Expression:
 
     The compiler of Beremiz and OpenPLC makes wrong C of an output that goes there directly.
     """
-    of = target
-    while isinstance(of, Member):
-        of = of.of
-    return draft.local(name, target.type) if isinstance(of, Element) else target
+    holder = target
+    while isinstance(holder, Member):
+        holder = holder.of
+    return draft.local(name, target.type) if isinstance(holder, Element) else target
 
 
 def _moved(target: Expression, received: Expression) -> list[Statement]:
-    """What brings an output to its place, where it is not there."""
+    """The assignment of a received output to its target; none where it is in the target already."""
     return [] if received is target else [Assignment(target, received)]
 
 
 def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
-    """What refuses a value that must not be sent, and puts the others into the holder."""
+    """The statements that refuse a value that must not be sent, and store any other."""
     value = wire.value
     if wire.kind in (Kind.TEXT, Kind.BYTES):
         return _write_characters(draft, wire, holder, offset, source)
@@ -182,7 +182,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
 
 
 def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) -> Iterator[Statement]:
-    """What refuses a word with a field of bits that is out of its range."""
+    """The statements that refuse a word with a bit field that is out of its range."""
     word = world.layout.device.flags.get(wire.value.flags)
     kind = UNSIGNED[wire.value.size]
     for bit in word.bounded if word is not None else ():
@@ -192,24 +192,24 @@ def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) ->
             yield draft.refusal(wrong, "out_of_range")
 
 
-def _outside_real(value: Value, of: Expression) -> Expression:
+def _outside_real(value: Value, tested: Expression) -> Expression:
     """Whether a floating-point number is neither in range nor a sentinel."""
     pairs = list(value.ranges.intervals) if value.ranges is not None else []
     pairs += [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
-    inside = [
-        every([compared(of, ">=", Fraction(_real(low), REAL)), compared(of, "<=", Fraction(_real(high), REAL))])
+    intervals = [
+        every([compared(tested, ">=", Fraction(_real(low), REAL)), compared(tested, "<=", Fraction(_real(high), REAL))])
         for low, high in sorted(pairs)
     ]
-    return Negation(either(inside))
+    return Negation(either(intervals))
 
 
 def _real(bound: float) -> str:
-    """A bound with a decimal point."""
+    """The text of a bound with a decimal point."""
     return f"{bound}.0" if isinstance(bound, int) else bound_text(bound)
 
 
 def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
-    """What stores a number; by way of a variable where it has several parts."""
+    """The statements that store a number, through a variable where it has several parts."""
     value, bits = wire.value, converted(source, wire.bits)
     direct = holder.stored(offset, value.size, wire.order, wire.swapped, bits)
     if len(direct) == 1:
@@ -218,12 +218,12 @@ def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Express
 
 
 def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[Statement]:
-    """What writes a number that nobody gives: a constant, or that of a reserved field, as often as it is there."""
+    """The statements that write `count` times a number that users do not state: a constant or a default."""
     default = wire.value.default if isinstance(wire.value.default, int) else 0
     number_of = default if wire.value.const is None else wire.value.const
     statements: list[Statement] = []
-    for at in range(count):
-        start = offset + at * wire.value.size
+    for index in range(count):
+        start = offset + index * wire.value.size
         if wire.kind in (Kind.TEXT, Kind.BYTES):
             statements += [holder.byte_stored(start + byte, Whole(0, BYTE)) for byte in range(wire.value.size)]
         else:
@@ -234,20 +234,20 @@ def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[St
 _RAW = {name: f"{prefix}Raw" for name, prefix in PREFIXES.items()}
 
 
-def _closed(draft: Draft, world: World, wire: Wire, of: Expression) -> list[Statement]:
-    """What refuses a number that a closed enum does not list, where a variable holds the number itself."""
+def _closed(draft: Draft, world: World, wire: Wire, tested: Expression) -> list[Statement]:
+    """The statements that refuse a number that a closed enum does not list."""
     name = wire.value.enum
     if not name or world.layout.device.enums[name].open:
         return []
     members = world.layout.device.enums[name].members
     known = {member.value for member in members if not member.unavailable}
     known |= {sentinel.value for sentinel in wire.value.sentinels}
-    refused = outside(converted(of, wire.whole), runs(known), wire.whole) if known else Truth(True)
+    refused = outside(converted(tested, wire.whole), runs(known), wire.whole) if known else Truth(True)
     return [] if refused is None else [draft.refusal(refused, "unknown_value")]
 
 
 def runs(values: Iterable[int]) -> list[tuple[int, int]]:
-    """Numbers as intervals."""
+    """The intervals of consecutive numbers among values."""
     intervals: list[tuple[int, int]] = []
     for value in sorted(values):
         if intervals and intervals[-1][1] == value - 1:
@@ -260,21 +260,21 @@ def runs(values: Iterable[int]) -> list[tuple[int, int]]:
 def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, target: Expression) -> list[Statement]:
     assert isinstance(target.type, ArrayType)
     statements: list[Statement] = []
-    for at in range(wire.value.size):
-        element = Element(target, number(at), BYTE)
-        statements.append(Assignment(element, holder.byte(offset + at)))
+    for index in range(wire.value.size):
+        element = Element(target, number(index), BYTE)
+        statements.append(Assignment(element, holder.byte(offset + index)))
     return [*statements, *_ascii(draft, wire, target)]
 
 
 def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
     statements = _ascii(draft, wire, source)
-    for at in range(wire.value.size):
-        statements.append(holder.byte_stored(offset + at, Element(source, number(at), BYTE)))
+    for index in range(wire.value.size):
+        statements.append(holder.byte_stored(offset + index, Element(source, number(index), BYTE)))
     return statements
 
 
 def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
-    """What refuses a text with other characters than those of ASCII."""
+    """The statements that refuse a text with characters beyond ASCII."""
     if wire.kind is not Kind.TEXT:
         return []
     index = draft.local("iCharacter")
@@ -296,9 +296,9 @@ def word_order(wires: Iterable[Wire]) -> str:
     return orders.pop() if len(orders) == 1 else "both_word_orders" if orders else ""
 
 
-def order_remark(layout: DeviceLayout, unit: str, needed: bool = True) -> str:
+def order_remark(layout: DeviceLayout, unit: str, has_several: bool = True) -> str:
     """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
-    if not needed:
+    if not has_several:
         return ""
     device = layout.device
     byte = "high" if device.byte_order == "big" else "low"

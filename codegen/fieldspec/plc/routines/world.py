@@ -193,7 +193,7 @@ class World:
     @property
     def words(self) -> ArrayType:
         """The words of the longest list of registers that a message carries; where none does, of the longest group."""
-        lists = [most // 2 for most in _register_lists(self.layout)]
+        lists = [size // 2 for size in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
         return sequence(max([*lists, *tables, *([] if lists else [_longest_group(self.layout)])], default=1), WORD)
 
@@ -220,10 +220,10 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
         for direction in ("request", "response"):
             shape = link.frame(direction)
             marks = len(shape.start) + len(shape.end)
-            around = shape.header_size + shape.trailer_size
-            if around + marks or width > 1:
+            part_size = shape.header_size + shape.trailer_size
+            if part_size + marks or width > 1:
                 bodies = [message.data(direction).most or 0 for message in link.carried(direction).values()]
-                yield (around + max(bodies, default=0)) * width + marks
+                yield (part_size + max(bodies, default=0)) * width + marks
 
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:

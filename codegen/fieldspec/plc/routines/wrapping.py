@@ -26,7 +26,7 @@ LENGTH = "iLength"
 
 
 def framed(link: LinkLayout) -> bool:
-    """Whether anything stands around a body."""
+    """Whether frames of a link have more than a body: a header, a trailer, marks or characters."""
     return bool(link.request.header or link.request.trailer or wrapped(link))
 
 
@@ -38,12 +38,12 @@ def wrapped(link: LinkLayout) -> bool:
 
 def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
     """The words in names of routines that tell links apart."""
-    several = sum(framed(link) for link in world.layout.links.values()) > 1
-    return (link.name,) if several else ()
+    has_several = sum(framed(link) for link in world.layout.links.values()) > 1
+    return (link.name,) if has_several else ()
 
 
 def wrap_routine(world: World, link: LinkLayout) -> Routine:
-    """What writes the bytes of a frame as they are sent."""
+    """The function that turns the bytes of a frame into what is sent."""
     start, end = link.request.start, link.request.end
     width = 2 if link.link.encoding == "hex_ascii" else 1
     draft = Draft(
@@ -66,57 +66,61 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
         ),
         "no_room",
     )
-    for at, byte in enumerate(start):
-        draft.add([Assignment(Element(frame, number(at), BYTE), Whole(byte, BYTE))])
+    for position, byte in enumerate(start):
+        draft.add([Assignment(Element(frame, number(position), BYTE), Whole(byte, BYTE))])
     index = draft.local("iAt")
-    here = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
+    frame_index = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
     source_byte = Element(source, index, BYTE)
     body: Body
     if width == 2:
         digit = draft.local("usiDigit", USINT)
         body = (
             *_write_digit(
-                draft, digit, Operation("/", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT), frame, here
+                draft,
+                digit,
+                Operation("/", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
+                frame,
+                frame_index,
             ),
             *_write_digit(
                 draft,
                 digit,
                 Operation("MOD", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
                 frame,
-                plus(here, 1),
+                plus(frame_index, 1),
             ),
         )
     else:
-        body = (Assignment(Element(frame, here, BYTE), source_byte),)
+        body = (Assignment(Element(frame, frame_index, BYTE), source_byte),)
     draft.add([Loop(index, number(0), plus(count, -1), body)])
     stop = plus(Operation("*", (count, number(width)), INT) if width > 1 else count, len(start))
-    for at, byte in enumerate(end):
-        draft.add([Assignment(Element(frame, plus(stop, at), BYTE), Whole(byte, BYTE))])
+    for position, byte in enumerate(end):
+        draft.add([Assignment(Element(frame, plus(stop, position), BYTE), Whole(byte, BYTE))])
     draft.add([Assignment(length, plus(stop, len(end)))])
     return draft.finished()
 
 
 def _write_digit(
-    draft: Draft, digit: Variable, value: Expression, frame: Variable, at: Expression
+    draft: Draft, digit: Variable, value: Expression, frame: Variable, position: Expression
 ) -> tuple[Statement, ...]:
     letter = Operation("+", (digit, Whole(ord("A") - 10, USINT)), USINT)
     figure = Operation("+", (digit, Whole(ord("0"), USINT)), USINT)
     return (
         Assignment(digit, value),
         when(compared(digit, ">", Whole(9, USINT)), [Assignment(digit, letter)], [Assignment(digit, figure)]),
-        Assignment(Element(frame, at, BYTE), Conversion(digit, BYTE)),
+        Assignment(Element(frame, position, BYTE), Conversion(digit, BYTE)),
     )
 
 
 def _marks(link: LinkLayout, shape: FrameLayout) -> str:
     text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
     before = f"16#{shape.start.hex(' ').upper()} before them" if shape.start else ""
-    behind = f"16#{shape.end.hex(' ').upper()} behind them" if shape.end else ""
-    return ", ".join(text for text in (text, before, behind) if text)
+    end_mark = f"16#{shape.end.hex(' ').upper()} behind them" if shape.end else ""
+    return ", ".join(text for text in (text, before, end_mark) if text)
 
 
 def unwrap_routine(world: World, link: LinkLayout) -> Routine:
-    """What takes the bytes of a frame out of what is received."""
+    """The function that extracts the bytes of a frame from what is received."""
     start, end = link.response.start, link.response.end
     draft = Draft(
         world.routine("unwrap", *link_words(world, link)),
@@ -132,24 +136,24 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
     draft.add([Assignment(count, number(0))])
     draft.refuse(compared(length, "<", number(marks)), "wrong_mark")
     draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
-    for at, byte in enumerate(start):
-        draft.refuse(compared(Element(frame, number(at), BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
-    for at, byte in enumerate(end):
-        place = plus(length, at - len(end))
+    for position, byte in enumerate(start):
+        draft.refuse(compared(Element(frame, number(position), BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+    for position, byte in enumerate(end):
+        place = plus(length, position - len(end))
         draft.refuse(compared(Element(frame, place, BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
     index = draft.local("iAt")
     if link.link.encoding != "hex_ascii":
         draft.add([Assignment(count, plus(length, -marks))])
-        taken = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
-        draft.add([Loop(index, number(0), plus(count, -1), (taken,))])
+        moved = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
+        draft.add([Loop(index, number(0), plus(count, -1), (moved,))])
         return draft.finished()
     digit, high = draft.local("usiDigit", USINT), draft.local("usiHigh", USINT)
-    here = Element(frame, plus(index, len(start)), BYTE)
+    received_byte = Element(frame, plus(index, len(start)), BYTE)
     odd = compared(Operation("MOD", (index, number(2)), INT), "<>", number(0))
     whole = Operation("+", (Operation("*", (high, Whole(16, USINT)), USINT), digit), USINT)
     place = Operation("/", (index, number(2)), INT)
     body: Body = (
-        Assignment(digit, Conversion(here, USINT)),
+        Assignment(digit, Conversion(received_byte, USINT)),
         _digit_read(draft, digit),
         when(
             odd,
@@ -164,7 +168,7 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
 
 
 def _digit_read(draft: Draft, digit: Variable) -> Statement:
-    """What makes the number of a character; letters of both cases are taken."""
+    """The statement that makes a number of a hexadecimal character, a letter of either case included."""
     ranges = (("0", "9", 48), ("A", "F", 55), ("a", "f", 87))
     branches = []
     for low, high, less in ranges:

@@ -12,7 +12,7 @@ from fieldspec.plc.structured.objects import Item
 
 
 def lent_arrays(routines: Iterable[Routine]) -> frozenset[ArrayType]:
-    """The arrays that routines are lent."""
+    """The types of the arrays that routines have as VAR_IN_OUT."""
     declared = (declared for routine in routines for declared in routine.of_role("in_out"))
     return frozenset(item.variable.type for item in declared if isinstance(item.variable.type, ArrayType))
 
@@ -31,7 +31,7 @@ def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> 
 
 
 def array_item(kind: ArrayType, spelling: Spelling) -> Item:
-    """The type of an array by its name."""
+    """The declaration of an array type with a name."""
     title = "For arguments: the bounds of an array must be those of the parameter."
     bounds = f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
     lines = (*comment(title), f"TYPE {array_name(kind, spelling)} : {bounds};", "END_TYPE")

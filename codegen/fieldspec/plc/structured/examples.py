@@ -35,7 +35,7 @@ class _Uses:
         self.world, self.by_name, self.spelling = world, by_name, spelling
 
     def all(self) -> Iterator[tuple[str, list[str]]]:
-        """All of them."""
+        """The titles and lines of all uses."""
         link = next((link for link in self.world.layout.links.values() if framed(link)), None)
         if link is not None:
             yield from self._registers(link)
@@ -45,7 +45,7 @@ class _Uses:
         yield from self._cyclic()
 
     def _registers(self, link: LinkLayout) -> Iterator[tuple[str, list[str]]]:
-        """How registers are read, and how values are taken out of them."""
+        """The calls that read registers and unpack their values."""
         unpack, space = self._unpacking()
         message = _reading(self.world.layout.device, link, space)
         if message is None or unpack is None:
@@ -59,8 +59,8 @@ class _Uses:
             return
         known: dict[str, Expression] = {"aWords": lists[0], "iCount": counts[0], "iFirst": number(0)}
         parameters = {declared.variable.name for declared in unpack.declared}
-        here = {name: value for name, value in known.items() if name in parameters}
-        lines = [*self._exchange(link, message), *call_lines(unpack, self.spelling, **here)]
+        arguments = {name: value for name, value in known.items() if name in parameters}
+        lines = [*self._exchange(link, message), *call_lines(unpack, self.spelling, **arguments)]
         yield f"To read registers on {link.name}, and take the values out of them:", lines
 
     def _function(self, deed: str, link: LinkLayout, message: MessageLayout) -> Routine:
@@ -119,12 +119,12 @@ def _reading(device: Device, link: LinkLayout, space: str) -> MessageLayout | No
 
 
 def _telling(link: LinkLayout) -> MessageLayout | None:
-    """The message with most values in its request, if these are all single ones."""
+    """The message with the most fields in its request, among those with none but single values."""
     best: MessageLayout | None = None
-    most = 0
+    greatest_count = 0
     for message in link.carried("request").values():
         fields = [field for field in message.request.fields if is_user_field(field)]
         single = all(field.value is not None and not field.is_list for field in fields)
-        if single and message.message.accesses is None and len(fields) > most:
-            best, most = message, len(fields)
+        if single and message.message.accesses is None and len(fields) > greatest_count:
+            best, greatest_count = message, len(fields)
     return best

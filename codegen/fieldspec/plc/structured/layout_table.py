@@ -18,7 +18,7 @@ def rows(program: Program) -> Iterator[tuple[str, ...]]:
     for placed in program.placed:
         for member in placed.members:
             member_model = member.member
-            there = "" if member_model.at is None else str(member_model.at)
+            wire_offset = "" if member_model.at is None else str(member_model.at)
             order = (
                 ""
                 if not member_model.order or member_model.value is None or member_model.value.size < 2
@@ -33,7 +33,7 @@ def rows(program: Program) -> Iterator[tuple[str, ...]]:
                 type_name(member_model.type),
                 str(member.at),
                 str(total),
-                there,
+                wire_offset,
                 f"{order}{words}",
                 program.declared.layout.identity,
             )

@@ -30,14 +30,14 @@ class Item:
 
     @property
     def lines(self) -> list[str]:
-        """The whole object, as text that stands alone."""
+        """The lines of the object's declaration and implementation."""
         ends = {"function": ["END_FUNCTION"], "block": ["END_FUNCTION_BLOCK"]}
         end = ends.get(self.kind, [])
         return [*self.declaration, *self.implementation, *end]
 
 
 def number(constant: Constant) -> str:
-    """The value of a constant, as people know it."""
+    """The literal of a constant, hexadecimal where the manual writes it so."""
     value = constant.value
     if isinstance(value, Decimal) or constant.type.family == "real":
         return real(Decimal(value))
@@ -47,7 +47,7 @@ def number(constant: Constant) -> str:
 
 
 def real(value: Decimal) -> str:
-    """A decimal number with a point."""
+    """The literal of a decimal number, with a point."""
     text = f"{value:f}"
     return text if "." in text else f"{text}.0"
 
@@ -75,11 +75,11 @@ def _units(char: str, wide: bool) -> list[int]:
     if not wide:
         return [ord(char)]
     data = char.encode("utf-16-be", "replace")
-    return [int.from_bytes(data[at : at + 2], "big") for at in range(0, len(data), 2)]
+    return [int.from_bytes(data[offset : offset + 2], "big") for offset in range(0, len(data), 2)]
 
 
 def length(text: str, wide: bool) -> int:
-    """How many elements of a STRING or WSTRING a text takes."""
+    """The number of elements that a text takes in a STRING or WSTRING."""
     return len(text.encode("utf-16-be", "replace")) // 2 if wide else len(text)
 
 
@@ -126,23 +126,23 @@ def form_item(form: TextForm) -> Item:
 
 
 def constants_item(constant_list: ConstantList) -> Item:
-    """A list of numbers."""
+    """The declaration of a list of constants."""
     lines = [*_head(constant_list.title), _HEAD]
     for constant in constant_list.constants:
-        beside = f" // {comment_text(constant.remark)}" if comment_text(constant.remark) else ""
-        lines.append(f"    {constant.name} : {constant.type.name} := {number(constant)};{beside}")
+        remark = f" // {comment_text(constant.remark)}" if comment_text(constant.remark) else ""
+        lines.append(f"    {constant.name} : {constant.type.name} := {number(constant)};{remark}")
     return Item(constant_list.name, "list", "constants", (*lines, "END_VAR"))
 
 
 def texts_item(name: str, tables: tuple[TextTable, ...], form: TextForm) -> Item:
-    """The list of all texts of codes: entry array for each enum, by number."""
+    """The list of the texts of codes: an array for each enum, in the order of the numbers."""
     lines = [*_head("Texts of codes"), _HEAD]
     code, text = form.members
     for table in tables:
         lines += comment(table.title, "    ")
         lines.append(f"    {table.name} : ARRAY[0..{len(table.texts) - 1}] OF {form.name} := [")
-        for at, entry in enumerate(table.texts, 1):
-            mark = "," if at < len(table.texts) else ""
+        for position, entry in enumerate(table.texts, 1):
+            mark = "," if position < len(table.texts) else ""
             lines.append(f"        ({code} := {entry.code}, {text} := {string(entry.text, form.wide)}){mark}")
         lines.append("    ];")
     return Item(name, "list", "constants", (*lines, "END_VAR"))
@@ -159,30 +159,30 @@ PACK_MODE = 1
 
 
 def enum_item(declared: EnumDeclaration) -> Item:
-    """A strict enum with its base type."""
+    """The declaration of a strict enum with its base type."""
     lines = [*comment(declared.title), *(f"{{attribute '{name}'}}" for name in ENUM_ATTRIBUTES)]
     lines += [f"TYPE {declared.name} :", "("]
-    for at, member in enumerate(declared.members, 1):
-        mark = "," if at < len(declared.members) else ""
-        beside = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
-        lines.append(f"    {member.name} := {member.value}{mark}{beside}")
+    for position, member in enumerate(declared.members, 1):
+        mark = "," if position < len(declared.members) else ""
+        remark = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
+        lines.append(f"    {member.name} := {member.value}{mark}{remark}")
     return Item(declared.name, "type", "enums", (*lines, f") {declared.base.name};", "END_TYPE"))
 
 
 def struct_item(struct: Struct, size: int, spelling: Spelling) -> Item:
-    """A struct of some bytes, without gaps between its members."""
+    """The declaration of a struct of `size` bytes, without gaps between its members."""
     lines = comment(f"{struct.title} {size} bytes.".strip())
     lines += [f"{{attribute 'pack_mode' := '{PACK_MODE}'}}", f"TYPE {struct.name} :", "STRUCT"]
     for member in struct.members:
-        beside = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
-        lines.append(f"    {member.name} : {type_text(member.type, spelling)};{beside}")
+        remark = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
+        lines.append(f"    {member.name} : {type_text(member.type, spelling)};{remark}")
     if not struct.members:
         lines.append("    byNothing : BYTE; // a struct must have a member")
     return Item(struct.name, "type", "structs", (*lines, "END_STRUCT;", "END_TYPE"))
 
 
 def sizes_item(name: str, sizes: Mapping[str, int]) -> Item:
-    """The function: call it once at the start, and stop where it gives FALSE."""
+    """The function that compares the sizes of structs with those of the layout, for a call at the start."""
     head = [
         *comment("Whether all structs are as large as their layout says. FALSE means that the compiler fills up gaps:"),
         *comment("then do not copy them as blocks of memory. The functions for words and bytes do not depend on it."),

@@ -31,30 +31,30 @@ def _record(layout: DeviceLayout, struct: Struct) -> RecordLayout | None:
     return next((record for record in data if struct.kind == "telegram" and record.name == struct.key), None)
 
 
-def _filled(struct: Struct, record: RecordLayout, others: dict[str, Struct]) -> Struct:
+def _filled(struct: Struct, record: RecordLayout, structs: dict[str, Struct]) -> Struct:
     """The struct with padding where a field is not given, or takes more bytes on the wire than its variable."""
     members = {id(member.fact): member for member in struct.members}
-    taken = {member.name.lower() for member in struct.members}
+    used_names = {member.name.lower() for member in struct.members}
     filled_members: list[StructMember] = []
-    at = 0
+    offset = 0
     for field in record.fields:
         size = field.size * (field.count or 1)
         if is_user_field(field):
             member = members[id(field.field)]
             filled_members.append(replace(member, at=field.offset, order=field.order, swapped=field.swapped))
-            at += placed(replace(struct, members=(member,)), PACKED, others).size
-        missing = field.offset + size - at
+            offset += placed(replace(struct, members=(member,)), PACKED, structs).size
+        missing = field.offset + size - offset
         if missing > 0:
-            filled_members.append(_padding(missing, field, taken, at))
-            at += missing
+            filled_members.append(_padding(missing, field, used_names, offset))
+            offset += missing
     return replace(struct, members=tuple(filled_members), size=record.size)
 
 
-def _padding(size: int, field: FieldLayout, taken: set[str], at: int) -> StructMember:
+def _padding(size: int, field: FieldLayout, used_names: set[str], offset: int) -> StructMember:
     prefix, number = "by" if size == 1 else "aby", 1
-    while f"{prefix}padding{number}" in taken:
+    while f"{prefix}padding{number}" in used_names:
         number += 1
-    taken.add(f"{prefix}padding{number}")
+    used_names.add(f"{prefix}padding{number}")
     remark = f"fills up {field.name}" if is_user_field(field) else f"{field.name} on the wire; the functions set it"
     kind = BYTE if size == 1 else sequence(size, BYTE)
-    return StructMember(f"{prefix}Padding{number}", kind, remark, None, None, at)
+    return StructMember(f"{prefix}Padding{number}", kind, remark, None, None, offset)

@@ -58,11 +58,11 @@ class Program:
         return _texts_list(self.declared)
 
     def about(self) -> list[str]:
-        """What stands at the head of a file."""
+        """The lines at the head of a file."""
         return about(self.declared)
 
     def guide(self) -> list[str]:
-        """How the functions are used, for the head of a file that has everything."""
+        """The lines that explain the use of the functions, for the head of a file with all objects."""
         return [
             "Each function returns a status. Unless that is Ok, its outputs and what it was to fill must not be used.",
             "Arrays for arguments have types by name, because their bounds must be those of the parameter.",
@@ -74,7 +74,7 @@ class Program:
 
 
 def about(declared: Declarations) -> list[str]:
-    """What stands at the head of every file of a device."""
+    """The lines at the head of every file of a device."""
     layout = declared.layout
     device = layout.device
     manual = f"{device.manual.title} {device.manual.edition}".strip()
@@ -104,33 +104,33 @@ def program(layout: DeviceLayout) -> Program:
     declared = declared_in_text(layout)
     structs = padded(declared)
     by_name = {struct.name: struct for struct in structs}
-    where = tuple(placed(struct, PACKED, by_name) for struct in structs)
+    placed_structs = tuple(placed(struct, PACKED, by_name) for struct in structs)
     device = _device(declared.layout)
     texts = text_form(declared.texts, STRUCTURED.texts.format(device, "Code"))
-    sizes = {placed.struct.name: placed.size for placed in where if placed.struct.members}
+    sizes = {placed.struct.name: placed.size for placed in placed_structs if placed.struct.members}
     item = sizes_item(f"F_{device}_SizesAreRight", sizes)
     all_blocks = routines(declared.world)
     device_routines = all_blocks.routines
     array = STRUCTURED.spelling.array.format(device, "{}")
     spelling = replace(STRUCTURED.spelling, array=array, named=lent_arrays(device_routines))
     functions = tuple(_function(routine, spelling) for routine in device_routines)
-    items = (*_items(declared, where, texts, device_routines, spelling), item, *functions)
+    items = (*_items(declared, placed_structs, texts, device_routines, spelling), item, *functions)
     return Program(
-        declared, structs, where, texts, spelling, device_routines, functions, item, items, all_blocks.missing
+        declared, structs, placed_structs, texts, spelling, device_routines, functions, item, items, all_blocks.missing
     )
 
 
 def _items(
     declared: Declarations,
-    where: Sequence[Placed],
+    placed_structs: Sequence[Placed],
     texts: TextForm | None,
     routines_of_device: Sequence[Routine],
     spelling: Spelling,
 ) -> Iterator[Item]:
-    """All objects but functions."""
+    """All objects except the functions, those first that others use."""
     yield from map(enum_item, declared.enums)
     known: set[str] = set()
-    for placed_struct in where:
+    for placed_struct in placed_structs:
         members = [member.type for member in placed_struct.struct.members]
         yield from (array_item(kind, spelling) for kind in named_arrays(members, spelling, known))
         yield struct_item(placed_struct.struct, placed_struct.size, spelling)
@@ -153,7 +153,7 @@ def _texts_list(declared: Declarations) -> str:
 
 
 def newest(versions: Sequence[DeviceLayout]) -> DeviceLayout:
-    """The version that a program is all_blocks of: the newest of those that are asked for."""
+    """The version that the program of a device is written for: the newest of those that are requested."""
     return versions[-1]
 
 

@@ -56,12 +56,12 @@ class _Usages:
 
     @property
     def world(self) -> World:
-        """The names of everything."""
+        """The names of the device's declarations."""
         return self.declared.world
 
     @property
     def layout(self) -> DeviceLayout:
-        """The layout as the dialect has it."""
+        """The layout that the dialect declares."""
         return self.declared.layout
 
     def registers(self) -> Iterator[StructuredUsage]:
@@ -80,7 +80,7 @@ class _Usages:
                 ):
                     continue
                 blocks = [("read", reads and readable(fact.access)), ("write", writable(fact.access) or fact.trigger)]
-                ways = [way for way, is_possible in blocks if is_possible]
+                ways = [direction for direction, is_possible in blocks if is_possible]
                 if ways:
                     arguments = f"uiAddress := {constant}, iCount := {register.words}"
                     yield self._usage(fact.place.path, ways, group.name, group.name, arguments, register.name)
@@ -154,21 +154,21 @@ class _Usages:
             spelling.struct.format(world.struct(AXIS).name),
             spelling.struct.format(world.struct(struct).name),
         ]
-        for way in ways:
-            names.append(spelling.struct.format(world.block(way, block)))
-            text += f"// fb{way.title()} : @{len(names) - 1}@;\n"
+        for direction in ways:
+            names.append(spelling.struct.format(world.block(direction, block)))
+            text += f"// fb{direction.title()} : @{len(names) - 1}@;\n"
         text += "// stAxis : @2@; a client block serves it in each scan\n// stData : @3@;\n"
-        for way in ways:
-            if way == "write":
+        for direction in ways:
+            if direction == "write":
                 text += f"{data}.@1@ := {spelling.variable.format('value')};\n"
             text += _CALL.format(
-                block=spelling.variable.format(f"fb{way.title()}"),
-                execute=spelling.variable.format(f"x{way.title()}"),
+                block=spelling.variable.format(f"fb{direction.title()}"),
+                execute=spelling.variable.format(f"x{direction.title()}"),
                 arguments="@0@",
                 axis=spelling.variable.format("stAxis"),
                 data=data,
             )
-            if way == "read":
+            if direction == "read":
                 done = spelling.variable.format("fbRead")
                 value = spelling.variable.format("value")
                 text += f"IF {done}.Done THEN\n    {value} := {data}.@1@;\nEND_IF;\n"

@@ -1,6 +1,6 @@
 import { isWhole } from "./numbers.js";
 import { typeBounds } from "./frames.js";
-import { decodeValue, forWriting, meaningOf } from "./values.js";
+import { decodeAnswer, decodeValue, forWriting, meaningOf } from "./values.js";
 import { isWithin } from "./texts.js";
 
 /** The parameter with a number of a set. */
@@ -131,7 +131,8 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
-  let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);
+  const value = isRequest ? forWriting(fact.value) : fact.value;
+  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, ...again, fact.reserved);
   // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];

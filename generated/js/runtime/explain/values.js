@@ -102,6 +102,14 @@ export function forWriting(value) {
   return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
 }
 
+/** The meaning of the bytes of a value that is read: a constant binds only what is written. */
+export function decodeAnswer(device, value, ...rest) {
+  const read = decodeValue(device, value, ...rest);
+  if (read.reason !== "wrong_const") return read;
+  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
+  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+}
+
 /** The meaning of all bytes of a value. Never throws. */
 export function decodeValue(device, value, bytes, order, swapped, reserved) {
   const number = numberOfBytes(value, bytes, order, swapped);

@@ -303,6 +303,7 @@ class _Telegram3Tasks(_CyclicWork):
         task = self.task("servo_off", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
@@ -330,6 +331,7 @@ class _Telegram3Tasks(_CyclicWork):
         task = self.task("quick_stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x4, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
@@ -420,7 +422,7 @@ class Telegram3(_BlockingClient):
     def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -453,7 +455,7 @@ class Telegram3(_BlockingClient):
     def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -546,7 +548,7 @@ class AsyncTelegram3(_AsyncBaseClient):
     async def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -579,7 +581,7 @@ class AsyncTelegram3(_AsyncBaseClient):
     async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -632,6 +634,7 @@ class _Telegram5Tasks(_CyclicWork):
         task = self.task("servo_off", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
@@ -659,6 +662,7 @@ class _Telegram5Tasks(_CyclicWork):
         task = self.task("quick_stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x4, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
@@ -751,7 +755,7 @@ class Telegram5(_BlockingClient):
     def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -784,7 +788,7 @@ class Telegram5(_BlockingClient):
     def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -879,7 +883,7 @@ class AsyncTelegram5(_AsyncBaseClient):
     async def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -912,7 +916,7 @@ class AsyncTelegram5(_AsyncBaseClient):
     async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -965,6 +969,7 @@ class _Telegram9Tasks(_CyclicWork):
         task = self.task("servo_off", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
@@ -1083,6 +1088,7 @@ class _Telegram9Tasks(_CyclicWork):
         task = self.task("stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x10, False),
                 task.put("control_word_1", 0x100, False),
                 task.put("control_word_1", 0x200, False),
@@ -1096,6 +1102,7 @@ class _Telegram9Tasks(_CyclicWork):
         task = self.task("quick_stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x4, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
@@ -1194,7 +1201,7 @@ class Telegram9(_BlockingClient):
     def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -1277,8 +1284,8 @@ class Telegram9(_BlockingClient):
     def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
-        standstill = true.
+        Steps: set control_request; clear move_enable; clear jog_positive; clear jog_negative; clear
+        homing_start; wait standstill = true.
 
         Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
@@ -1287,7 +1294,7 @@ class Telegram9(_BlockingClient):
     def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -1390,7 +1397,7 @@ class AsyncTelegram9(_AsyncBaseClient):
     async def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -1473,8 +1480,8 @@ class AsyncTelegram9(_AsyncBaseClient):
     async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
-        standstill = true.
+        Steps: set control_request; clear move_enable; clear jog_positive; clear jog_negative; clear
+        homing_start; wait standstill = true.
 
         Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
@@ -1483,7 +1490,7 @@ class AsyncTelegram9(_AsyncBaseClient):
     async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -1546,6 +1553,7 @@ class _Telegram102Tasks(_CyclicWork):
         task = self.task("servo_off", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
@@ -1582,6 +1590,7 @@ class _Telegram102Tasks(_CyclicWork):
         task = self.task("quick_stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x4, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
@@ -1674,7 +1683,7 @@ class Telegram102(_BlockingClient):
     def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -1720,7 +1729,7 @@ class Telegram102(_BlockingClient):
     def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -1815,7 +1824,7 @@ class AsyncTelegram102(_AsyncBaseClient):
     async def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -1861,7 +1870,7 @@ class AsyncTelegram102(_AsyncBaseClient):
     async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -1914,6 +1923,7 @@ class _Telegram105Tasks(_CyclicWork):
         task = self.task("servo_off", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
@@ -1950,6 +1960,7 @@ class _Telegram105Tasks(_CyclicWork):
         task = self.task("quick_stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x4, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
@@ -2043,7 +2054,7 @@ class Telegram105(_BlockingClient):
     def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -2089,7 +2100,7 @@ class Telegram105(_BlockingClient):
     def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -2185,7 +2196,7 @@ class AsyncTelegram105(_AsyncBaseClient):
     async def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -2231,7 +2242,7 @@ class AsyncTelegram105(_AsyncBaseClient):
     async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -2284,6 +2295,7 @@ class _Telegram111Tasks(_CyclicWork):
         task = self.task("servo_off", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
@@ -2407,6 +2419,7 @@ class _Telegram111Tasks(_CyclicWork):
         task = self.task("stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x10, False),
                 task.put("control_word_1", 0x100, False),
                 task.put("control_word_1", 0x200, False),
@@ -2420,6 +2433,7 @@ class _Telegram111Tasks(_CyclicWork):
         task = self.task("quick_stop", limit)
         return task.carry_out(
             [
+                task.put("control_word_1", 0x400, True),
                 task.put("control_word_1", 0x4, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x40, mask=0x40, name="switching_on_inhibited")),
@@ -2529,7 +2543,7 @@ class Telegram111(_BlockingClient):
     def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -2618,8 +2632,8 @@ class Telegram111(_BlockingClient):
     def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
-        standstill = true.
+        Steps: set control_request; clear move_enable; clear jog_positive; clear jog_negative; clear
+        homing_start; wait standstill = true.
 
         Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
@@ -2628,7 +2642,7 @@ class Telegram111(_BlockingClient):
     def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 
@@ -2744,7 +2758,7 @@ class AsyncTelegram111(_AsyncBaseClient):
     async def servo_off(self, *, limit: float = 60.0) -> None:
         """Servo off.
 
-        Steps: clear servo_enable; wait servo_state = false.
+        Steps: set control_request; clear servo_enable; wait servo_state = false.
 
         Inferred (steps): The sequence is figure 7.2.3.1, which is not in the text. Without bit 3 the
         drive leaves the state S4.
@@ -2833,8 +2847,8 @@ class AsyncTelegram111(_AsyncBaseClient):
     async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
 
-        Steps: clear move_enable; clear jog_positive; clear jog_negative; clear homing_start; wait
-        standstill = true.
+        Steps: set control_request; clear move_enable; clear jog_positive; clear jog_negative; clear
+        homing_start; wait standstill = true.
 
         Source: 3.3.2 L607, 611-612, 614; 3.5.2 L685.
         """
@@ -2843,7 +2857,7 @@ class AsyncTelegram111(_AsyncBaseClient):
     async def quick_stop(self, *, limit: float = 60.0) -> None:
         """Quick stop.
 
-        Steps: clear quick_stop_released; wait switch_on_inhibited = true.
+        Steps: set control_request; clear quick_stop_released; wait switch_on_inhibited = true.
 
         Inferred (steps): That a quick stop ends in the state S1 is PROFIdrive's.
 

@@ -338,6 +338,7 @@ class _Tasks(_DeviceWork):
                 task.wait(_Condition(_codec.ACTION_STATUS, 1)),
                 task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0),
                 task.wait(_Condition(_codec.ACTION_STATUS, 0)),
+                task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
             ],
             ending=[task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0)],
             halting=lambda: [task.write(_codec.MOTION_COMMAND, 8)],
@@ -576,12 +577,16 @@ class Client(_RegisterClient):
         registers/simulated_inputs/simulated_input_10 = <point_number_bit_5>; write
         registers/simulated_inputs/simulated_input_11 = <point_number_bit_6>; set
         registers/simulated_inputs/simulated_input_4; wait fault_code = no_fault; wait busy = moving;
-        clear registers/simulated_inputs/simulated_input_4; wait busy = stopped.
+        clear registers/simulated_inputs/simulated_input_4; wait busy = stopped; wait fault_code =
+        no_fault.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
 
         Note: The steps hold for the inputs as CN4 has them on delivery.
+
+        Note: A stop by the vendor's software may leave 1000H at 0, as the end of the motion does:
+        nothing tells the two apart, for the target is in the point.
 
         Note: 2040H is one word for all inputs: its other bits are to be left as they are, /SERVO at
         IN2 and LOCK at IN12 among them.
@@ -838,12 +843,16 @@ class AsyncClient(_AsyncRegisterClient):
         registers/simulated_inputs/simulated_input_10 = <point_number_bit_5>; write
         registers/simulated_inputs/simulated_input_11 = <point_number_bit_6>; set
         registers/simulated_inputs/simulated_input_4; wait fault_code = no_fault; wait busy = moving;
-        clear registers/simulated_inputs/simulated_input_4; wait busy = stopped.
+        clear registers/simulated_inputs/simulated_input_4; wait busy = stopped; wait fault_code =
+        no_fault.
 
         Note: Whether what is waited for has already changed when the command is answered is not
         printed: it may still show the end of the move before.
 
         Note: The steps hold for the inputs as CN4 has them on delivery.
+
+        Note: A stop by the vendor's software may leave 1000H at 0, as the end of the motion does:
+        nothing tells the two apart, for the target is in the point.
 
         Note: 2040H is one word for all inputs: its other bits are to be left as they are, /SERVO at
         IN2 and LOCK at IN12 among them.

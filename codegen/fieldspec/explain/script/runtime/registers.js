@@ -1,5 +1,5 @@
 import { isWhole } from "./numbers.js";
-import { decoded, decodeValue, exponentApplied, forReading, forWriting, numberOfBytes } from "./values.js";
+import { decodeAnswer, decoded, decodeValue, exponentApplied, forWriting, numberOfBytes } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
 
 function partialText(unit, isAtomic) {
@@ -216,9 +216,10 @@ function registerRow(device, span, occupant, spot, operation) {
   const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
-    const own = operation === "write" ? forWriting(occupant.value) : forReading(occupant.value);
+    const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
-    read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
+    const decode = operation === "write" ? decodeValue : decodeAnswer;
+    read = decode(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {

@@ -97,14 +97,17 @@ export function meaningOf(name, label, text, bits = "") {
   return { name: name ?? "", label: label ?? "", text: text ?? "", bits };
 }
 
-/** The value in a response: a constant binds only what is written. */
-export function forReading(value) {
-  return value.const === undefined ? value : { ...value, const: undefined };
-}
-
 /** The value with the range of writing as its only range. */
 export function forWriting(value) {
   return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
+}
+
+/** The meaning of the bytes of a value that is read: a constant binds only what is written. */
+export function decodeAnswer(device, value, ...rest) {
+  const read = decodeValue(device, value, ...rest);
+  if (read.reason !== "wrong_const") return read;
+  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
+  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
 }
 
 /** The meaning of all bytes of a value. Never throws. */

@@ -16,6 +16,7 @@ from fieldspec.plc.routines.blocks.ports import (
     FRAMES,
     FREE,
     POSTPONED,
+    PRESSING,
     URGENT,
     increment,
     member,
@@ -54,7 +55,7 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
     """The block that serves the port of a device by a link; None where the link does not read and write registers."""
     reading: Exchange | None = None
     single: Exchange | None = None
-    several: Exchange | None = None
+    multiple: Exchange | None = None
     device = world.layout.device
     for message in link.exchanged.values():
         access = device.word_access(message.message)
@@ -66,28 +67,28 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
         if access.operation == "read":
             reading = reading or (exchange if access.count else None)
         elif access.count:
-            several = several or exchange
+            multiple = multiple or exchange
         else:
             single = single or exchange
-    if reading is None or (single is None and several is None):
+    if reading is None or (single is None and multiple is None):
         return None
-    return _Client(world, link, reading, single, several).block()
+    return _Client(world, link, reading, single, multiple).block()
 
 
 def _usable(world: World, exchange: Exchange, access: RegisterAccess) -> bool:
-    """Whether a request says nothing but the station, the address, the number and the words."""
+    """Whether a request has no fields but the station, the address, the number and the words."""
     fields = {field.name for field in exchange.message.request.fields if is_user_field(field)}
     return fields <= {access.start, access.count, access.values}
 
 
 class _Client:
-    """The block while it is being made."""
+    """Makes the block that serves the port of a device by a link."""
 
     def __init__(
-        self, world: World, link: LinkLayout, reading: Exchange, single: Exchange | None, several: Exchange | None
+        self, world: World, link: LinkLayout, reading: Exchange, single: Exchange | None, multiple: Exchange | None
     ) -> None:
         self.world, self.link = world, link
-        self.exchanges = {"reading": reading, "single": single, "several": several}
+        self.exchanges = {"reading": reading, "single": single, "several": multiple}
         self.variables = Variables()
         self.axis = self._struct(AXIS, "axis")
         self.frames = self._struct(FRAMES, "frames")
@@ -113,7 +114,7 @@ class _Client:
         return member(self.world, FRAMES, name, self.frames)
 
     def block(self) -> Routine:
-        """The whole block."""
+        """The block: its variables, its statements and its remarks."""
         world = self.world
         retries = self._declare("iRetries", INT, "input", "how often reading is tried again; writing never is", "2")
         step, tries = self._declare("iStep", INT, "local"), self._declare("iTry", INT, "local")
@@ -144,13 +145,18 @@ class _Client:
         no_reason = Assignment(self.reason, Whole(0, UINT))
         none = compared(self.reason, "=", Whole(0, UINT))
         request = self._of_frames("request")
-        asked = [increment(request), Assignment(self.request, request), Assignment(state, number(ASKED)), go(_WAIT)]
+        send_request = [
+            increment(request),
+            Assignment(self.request, request),
+            Assignment(state, number(ASKED)),
+            go(_WAIT),
+        ]
         room = world.words.high + 1
-        beyond = either([compared(count, "<", number(1)), compared(count, ">", number(room))])
+        wrong_count = either([compared(count, "<", number(1)), compared(count, ">", number(room))])
         asking: list[Statement] = [
             no_reason,
-            chain([(beyond, [self._fail("request")]), *builds], last_build),
-            when(none, asked, [go(_ANSWER)]),
+            chain([(wrong_count, [self._fail("request")]), *builds], last_build),
+            when(none, send_request, [go(_ANSWER)]),
         ]
         error = self._of_frames("error")
         waiting: list[Statement] = [
@@ -199,11 +205,13 @@ class _Client:
             go(_IDLE),
         ]
         begin = [Assignment(self.taken, self._of_axis("request")), Assignment(tries, number(0)), go(_ASK)]
-        goes = either([compared(busy, "=", number(0)), compared(urgent, ">", number(0))])
+        may_send = either([compared(busy, "=", number(0)), compared(urgent, ">", number(0))])
         waits = every([compared(urgent, ">", number(0)), compared(step, "=", number(_ASK))])
         unsent = either([compared(step, "=", number(_IDLE)), compared(step, "=", number(_ASK))])
         other = compared(self._of_axis("first"), "<>", self._of_axis("request"))
-        gives_way = every([compared(urgent, ">", number(0)), compared(axis_state, "=", number(ASKED)), other, unsent])
+        gives_way = every(
+            [compared(urgent, ">", number(PRESSING)), compared(axis_state, "=", number(ASKED)), other, unsent]
+        )
         postponed = [
             Assignment(self._of_axis("error"), Whole(POSTPONED, UINT)),
             Assignment(self._of_axis("answered"), self._of_axis("request")),
@@ -226,7 +234,7 @@ class _Client:
             chain(
                 [
                     (every([compared(step, "=", number(_ASK)), Negation(waited)]), [go(_ANSWER)]),
-                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE)), goes]), asking),
+                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE)), may_send]), asking),
                     (every([compared(step, "=", number(_WAIT)), compared(state, "=", number(ANSWERED))]), waiting),
                 ]
             ),
@@ -250,7 +258,7 @@ class _Client:
         return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
 
     def _arguments(self, exchange: Exchange) -> dict[str, Expression]:
-        """The arguments that build a request."""
+        """The arguments of the function that builds a request."""
         access = exchange.message.message.accesses
         assert access is not None
         words, count = self._of_axis("words"), self._of_axis("count")
@@ -280,13 +288,13 @@ class _Client:
         ]
 
     def _parsed(self, exchange: Exchange) -> list[Statement]:
-        answered: dict[str, Expression] = {}
+        response_values: dict[str, Expression] = {}
         for declared in (*exchange.parse.of_role("output"), *exchange.parse.of_role("in_out")):
             variable = declared.variable
             if variable.type == self.world.words:
-                answered[variable.name] = self.words
+                response_values[variable.name] = self.words
             elif variable.name != FRAME:
-                answered[variable.name] = self.variables.local(f"{variable.name}Answered", variable.type)
+                response_values[variable.name] = self.variables.local(f"{variable.name}Answered", variable.type)
         lent = {FRAME: self._of_frames("frame"), LENGTH: self._of_frames("received")}
         judgement = judged(
             self.world,
@@ -294,17 +302,17 @@ class _Client:
             exchange.message,
             self.result,
             self._arguments(exchange),
-            answered,
+            response_values,
             self.variables,
             lambda reason: [self._fail(reason)],
             (),
         )
-        return [Assignment(self.result, exchange.parse.called(**{**answered, **lent})), *judgement]
+        return [Assignment(self.result, exchange.parse.called(**{**response_values, **lent})), *judgement]
 
 
-def _converted(of: Expression, kind: Type) -> Expression:
+def _converted(value: Expression, kind: Type) -> Expression:
     assert isinstance(kind, Elementary)
-    return converted(of, kind)
+    return converted(value, kind)
 
 
 def client_blocks(world: World, by_name: Mapping[str, Routine], links: Sequence[LinkLayout]) -> Iterator[Routine]:

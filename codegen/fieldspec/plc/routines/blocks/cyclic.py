@@ -22,11 +22,12 @@ from fieldspec.model.watches import (
     watches,
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Edged, Executed, Kind
-from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, unready
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, opposite, standstill
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import end_steps
 from fieldspec.plc.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
 from fieldspec.plc.routines.expressions import Expression, Negation, Variable, compared, every
@@ -77,7 +78,7 @@ class CyclicTask:
         self.remarks: list[str] = []
 
     def all(self) -> None:
-        """Adds the steps."""
+        """Adds the steps of all tasks of the block."""
         kind, task = self.kind, self.task
         if isinstance(kind, Jogging):
             self._jog(kind)
@@ -96,11 +97,11 @@ class CyclicTask:
                 self._walk(task, before_effect(task), len(task.steps))
 
     def _motion(self, kind: Moving) -> None:
-        """Adds the steps of a motion or a halt, and what ends it."""
+        """Adds the steps of a motion or a halt, and those that end it."""
         task = self.task
         ends = end_steps(task) if task.kind in LASTING else None
-        behind = len(task.steps) if ends is None else ends[1]
-        self._walk(task, before_effect(task), behind, acceptance(self.operands, task, self.message.name))
+        stop = len(task.steps) if ends is None else ends[1]
+        self._walk(task, before_effect(task), stop, acceptance(self.operands, task, self.message.name))
         kind.look = self.labels["look"]
         if ends is not None:
             kind.wanted = kind.execute
@@ -113,9 +114,9 @@ class CyclicTask:
         """Adds the steps of a jog: both directions, and its end."""
         draft = self.draft
         self._look_first()
-        goes = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
+        direction_steps = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
         if len(self.tasks) > 1:
-            draft.add([when(kind.backward, [goes[1]], [goes[0]])], remark="the direction")
+            draft.add([when(kind.backward, [direction_steps[1]], [direction_steps[0]])], remark="the direction")
         for number, other in enumerate(self.tasks):
             end = end_steps(other)
             assert end is not None
@@ -127,7 +128,7 @@ class CyclicTask:
         self._end(kind)
 
     def _end(self, kind: Moving) -> None:
-        """Adds what ends a motion: what lets it go on is cleared at once, and the block waits for standstill."""
+        """Adds the steps that end a motion: bits that keep it going are cleared, and the block waits for standstill."""
         draft = self.draft
         starting = [bit for bit in self.set if bit.roles & STARTING]
         kind.restart = cleared([*starting, *self.pulsed]) + self.neutral + self.lowered
@@ -139,22 +140,22 @@ class CyclicTask:
             kind.fresh += [*self.insists, *cleared(starts)]
             kind.at_once = [*kind.goes_out(), *kind.take_over()]
         kind.tries, kind.ending = 1, draft.next
-        stands = self.conditions.stands(self.places.seen)
+        is_standing = self.conditions.stands(self.places.seen)
         reached = self.operands.with_role("speed_reached", self.message.name)
-        if stands is None and self.neutral and len(reached) == 1:
+        if is_standing is None and self.neutral and len(reached) == 1:
             # The speed 0 is commanded: the drive says when it has reached it.
             self._settle()
-            stands = self.conditions.has(reached[0], (True,), self.places.place(reached[0])[0])
-        if stands is None:
+            is_standing = self.conditions.has(reached[0], (True,), self.places.place(reached[0])[0])
+        if is_standing is None:
             self.remarks.append(
                 "The telegram does not show whether the drive stands: the block ends when it is told to stop."
             )
             draft.add([draft.end()])
         else:
-            draft.add([when(every([self.places.valid, stands]), [draft.end()])], remark="until the device stands")
+            draft.add([when(every([self.places.valid, is_standing]), [draft.end()])], remark="until the device stands")
 
     def _insist(self) -> None:
-        """Adds what a stop does: its bits are cleared in each scan, whatever the response, until the drive shows it."""
+        """Adds a stop: its bits are cleared in each scan, whatever the response, until the drive shows standstill."""
         draft, task, kind = self.draft, self.task, self.kind
         waits: list[Step] = []
         bits: list[RequestBit] = []
@@ -197,31 +198,31 @@ class CyclicTask:
         ]
         branches: list[Branch] = []
         confirms = any(shows_acceptance(self.operands, step, self.message.name) for step in task.steps)
-        stands = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
-        if stands is not None:
+        is_standing = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
+        if is_standing is not None:
             assert isinstance(self.kind, Moving)
-            branches.append(unready(self.kind, draft, opposite(stands)))
+            branches.append(unready(self.kind, draft, opposite(is_standing)))
         for step in first:
             _, holds = self.conditions.test(step, self.places.seen)
             branches.append((opposite(holds), [draft.fail("unready")]))
         if branches or noted:
-            then = [*noted, draft.go(draft.next + 1)]
-            draft.add([chain(branches, then)] if branches else then, remark="whether it may begin")
+            success = [*noted, draft.go(draft.next + 1)]
+            draft.add([chain(branches, success)] if branches else success, remark="whether it may begin")
 
-    def _walk(self, task: Task, first: int, behind: int, accepted_at: int = -1) -> None:
+    def _walk(self, task: Task, first: int, stop: int, accepted_at: int = -1) -> None:
         """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
         draft = self.draft
         starts_at = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
         index = first
-        while index < behind:
+        while index < stop:
             step = task.steps[index]
             last = index + 1
             if step.action == "wait":
-                waits = conditions(self.operands, task, index, self.message.name)[: behind - index]
+                waits = conditions(self.operands, task, index, self.message.name)[: stop - index]
                 last = index + len(waits)
                 must_begin = needs_begin(task, index, accepted_at)
-                taken = self._taken(index <= accepted_at < last)
-                self._waits(task, waits, index > accepted_at >= 0, must_begin, taken, last == len(task.steps))
+                takeover = self._taken(index <= accepted_at < last)
+                self._waits(task, waits, index > accepted_at >= 0, must_begin, takeover, last == len(task.steps))
             else:
                 self._command(task, index, self._taken(index == accepted_at), index == starts_at)
             if index <= accepted_at < last:
@@ -233,35 +234,42 @@ class CyclicTask:
         return kind.take_over() if accepts and isinstance(kind, Moving) and not kind.halts else []
 
     def _waits(
-        self, task: Task, waits: Sequence[Step], moving: bool, must_begin: bool, taken: list[Statement], is_last: bool
+        self,
+        task: Task,
+        waits: Sequence[Step],
+        moving: bool,
+        must_begin: bool,
+        takeover: list[Statement],
+        is_last: bool,
     ) -> None:
-        """Adds a step that looks until what is waited for is there."""
+        """Adds a step that waits until conditions hold."""
         draft, kind = self.draft, self.kind
         if self.unsettled:
             self._settle()
         on = draft.end() if is_last else draft.go(draft.next + 1)
-        then = [*(bit.put(False) for bit in self.pulsed), *taken, on]
+        success = [*(bit.put(False) for bit in self.pulsed), *takeover, on]
         refusing = any(REFUSAL in self._operand(step).roles for step in waits)
         if moving and isinstance(kind, Moving) and task.kind in MOVING:
             draft.add(
-                self.conditions.judged(kind, waits, self.places.seen, must_begin, then, []), remark="until it is there"
+                self.conditions.judged(kind, waits, self.places.seen, must_begin, success, []),
+                remark="until it is there",
             )
             return
         computed, holds = self.conditions.all_of(waits, self.places.seen)
-        remark = "whether the drive has accepted the command" if taken else "until it is there"
-        draft.add([*computed, when(holds, then, [draft.fail("exception")] if refusing else [])], remark=remark)
+        remark = "whether the drive has accepted the command" if takeover else "until it is there"
+        draft.add([*computed, when(holds, success, [draft.fail("exception")] if refusing else [])], remark=remark)
 
     def _settle(self) -> None:
         self.draft.settle(_SETTLE)
         self.unsettled = False
 
-    def _command(self, task: Task, index: int, taken: list[Statement], starts: bool = False) -> None:
+    def _command(self, task: Task, index: int, takeover: list[Statement], starts: bool = False) -> None:
         """Adds a step that changes the request."""
         draft, step = self.draft, task.steps[index]
         operand = self._operand(step)
-        sent: list[Statement] = []
-        if isinstance(self.kind, Moving) and not self.kind.halts and (starts or taken):
-            sent = self.kind.goes_out()
+        dispatch: list[Statement] = []
+        if isinstance(self.kind, Moving) and not self.kind.halts and (starts or takeover):
+            dispatch = self.kind.goes_out()
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
         if step.action == "read":
@@ -272,7 +280,7 @@ class CyclicTask:
             self.pulsed.append(bit)
             draft.add([bit.put(False), draft.go(draft.next + 1)])
             self._settle()
-            draft.add([*sent, bit.put(True), *taken, draft.go(0 if is_last else draft.next + 1)])
+            draft.add([*dispatch, bit.put(True), *takeover, draft.go(0 if is_last else draft.next + 1)])
         elif step.action in ("set", "clear"):
             bit = self.places.bit(operand)
             if step.action == "set":
@@ -281,7 +289,7 @@ class CyclicTask:
                 self.unsettled = True
             if task.kind == "stop":
                 self.insists.append(bit.put(step.action == "set"))
-            draft.add([*sent, bit.put(step.action == "set"), *taken, draft.go(on)])
+            draft.add([*dispatch, bit.put(step.action == "set"), *takeover, draft.go(on)])
         elif step.action == "write" and operand.bit is None:
             place, field = self.places.place(operand)
             if step.argument:
@@ -289,13 +297,13 @@ class CyclicTask:
                 self.conditions.arguments[step.argument] = raw
                 if task.kind in LASTING:
                     self.setpoints.append((place, raw))
-                    if taken:
-                        draft.add([*sent, *taken, draft.go(on)])
+                    if takeover:
+                        draft.add([*dispatch, *takeover, draft.go(on)])
                     return
                 value: Expression = raw
             else:
                 value = self._value(step, field)
-            draft.add([*sent, Assignment(place, value), *taken, draft.go(on)])
+            draft.add([*dispatch, Assignment(place, value), *takeover, draft.go(on)])
         else:
             raise NoBlock(f"`{step.action} {step.target}` is nothing that a telegram can do")
 
@@ -339,7 +347,7 @@ class CyclicTask:
             draft.add(following, remark="the request follows the inputs")
 
     def _safe(self) -> None:
-        """Clears first what would let something go on when the alarm is gone."""
+        """Adds a step that clears the bits which could start something once the alarm is gone."""
         safe = cleared([self.places.bit(operand) for operand in self.places.starting()])
         if safe:
             self.remarks.append(
@@ -353,7 +361,7 @@ class CyclicTask:
         return self.conditions.operand(step)
 
     def block(self) -> Routine:
-        """The block."""
+        """The block: the statements of each scan, with the steps in a CASE."""
         draft, kind = self.draft, self.kind
         edges = kind.edges()
         guards = kind.guards()

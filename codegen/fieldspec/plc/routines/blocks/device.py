@@ -16,10 +16,11 @@ from fieldspec.plc.routines.blocks.frames import MessageTask, exchange_of, messa
 from fieldspec.plc.routines.blocks.kinds import Edged, Executed, Kind, Reading
 from fieldspec.plc.routines.blocks.line_tasks import LineTask
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import AxisPort, Jogging, Moving
 from fieldspec.plc.routines.blocks.operands import NoBlock
 from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.plc.routines.blocks.standard import BlockDraft
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tables import group_blocks, table_blocks
 from fieldspec.plc.routines.blocks.tasks import describe
 from fieldspec.plc.routines.blocks.telegram_places import TelegramPlaces
@@ -49,7 +50,7 @@ class Job:
 
     @property
     def kind(self) -> str:
-        """The word of its tasks in the schema."""
+        """The kind of its tasks in the schema."""
         return self.tasks[0].kind
 
 
@@ -79,9 +80,9 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
 def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
     """The blocks of tasks: two that jog in both directions are one, and what halts is a stop and a halt."""
     jogs = [task for task in tasks if task.kind == "jog" and task.steps]
-    taken: set[str] = set()
+    paired: set[str] = set()
     for task in tasks:
-        if task.name in taken:
+        if task.name in paired:
             continue
         if task.kind == "jog" and task.steps:
             opposite = [
@@ -90,7 +91,7 @@ def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
                 if {task.direction, other.direction} == {"positive", "negative"} and other.messages == task.messages
             ]
             pair = sorted((task, *opposite[:1]), key=lambda other: other.direction == "negative")
-            taken |= {other.name for other in pair}
+            paired |= {other.name for other in pair}
             yield Job("jog" if task.direction else task.name, tuple(pair))
         else:
             yield Job(task.name, (task,))
@@ -98,20 +99,20 @@ def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
                 yield Job("halt", (task,), halts=True)
 
 
-def _distinct(blocks: list[Routine], others: dict[str, Routine]) -> Iterator[Routine]:
+def _distinct(blocks: list[Routine], routines: dict[str, Routine]) -> Iterator[Routine]:
     """The blocks, with a number behind a name that is taken: tasks come first and have theirs."""
-    taken = {name.lower() for name in others}
+    used_names = {name.lower() for name in routines}
     for block in blocks:
         number, name = 1, block.name
-        while name.lower() in taken:
+        while name.lower() in used_names:
             number += 1
             name = f"{block.name}{number}"
-        taken.add(name.lower())
+        used_names.add(name.lower())
         yield replace(block, name=name)
 
 
 class _Maker:
-    """What makes the blocks of tasks."""
+    """Makes the blocks of tasks."""
 
     def __init__(self, world: World, by_name: Mapping[str, Routine]) -> None:
         self.world, self.by_name = world, by_name
@@ -119,7 +120,7 @@ class _Maker:
         self.helpers = Helpers(world)
 
     def tried(self, job: Job) -> tuple[list[Routine], str]:
-        """The blocks of a job, or why it has none."""
+        """The blocks of a job, or the reason why it has none."""
         try:
             return self.blocks(job), ""
         except NoBlock as reason:
@@ -134,9 +135,9 @@ class _Maker:
             raise NoBlock(task.not_applicable)
         if task.messages:
             return [self._cyclic(job, item) for item in cyclic(world.layout) if item.name in task.messages]
-        if all(has_only_registers(operands, each) for each in job.tasks):
+        if all(has_only_registers(operands, job_task) for job_task in job.tasks):
             return [self._line(job, AXIS)]
-        if own_links(world.layout) and all(_sends(each) for each in job.tasks):
+        if own_links(world.layout) and all(_sends(job_task) for job_task in job.tasks):
             return [self._line(job, FRAMES)]
         raise NoBlock("its steps act on parameters, or on several kinds of facts: send the messages one by one")
 
@@ -159,8 +160,8 @@ class _Maker:
 
     def _cyclic(self, job: Job, message: MessageLayout) -> Routine:
         """A block that works with a telegram, made twice as those of a line."""
-        named = message.name in job.name
-        name = self.world.block(job.name) if named else self.world.block(message.name, job.name)
+        has_message_name = message.name in job.name
+        name = self.world.block(job.name) if has_message_name else self.world.block(message.name, job.name)
 
         def build(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")
@@ -176,7 +177,7 @@ class _Maker:
 
 
 def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
-    """How the block of a job starts and ends."""
+    """The kind of start and end that the block of a job has."""
     if job.kind.startswith("read_"):
         return Reading(draft)
     if job.kind == "jog":
@@ -187,10 +188,23 @@ def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
     return Stopping(draft, axis()) if job.kind == "stop" else Executed(draft, abort=False)
 
 
+_HIDDEN = (
+    "The device does not show that it takes this command, so that nobody would know which of two it carries out: it "
+    "begins at standstill only and while no other block has a command under way, and no other begins meanwhile; else "
+    "Error 11. A motion of its own it halts first."
+)
+_AGAIN = (
+    "The stop is sent again where the device moves for longer than tStart. What was accepted and not seen to begin may "
+    "begin in spite of it: then the block is Busy until the device has stood for tStart."
+)
+
+
 def _comments(kind: Kind) -> tuple[str, ...]:
-    """What the comment of a block says of its start and end."""
+    """The paragraphs of a block's comment about its start and end."""
     assert isinstance(kind, Edged | Reading)
-    return (kind.comment,)
+    if isinstance(kind, Moving) and kind.hidden:
+        return kind.comment, _HIDDEN
+    return (kind.comment, _AGAIN) if isinstance(kind, Stopping) and kind.stop else (kind.comment,)
 
 
 def _sends(task: Task) -> bool:

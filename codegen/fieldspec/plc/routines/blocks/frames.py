@@ -37,7 +37,7 @@ class Exchange:
 
 
 def exchange_of(world: World, link: LinkLayout, message: MessageLayout, by_name: Mapping[str, Routine]) -> Exchange:
-    """The functions of a message."""
+    """A message on a link with the functions that build and parse it."""
     words = (*link_words(world, link), message.name)
     return Exchange(link, message, by_name[world.routine("build", *words)], by_name[world.routine("parse", *words)])
 
@@ -45,36 +45,46 @@ def exchange_of(world: World, link: LinkLayout, message: MessageLayout, by_name:
 def add_exchange(
     block: LineDraft,
     exchange: Exchange,
-    asked: Mapping[str, Expression],
-    answered: Mapping[str, Expression],
-    then: Sequence[Statement],
+    request_values: Mapping[str, Expression],
+    response_values: Mapping[str, Expression],
+    success: Sequence[Statement],
     refused: Sequence[Statement] = (),
     remark: str = "",
 ) -> int:
     """Adds a step that sends a request and parses the response into variables.
 
-    `then` follows where it is right, and `refused` where the device refuses.
+    `success` follows where it is right, and `refused` where the device refuses.
     """
     lent = {FRAME: block.of_port("frame")}
-    built = exchange.build.called(**{**lent, **asked, LENGTH: block.of_port("send")})
-    parsed = exchange.parse.called(**{**lent, **answered, LENGTH: block.of_port("received")})
+    built = exchange.build.called(**{**lent, **request_values, LENGTH: block.of_port("send")})
+    parsed = exchange.parse.called(**{**lent, **response_values, LENGTH: block.of_port("received")})
     fill = block.attempt(built, tuple(block.ask()), "request")
 
     def fail(reason: str) -> list[Statement]:
         return [*(refused if reason == "exception" else ()), block.fail(reason)]
 
-    judgement = judged(block.world, exchange.link, exchange.message, block.result, asked, answered, block, fail, then)
+    judgement = judged(
+        block.world,
+        exchange.link,
+        exchange.message,
+        block.result,
+        request_values,
+        response_values,
+        block,
+        fail,
+        success,
+    )
     take: list[Statement] = [Assignment(block.result, parsed), *judgement]
     return block.request(fill, take, remark)
 
 
 def message_block(world: World, exchange: Exchange) -> Routine:
     """The block that exchanges a message."""
-    several = link_words(world, exchange.link)
-    name = world.block(*several, "send", exchange.message.name)
+    link_name = link_words(world, exchange.link)
+    name = world.block(*link_name, "send", exchange.message.name)
     block = LineDraft.executed(world, name, f"messages of {exchange.link.name}", FRAMES)
     block.limit()
-    asked = {
+    inputs = {
         declared.variable.name: block.declare(
             declared.variable.name, declared.variable.type, declared.role, declared.remark
         )
@@ -84,11 +94,11 @@ def message_block(world: World, exchange: Exchange) -> Routine:
 
     def output(declared: Declared) -> Variable:
         name = declared.variable.name
-        text = f"{name}Answered" if name in asked else name
+        text = f"{name}Answered" if name in inputs else name
         return block.declare(text, declared.variable.type, declared.role, declared.remark)
 
     answer = received(world, exchange.link, exchange.message, exchange.parse, block, output)
-    add_exchange(block, exchange, asked, answer.answered, [*answer.taken, block.end()], answer.refused)
+    add_exchange(block, exchange, inputs, answer.answered, [*answer.taken, block.end()], answer.refused)
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()
     block.remarks += [
@@ -100,7 +110,7 @@ def message_block(world: World, exchange: Exchange) -> Routine:
 
 
 class MessageTask(LineTask):
-    """The steps of a block that sends messages."""
+    """Adds the steps of a block that sends messages."""
 
     def __init__(
         self,
@@ -114,15 +124,15 @@ class MessageTask(LineTask):
         super().__init__(world, operands, draft, tasks, known)
         self.by_name = by_name
 
-    def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
+    def units(self, task: Task, first: int, stop: int) -> Iterable[Unit]:
         """See `LineTask`. Raises NoBlock for what is no message."""
         index = first
-        while index < behind:
+        while index < stop:
             step = task.steps[index]
             if step.action != "send":
                 raise NoBlock(f"`{step.target}` is no message")
             last = index + 1
-            while last < behind and task.steps[last].action in ("wait", "read"):
+            while last < stop and task.steps[last].action in ("wait", "read"):
                 last += 1
             looks = task.steps[index + 1 : last]
             waits = tuple(look for look in looks if look.action == "wait")
@@ -144,7 +154,7 @@ class MessageTask(LineTask):
         return looks
 
     def _standing(self) -> Iterable[tuple[Task, Unit]]:
-        """What the task that stops the device looks at."""
+        """The units in which the task that stops the device waits for standstill."""
         halting = halting_task(self.world.layout.device)
         if halting is not None:
             for unit in self.units(halting, last_command(halting) + 1, len(halting.steps)):
@@ -154,41 +164,41 @@ class MessageTask(LineTask):
     def watching_unit(self) -> tuple[Task, Unit] | None:
         """See `LineTask`."""
         for unit in self.units(self.task, last_command(self.task) + 1, len(self.task.steps)):
-            seen = self.seen(self.task, unit)
-            if any(seen(watch.operand) is not None for watch in self.watches):
+            value_of = self.seen(self.task, unit)
+            if any(value_of(watch.operand) is not None for watch in self.watches):
                 return self.task, Unit(unit.index, unit.behind, False, again=True)
         return None
 
     def seen(self, task: Task, unit: Unit) -> Seen:
         """See `LineTask`."""
         exchange = self._exchange(self.target(task.steps[unit.index]))
-        answered = self._answered(exchange)
-        return lambda operand: self._seen(operand, exchange, answered)
+        variables = self._answered(exchange)
+        return lambda operand: self._seen(operand, exchange, variables)
 
-    def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+    def perform(self, task: Task, unit: Unit, operands: Sequence[Operand], decide: Decide, remark: str) -> None:
         """See `LineTask`. Raises NoBlock for what is not in the response."""
         step = task.steps[unit.index]
         exchange = self._exchange(self.target(step))
-        seen = self.seen(task, unit)
+        value_of = self.seen(task, unit)
         for look in (*unit.waits, *unit.reads):
-            if seen(self.target(look)) is None:
+            if value_of(self.target(look)) is None:
                 raise NoBlock(f"{self.target(look).path} is not in the response of {exchange.message.name}")
         if unit.again:
             self.draft.settle("T#100ms")
-        asked = self._request_arguments(step, exchange)
-        then = decide(self.draft.next + 1)
-        add_exchange(self.draft, exchange, asked, self._answered(exchange), then, remark=remark)
+        request_values = self._request_arguments(step, exchange)
+        success = decide(self.draft.next + 1)
+        add_exchange(self.draft, exchange, request_values, self._answered(exchange), success, remark=remark)
 
     def _answered(self, exchange: Exchange) -> dict[str, Variable]:
-        """The variables for what a response has."""
-        answered = {
+        """The local variables for the values in a response, by the names of the parsing function's outputs."""
+        variables = {
             declared.variable.name: _local(self.draft, declared)
             for declared in exchange.parse.declared
             if declared.role == "output" and declared.variable.name != FRAME
         }
-        if len(answered) + 1 < sum(declared.role in ("output", "in_out") for declared in exchange.parse.declared):
+        if len(variables) + 1 < sum(declared.role in ("output", "in_out") for declared in exchange.parse.declared):
             raise NoBlock(f"the response of {exchange.message.name} has more than single values")
-        return answered
+        return variables
 
     def _exchange(self, operand: Operand) -> Exchange:
         assert isinstance(operand.fact, Message)
@@ -204,32 +214,34 @@ class MessageTask(LineTask):
 
     def _request_arguments(self, step: Step, exchange: Exchange) -> dict[str, Expression]:
         """The arguments of the function that builds the request."""
-        asked: dict[str, Expression] = {}
+        request_values: dict[str, Expression] = {}
         asks, _ = parameters_of(self.world, exchange.link, exchange.message)
         remarks = {declared.variable.name: declared.remark for declared in exchange.build.declared}
         for variable in asks.head.values():
             remark = remarks[variable.name]
-            asked[variable.name] = self.draft.declared_once(variable.name, variable.type, "input", remark)
+            request_values[variable.name] = self.draft.declared_once(variable.name, variable.type, "input", remark)
         for name, variable in asks.fields.variables.items():
             operand = self.operands.by_path.get(f"messages/{exchange.message.name}/request/{name}")
             if operand is None:
                 raise NoBlock(f"the request of {exchange.message.name} has more than single values")
             if name in step.arguments:
                 raw = argument(self.draft, step.arguments[name], operand, operand.value)
-                asked[variable.name] = self.conditions.arguments[step.arguments[name]] = raw
+                request_values[variable.name] = self.conditions.arguments[step.arguments[name]] = raw
             elif name in step.values:
                 value = step.values[name]
                 if not isinstance(value, bool | int | str):
                     raise NoBlock(f"{name} of {exchange.message.name} is no single number")
-                asked[variable.name] = constant(self.world, operand, operand.value, value, variable.type)
+                request_values[variable.name] = constant(self.world, operand, operand.value, value, variable.type)
             else:
                 raise NoBlock(f"the task does not say what {name} of {exchange.message.name} is")
         if asks.fields.count or any(item.variable.name != FRAME for item in exchange.build.of_role("in_out")):
             raise NoBlock(f"the request of {exchange.message.name} has more than single values")
-        return asked
+        return request_values
 
-    def _seen(self, operand: Operand, exchange: Exchange, answered: Mapping[str, Variable]) -> Expression | None:
-        """The variable of what a response has, where an operand is in it."""
+    def _seen(
+        self, operand: Operand, exchange: Exchange, response_variables: Mapping[str, Variable]
+    ) -> Expression | None:
+        """The variable that holds the value of an operand in a response; None where the response does not have it."""
         _, answers = parameters_of(self.world, exchange.link, exchange.message)
         variables: Mapping[str, Variable] = {}
         if operand.scope == f"messages/{exchange.message.name}":
@@ -237,7 +249,7 @@ class MessageTask(LineTask):
         elif operand.path.startswith(f"links/{exchange.link.name}/"):
             variables = answers.head
         variable = variables.get(operand.holder.name)
-        return answered.get(variable.name) if variable is not None else None
+        return response_variables.get(variable.name) if variable is not None else None
 
 
 def _local(block: LineDraft, declared: Declared) -> Variable:

@@ -32,39 +32,43 @@ class Kind(ABC):
 
     @abstractmethod
     def edges(self) -> list[Statement]:
-        """What looks at the inputs, in each scan."""
+        """The statements that evaluate the inputs in each scan."""
 
     def guards(self) -> list[Branch]:
-        """What is looked at before the block works on; where one of them holds, it does not."""
+        """The branches that precede the step: where the test of one holds, the step is not carried out."""
         return []
 
     def active(self) -> Expression:
-        """Whether the block works."""
+        """The condition under which the block carries out its steps."""
         return self.draft.busy
 
     def may_ask(self) -> list[Expression]:
-        """What must hold for the block to ask for something."""
+        """The conditions under which the block may send a request."""
         return []
 
     def on_ask(self) -> list[Statement]:
-        """What is done where the block has asked."""
+        """The statements that follow when the block has sent a request."""
         return []
 
     def accepted(self) -> list[Statement]:
-        """What follows from an answer, whichever step has taken it."""
+        """The statements that follow from a response, whichever step has parsed it."""
         return []
 
     def urgent(self) -> Expression | None:
-        """Whether what it asks for goes before what others ask for; None where that is never so."""
+        """The condition under which it stops, which precedes other requests; None where it never does."""
+        return None
+
+    def pressing(self) -> Expression | None:
+        """The condition under which its requests precede all but stops; None where they never do."""
         return None
 
     @abstractmethod
     def tail(self) -> list[Statement]:
-        """What ends the block."""
+        """The statements that end the block."""
 
 
 class Edged(Kind):
-    """A block that a rising edge of Execute starts, however often."""
+    """A block that each rising edge of Execute starts."""
 
     comment = EDGES
 
@@ -77,34 +81,34 @@ class Edged(Kind):
         self.declare_edge()
 
     def declare_start(self) -> None:
-        """Declares the input that starts."""
+        """Declares the input that starts the block."""
         self.execute: Expression = self.draft.declare("Execute", BOOL, "input", "a rising edge starts")
 
     def declare_edge(self) -> None:
-        """Declares what finds the edge."""
+        """Declares the variables that detect the rising edge."""
         self.edge = self.draft.declare("xEdge", BOOL, "local")
         remark = "so that nothing starts in the first scan"
         self.before = self.draft.declare("xExecuteBefore", BOOL, "local", remark, "TRUE")
 
     def find_edge(self) -> list[Statement]:
-        """What finds the edge."""
+        """The statements that detect the rising edge."""
         return [
             Assignment(self.edge, every([self.execute, Negation(self.before)])),
             Assignment(self.before, self.execute),
         ]
 
     def idle(self) -> Branch:
-        """What takes back the outputs of a block that has ended."""
+        """The branch that resets the outputs of a block that has ended."""
         draft = self.draft
         return every([Negation(draft.busy), Negation(self.execute)]), draft.cleared()
 
     def begun(self) -> list[Statement]:
-        """What begins."""
+        """The statements that begin the block at the edge."""
         draft = self.draft
         return [*self.release, *draft.cleared(), assigned(draft.busy, True), draft.go(1), *self.fresh]
 
     def forget_first(self, flag: Expression) -> None:
-        """Makes a flag FALSE where the block begins."""
+        """Adds the reset of a flag to what the block does at the edge."""
         if assigned(flag, False) not in self.fresh:
             self.fresh.append(assigned(flag, False))
 
@@ -112,22 +116,22 @@ class Edged(Kind):
         """See `Kind`."""
         return [Negation(self.edge)]
 
-    def over(self, *others: Statement) -> Statement:
-        """What a block does when one of its outputs says that it has ended."""
+    def over(self, *statements: Statement) -> Statement:
+        """The statement that leaves the block once one of its outputs says that it has ended."""
         draft = self.draft
-        return chain([(either(draft.ends()), [*self.drop, *others, assigned(draft.busy, False), draft.end()])])
+        return chain([(either(draft.ends()), [*self.drop, *statements, assigned(draft.busy, False), draft.end()])])
 
     def done(self) -> Branch:
-        """What ends the block behind its last step."""
+        """The branch that ends the block after its last step."""
         return compared(self.draft.step, "=", number(0)), self.ended_well()
 
     def ended_well(self) -> list[Statement]:
-        """What is done where the block has come to its end without an error."""
+        """The statements for an end without an error."""
         return [assigned(self.draft.done, True)]
 
 
 class Executed(Edged):
-    """A block that does something once. Where it has the input Abort, that ends it."""
+    """A block that carries out its steps once; its input Abort, if it has one, ends it."""
 
     def __init__(self, draft: BlockDraft, abort: bool) -> None:
         self._has_abort = abort
@@ -188,8 +192,8 @@ class Reading(Kind):
         draft = self.draft
         wrong = [assigned(draft.done, False), *draft.erroneous(), draft.forgotten(), draft.go(1)]
         right = [*draft.cleared()[1:], assigned(draft.done, True), draft.go(1)]
-        behind = compared(draft.step, "=", number(0))
+        finished = compared(draft.step, "=", number(0))
         return [
-            chain([(draft.failed(), wrong), (behind, right)]),
+            chain([(draft.failed(), wrong), (finished, right)]),
             Assignment(draft.busy, Negation(draft.error)),
         ]

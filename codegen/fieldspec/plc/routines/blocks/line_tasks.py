@@ -23,11 +23,12 @@ from fieldspec.model.watches import (
 )
 from fieldspec.plc.routines.blocks.kinds import Branch, Executed
 from fieldspec.plc.routines.blocks.lines import LineDraft
-from fieldspec.plc.routines.blocks.motion import Jogging, Moving, Stopping, unready
+from fieldspec.plc.routines.blocks.motion import Jogging, Moving, unready
 from fieldspec.plc.routines.blocks.operands import outputs_of
 from fieldspec.plc.routines.blocks.ports import increment
 from fieldspec.plc.routines.blocks.progress import Conditions, Seen, opposite
-from fieldspec.plc.routines.blocks.standard import assigned, chain
+from fieldspec.plc.routines.blocks.standard import chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import end_steps, target
 from fieldspec.plc.routines.expressions import Variable
 from fieldspec.plc.routines.routine import Assignment, Statement, when
@@ -73,31 +74,31 @@ class LineTask(ABC):
         self.fault_before: Variable | None = None
 
     @abstractmethod
-    def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
-        """The units of some steps."""
+    def units(self, task: Task, first: int, stop: int) -> Iterable[Unit]:
+        """The units of the steps of a task from `first` to before `stop`."""
 
     @abstractmethod
     def first_units(self) -> Iterable[tuple[Task, Unit]]:
-        """What is looked at before the first command, with the tasks that look at it."""
+        """The units whose responses are judged before the first command, with their tasks."""
 
     @abstractmethod
     def watching_unit(self) -> tuple[Task, Unit] | None:
-        """What is looked at while a motion goes on until its input ends it; None where nothing is to be seen."""
+        """The unit that is read while a motion lasts; None where no response shows anything."""
 
     @abstractmethod
     def seen(self, task: Task, unit: Unit) -> Seen:
-        """What is to be seen in the answer to a unit."""
+        """The function that gives the raw number of an operand in the response to a unit."""
 
     @abstractmethod
-    def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
-        """Adds what sends the commands of a unit, or asks for what it needs, and decides."""
+    def perform(self, task: Task, unit: Unit, operands: Sequence[Operand], decide: Decide, remark: str) -> None:
+        """Adds the steps that send a unit's commands, or request its operands, and then decide."""
 
     def target(self, step: Step) -> Operand:
         """The operand of a step."""
         return target(self.operands, step)
 
     def all(self) -> None:
-        """Adds all steps."""
+        """Adds the steps of all tasks of the block."""
         kind, task = self.draft.kind, self.task
         whole = len(task.steps)
         if isinstance(kind, Jogging):
@@ -114,17 +115,17 @@ class LineTask(ABC):
             if first:
                 self._look_first()
             takes = task.kind == "servo_off"
-            taken = [increment(self.draft.axis_port().motion)] if takes else []
-            self._walk(task, first, whole, taken, acceptance(self.operands, task) if takes else -1)
+            takeover = [increment(self.draft.axis_port().motion)] if takes else []
+            self._walk(task, first, whole, takeover, acceptance(self.operands, task) if takes else -1)
 
     def _motion(self, kind: Moving) -> None:
-        """Adds the steps of a motion, or of a halt, and what ends it."""
+        """Adds the steps of a motion, or of a halt, and those that end it."""
         task = self.task
         kind.limit()
         first = before_effect(task)
         if task.kind in MOVING:
             self._look_first()
-        self._walk(task, first, len(task.steps), kind.take_over(), acceptance(self.operands, task), begins=True)
+        self._walk(task, first, len(task.steps), kind.take_over(), acceptance(self.operands, task), begins_motion=True)
         kind.look = self.labels["look"]
         if task.kind not in MOVING:
             kind.ending, kind.stop = 1, kind.commands[-1]
@@ -132,42 +133,44 @@ class LineTask(ABC):
         halting, ends = halting_task(self.world.layout.device), end_steps(task)
         if halting is not None:
             kind.ending = self.draft.next
-            behind = last_command(halting) + 1
-            shows = behind < len(halting.steps)
-            self._walk(halting, 0, behind, ending=True, last=not shows and ends is None)
+            following = last_command(halting) + 1
+            shows = following < len(halting.steps)
+            self._walk(halting, 0, following, ending=True, last=not shows and ends is None)
             kind.stop = self.draft.next - 1
             if ends is not None:
                 self._walk(task, ends[1], ends[1] + 1, ending=True, last=not shows)
-            self._walk(halting, behind, len(halting.steps), ending=True)
+            self._walk(halting, following, len(halting.steps), ending=True)
 
     def _jog(self, kind: Jogging) -> None:
         """Adds the steps of a jog: both directions, what is watched meanwhile, and its end."""
         task, draft = self.task, self.draft
         self._look_first()
         ends = [end_steps(other) for other in self.tasks]
-        goes = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
+        direction_steps = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
         if len(self.tasks) > 1:
-            draft.add([when(kind.backward, [goes[1]], [goes[0]])], remark="the direction")
+            draft.add([when(kind.backward, [direction_steps[1]], [direction_steps[0]])], remark="the direction")
         for number, (other, end) in enumerate(zip(self.tasks, ends, strict=True)):
             assert end is not None
             self.labels[f"direction {number}"] = draft.next
-            at = acceptance(self.operands, other)
+            accepted_at = acceptance(self.operands, other)
             on = self.known.get("watch", 0)
-            self._walk(other, end[0], end[1], kind.take_over(), at, begins=True, behind_all=on)
+            self._walk(other, end[0], end[1], kind.take_over(), accepted_at, begins_motion=True, behind_all=on)
         kind.look = self.labels["watch"] = draft.next
         watching = self.watching_unit()
         if watching is None:
             draft.add([], remark="it moves until its input ends it")
         else:
-            here, seen = draft.next, self.seen(*watching)
-            branches = self.conditions.watched(self.watches, seen)
-            needed = [watch.operand for watch in self.watches]
-            stands = self.conditions.stands(seen)
+            this_step, value_of = draft.next, self.seen(*watching)
+            branches = self.conditions.watched(self.watches, value_of)
+            operands = [watch.operand for watch in self.watches]
+            is_standing = self.conditions.stands(value_of)
             moves: list[Statement] = []
-            if stands is not None:
-                needed += [self.target(step) for step in self.conditions.standstill]
-                moves = [when(opposite(stands), [assigned(kind.axis.unseen, False)])]
-            self.perform(*watching, needed, lambda behind: [*moves, chain(branches, [draft.go(here)])], "it moves")
+            if is_standing is not None:
+                operands += [self.target(step) for step in self.conditions.standstill]
+                moves = [when(opposite(is_standing), [kind.seen_to_move()])]
+            self.perform(
+                *watching, operands, lambda following: [*moves, chain(branches, [draft.go(this_step)])], "it moves"
+            )
         kind.ending = draft.next
         assert ends[0] is not None
         last = ends[0][1]
@@ -186,35 +189,35 @@ class LineTask(ABC):
         confirms = any(shows_acceptance(self.operands, step) for step in task.steps)
         must_stand = () if confirms else conditions.standstill
         for own, unit in self.first_units():
-            seen = self.seen(own, unit)
+            value_of = self.seen(own, unit)
             noted: list[Statement] = []
-            needed = [watch.operand for watch in self.watches]
+            operands = [watch.operand for watch in self.watches]
             looks = (*unit.waits, *must_stand, *conditions.compared(task), *refusals)
-            needed += [self.target(step) for step in looks]
+            operands += [self.target(step) for step in looks]
             for step in conditions.compared(task):
-                noted += conditions.start_of(step, seen) if seen(self.target(step)) is not None else []
+                noted += conditions.start_of(step, value_of) if value_of(self.target(step)) is not None else []
             for step in refusals[:1]:
-                if seen(self.target(step)) is not None:
+                if value_of(self.target(step)) is not None:
                     remark = "a fault was there before the command, so that a refusal is not told from it"
                     self.fault_before = draft.flag("xFaultBefore", remark)
-                    computed, absent = conditions.test(step, seen)
+                    computed, absent = conditions.test(step, value_of)
                     noted += [*computed, Assignment(self.fault_before, opposite(absent))]
-            branches = conditions.watched(self.watches, seen)
+            branches = conditions.watched(self.watches, value_of)
             for step in unit.waits:
-                computed, holds = conditions.test(step, seen)
+                computed, holds = conditions.test(step, value_of)
                 branches.append((opposite(holds), [draft.fail("unready")]))
-            stands = conditions.stands(seen) if must_stand else None
-            if stands is not None:
+            is_standing = conditions.stands(value_of) if must_stand else None
+            if is_standing is not None:
                 assert isinstance(draft.kind, Moving)
-                branches.append(unready(draft.kind, draft, opposite(stands)))
-            visible = [operand for operand in needed if seen(operand) is not None]
+                branches.append(unready(draft.kind, draft, opposite(is_standing)))
+            visible = [operand for operand in operands if value_of(operand) is not None]
             if visible:
                 self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")
 
     def _first(self, branches: list[Branch], noted: list[Statement]) -> Decide:
-        def decide(behind: int) -> list[Statement]:
-            then = [*noted, self.draft.go(behind)]
-            return [chain(branches, then)] if branches else then
+        def decide(following: int) -> list[Statement]:
+            success = [*noted, self.draft.go(following)]
+            return [chain(branches, success)] if branches else success
 
         return decide
 
@@ -222,28 +225,28 @@ class LineTask(ABC):
         self,
         task: Task,
         first: int,
-        behind: int,
+        stop: int,
         accepted: Sequence[Statement] = (),
         accepted_at: int = -1,
-        begins: bool = False,
+        begins_motion: bool = False,
         ending: bool = False,
         last: bool | None = None,
         behind_all: int = 0,
     ) -> None:
         """Adds steps of a task. What is `accepted` is done behind the step at `accepted_at`.
 
-        Where it `begins` a motion, what is waited for later is judged as one; `ending` a motion is not watched. `last`
+        Where it `begins_motion`, what is waited for later is judged as one; `ending` a motion is not watched. `last`
         says that nothing comes behind, by default where these are the last steps of the task; `behind_all` is the step
         that comes behind instead.
         """
         draft, kind = self.draft, self.draft.kind
         command = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
-        ends = behind == len(task.steps) if last is None else last
-        units = list(self.units(task, first, behind))
+        ends = stop == len(task.steps) if last is None else last
+        units = list(self.units(task, first, stop))
         for unit in units:
             is_last = unit is units[-1]
             accepts = unit.index <= accepted_at < unit.behind
-            is_moving = begins and unit.index > accepted_at
+            is_moving = begins_motion and unit.index > accepted_at
             extra = accepted if accepts else ()
 
             def go(step: int, is_last: bool = is_last) -> Statement:
@@ -254,7 +257,7 @@ class LineTask(ABC):
             waits_at = next((n for n in range(unit.index, unit.behind) if task.steps[n].action == "wait"), -1)
             must_begin = waits_at >= 0 and needs_begin(task, waits_at, accepted_at)
             self._add(task, unit, extra, go, is_moving, must_begin, ending)
-            if begins and unit.index <= command < unit.behind and isinstance(kind, Moving):
+            if begins_motion and unit.index <= command < unit.behind and isinstance(kind, Moving):
                 kind.commands.append(draft.next - 1)
             if accepts:
                 self.labels["accepted"], self.labels["look"] = draft.next - 1, draft.next
@@ -269,49 +272,49 @@ class LineTask(ABC):
         must_begin: bool,
         ending: bool,
     ) -> None:
-        """Adds a unit."""
+        """Adds the steps of a unit, with the decision on its response."""
         draft, kind, conditions = self.draft, self.draft.kind, self.conditions
-        seen, here = self.seen(task, unit), draft.next
+        value_of, this_step = self.seen(task, unit), draft.next
         own = not ending and (unit.commands or bool(unit.waits))
         refusing = [step for step in unit.waits if REFUSAL in self.target(step).roles]
         watched = self.watches if own and not refusing else []
-        needed = [self.target(step) for step in (*unit.waits, *unit.reads)]
-        needed += [watch.operand for watch in watched]
+        operands = [self.target(step) for step in (*unit.waits, *unit.reads)]
+        operands += [watch.operand for watch in watched]
         judged = is_moving and isinstance(kind, Moving) and task.kind in MOVING and bool(unit.waits)
         if judged:
-            needed += [self.target(step) for step in conditions.standstill]
-        branches = conditions.watched(watched, seen)
+            operands += [self.target(step) for step in conditions.standstill]
+        branches = conditions.watched(watched, value_of)
         alarms: list[Statement] = []
         if ending and isinstance(kind, Moving):
             alarming = [watch for watch in self.watches if watch.reason == "alarm"]
-            needed += [watch.operand for watch in alarming]
-            alarms = kind.alarmed([test for test, _ in conditions.watched(alarming, seen)])
+            operands += [watch.operand for watch in alarming]
+            alarms = kind.alarmed([test for test, _ in conditions.watched(alarming, value_of)])
         stops = bool(unit.waits) and not refusing and not unit.commands and (ending or task.kind == "stop")
 
-        def decide(behind: int) -> list[Statement]:
-            then = [*extra, go(behind)]
+        def decide(following: int) -> list[Statement]:
+            success = [*extra, go(following)]
             for step in unit.reads:
                 operand = self.target(step)
-                raw = seen(operand)
+                raw = value_of(operand)
                 assert raw is not None
-                then[:0] = outputs_of(draft, operand.fact.name, operand, self.content(operand), raw)
+                success[:0] = outputs_of(draft, operand.fact.name, operand, self.content(operand), raw)
             if judged:
                 assert isinstance(kind, Moving)
-                body = conditions.judged(kind, unit.waits, seen, must_begin, then, [draft.go(here)])
+                body = conditions.judged(kind, unit.waits, value_of, must_begin, success, [draft.go(this_step)])
             elif stops:
                 assert isinstance(kind, Moving | Stopping)
                 resend = draft.go(kind.ending if ending and isinstance(kind, Moving) else 1)
-                body = conditions.stopped(kind, unit.waits, seen, then, draft.go(here), resend)
+                body = conditions.stopped(kind, unit.waits, value_of, success, draft.go(this_step), resend)
             elif unit.waits:
-                computed, holds = conditions.all_of(unit.waits, seen)
-                missing: list[Statement] = [draft.go(here)]
+                computed, holds = conditions.all_of(unit.waits, value_of)
+                missing: list[Statement] = [draft.go(this_step)]
                 if refusing:
                     missing = self._refused()
                 elif unit.commands:
                     missing = [draft.fail("unready")]
-                body = [*computed, when(holds, then, missing)]
+                body = [*computed, when(holds, success, missing)]
             else:
-                body = then
+                body = success
             return [*alarms, chain(branches, body)] if branches else [*alarms, *body]
 
         if refusing:
@@ -320,14 +323,14 @@ class LineTask(ABC):
             remark = "ends the motion" if ending else ""
         else:
             remark = "until it is there" if unit.waits else ""
-        self.perform(task, unit, [operand for operand in needed if seen(operand) is not None], decide, remark)
+        self.perform(task, unit, [operand for operand in operands if value_of(operand) is not None], decide, remark)
 
     def content(self, operand: Operand) -> Value | None:
-        """The value that is read."""
+        """The value of an operand when it is read."""
         return operand.value
 
     def _refused(self) -> list[Statement]:
-        """What is done where the device has refused the command: it goes on with what was before."""
+        """The statements for a refused command: the device goes on with its earlier motion."""
         kind, refused = self.draft.kind, self.draft.fail("exception")
         if not isinstance(kind, Moving):
             return [refused]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from fieldspec.plc.routines.blocks.kinds import Executed, Kind, Reading
-from fieldspec.plc.routines.blocks.motion import AxisPort, Stopping
+from fieldspec.plc.routines.blocks.motion import AxisPort
 from fieldspec.plc.routines.blocks.ports import (
     ABANDONED,
     ANSWERED,
@@ -13,15 +13,18 @@ from fieldspec.plc.routines.blocks.ports import (
     AXIS,
     FREE,
     POSTPONED,
+    PRESSING,
     URGENT,
     increment,
     member,
 )
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.expressions import (
     BOOL,
     UDINT,
     UINT,
+    Expression,
     Member,
     Negation,
     Whole,
@@ -47,7 +50,7 @@ class LineDraft(BlockDraft):
 
     @classmethod
     def executed(cls, world: World, name: str, group: str, port: str, abort: bool = True) -> LineDraft:
-        """A block that does something once, and ends when its time is over."""
+        """A block that carries out its steps once, within a time limit."""
         draft = cls(world, name, group, port)
         kind = Executed(draft, abort)
         draft.connect(kind)
@@ -61,7 +64,7 @@ class LineDraft(BlockDraft):
         return draft
 
     def connect(self, kind: Kind) -> None:
-        """Says how the block starts and ends."""
+        """Connects the block to the kind of its start and end, which may give up its requests."""
         self.kind = kind
         self.asked = self.declare("xAsked", BOOL, "local", "a request of this block is on its way")
         state = self.of_port("state")
@@ -89,23 +92,31 @@ class LineDraft(BlockDraft):
         return member(self.world, self.key, name, self.port)
 
     def request(self, fill: Iterable[Statement], take: Iterable[Statement], remark: str = "") -> int:
-        """Adds a step that asks, once what `fill` computes is good, and takes the answer."""
+        """Adds a step that sends a request unless `fill` fails, and takes its response."""
         return self.add(fill, take, remark)
 
     def ask(self, *fields: Statement) -> list[Statement]:
-        """The statements that ask."""
+        """The statements that send a request through the port."""
         return [*fields, assigned(self.asked, True)]
 
     def block(self) -> Routine:
-        """The block."""
+        """The block: the statements of each scan, with requests and responses in two CASEs."""
         kind = self.kind
         state, error, urgent = (self.of_port(name) for name in ("state", "error", "urgent"))
         number_asked, request = self.declare("udiRequest", UDINT, "local"), self.of_port("request")
-        answered = every([self.asked, compared(state, "=", number(ANSWERED))])
-        first = kind.urgent()
-        calm = compared(urgent, "=", number(0))
+        is_answered = every([self.asked, compared(state, "=", number(ANSWERED))])
+        first, second = kind.urgent(), kind.pressing()
+        allowed: list[Expression] = [compared(urgent, "=", number(0))]
+        claims: list[Statement] = []
+        if second is not None:
+            allowed.append(every([second, compared(urgent, "<=", number(PRESSING))]))
+            presses = every([second, compared(urgent, "<", number(PRESSING))])
+            claims.append(when(presses, [Assignment(urgent, number(PRESSING))]))
+        if first is not None:
+            allowed.append(first)
+            claims.append(when(first, [Assignment(urgent, number(URGENT))]))
         may_ask = [*kind.may_ask(), self.unharmed(), Negation(self.asked), compared(state, "=", number(FREE))]
-        may_ask.append(calm if first is None else either([calm, first]))
+        may_ask.append(either(allowed))
         judged = chain(
             [
                 (compared(self.of_port("answered"), "<>", number_asked), [self.fail("other")]),
@@ -122,8 +133,7 @@ class LineDraft(BlockDraft):
         if first is not None:
             asking.append(when(first, [Assignment(self.of_port("first"), request)]))
         ask = [*self.selected(asks=True), when(self.asked, [*asking, *kind.on_ask()])]
-        working = chain([*kind.guards(), (answered, take), (every(may_ask), ask)])
-        claims = [when(first, [Assignment(urgent, number(URGENT))])] if first is not None else []
+        working = chain([*kind.guards(), (is_answered, take), (every(may_ask), ask)])
         drops = when(self.dropped, [*kind.release, assigned(self.dropped, False)])
         always = [kind.unlock()] if isinstance(kind, Stopping) else []
         tail = kind.tail()

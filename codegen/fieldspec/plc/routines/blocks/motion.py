@@ -36,7 +36,7 @@ _NONE = Whole(0, UINT)
 
 
 class AxisPort:
-    """The members of a port that say who moves the axis."""
+    """The members of a port that say which block has the axis."""
 
     MEMBERS = ("motion", "claims", "stops", "active", "unseen", "exclusive")
 
@@ -50,7 +50,7 @@ class AxisPort:
 
 
 def between(draft: BlockDraft, first: int, last: int) -> Expression:
-    """Whether the block is in one of some steps."""
+    """Whether the step of the block lies between two steps, both included."""
     if first == last:
         return compared(draft.step, "=", number(first))
     return every([compared(draft.step, ">=", number(first)), compared(draft.step, "<=", number(last))])
@@ -79,6 +79,7 @@ class Moving(Edged):
         self.accepts = draft.flag("xAccepted", "the device has accepted the command in this scan")
         self.ending_flag = draft.flag("xEnding", "the motion is being ended")
         self.counted = draft.flag("xActive", "the port counts the command of this block as one that is under way")
+        self.alone = draft.flag("xAlone", "nothing else was under way when the command went out")
         self.owner = draft.declare("udiOwner", UDINT, "local", "the count of motions when the block had the axis last")
         self.claim = draft.declare("udiClaim", UDINT, "local", "the count of starts with the one of this block")
         self.first_reason = draft.declare("uiFirstReason", UINT, "local", "why the motion is being ended")
@@ -98,34 +99,37 @@ class Moving(Edged):
     """Whether an edge that comes while the motion is being ended begins afterwards."""
 
     def limit(self) -> None:
-        """Ends the motion when its time is over."""
+        """Adds the time limit after which the motion is ended."""
         running = every([self.draft.busy, Negation(self.ending_flag)])
         self.late = self.draft.timer("fbLimit", running, "tLimit", "T#60s", "the longest time until Done")
 
     def on_ask(self) -> list[Statement]:
-        """What notes that the command is on its way, where the block asks."""
+        """See `Kind`. They record that the command may be on its way."""
         steps = [compared(self.draft.step, "=", number(step)) for step in self.commands]
         return [when(either(steps), self.goes_out())] if steps else []
 
     def goes_out(self) -> list[Statement]:
-        """What notes that the command is on its way: what is accepted from now on comes behind it."""
+        """The statements that record that the command is on its way: acceptances from now on come after it."""
         earlier = Assignment(self.earlier, self.still_earlier())
-        unseen = [] if self.halts else [assigned(self.axis.unseen, True)]
+        unseen: list[Statement] = []
+        if not self.halts:
+            alone = compared(self.axis.active, "=", Whole(0, UDINT))
+            unseen = [assigned(self.axis.unseen, True), Assignment(self.alone, alone)]
         return [earlier, assigned(self.sent, True), Assignment(self.owner, self.axis.motion), *unseen]
 
     def still_earlier(self) -> Expression:
-        """Whether a command of before may be moving the axis, and no other was accepted since."""
+        """Whether an earlier command may be moving the axis, and no other has been accepted since."""
         return every([self.earlier, compared(self.owner, "=", self.axis.motion)])
 
     def take_over(self) -> list[Statement]:
-        """What makes the block responsible: its command is accepted."""
+        """The statements that give the axis to the block, whose command is accepted."""
         return [assigned(self.accepts, True)]
 
     def accepted(self) -> list[Statement]:
         """See `Kind`."""
         motion = self.axis.motion
-        taken = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
-        return [when(self.accepts, [*taken, assigned(self.accepts, False)])]
+        takeover = [increment(motion), Assignment(self.owner, motion), assigned(self.taken, True)]
+        return [when(self.accepts, [*takeover, assigned(self.accepts, False)])]
 
     def edges(self) -> list[Statement]:
         """See `Kind`."""
@@ -138,7 +142,7 @@ class Moving(Edged):
         ]
 
     def converted(self) -> list[Statement]:
-        """What converts the inputs."""
+        """The statements that convert the inputs."""
         draft = self.draft
         return [Assignment(draft.refusal, _NONE), *draft.at_start] if draft.at_start else []
 
@@ -189,10 +193,11 @@ class Moving(Edged):
         left = chain(lost, [assigned(draft.aborted, True)])
         branches: list[Branch] = [
             (every([either([self.sent, self.taken, self.ending_flag]), displaced]), ended),
-            (every([axis.locked, *waits]), [when(self.sent, goes_on, locked)]),
+            (every([axis.locked, *waits]), [when(self.sent, self.drop or goes_on, locked)]),
         ]
         if self.wanted is not None:
-            branches.append((every([Negation(self.wanted), Negation(self.ending_flag)]), self._withdrawn()))
+            withdrawn = [Negation(self.wanted), draft.unharmed(), Negation(self.ending_flag)]
+            branches.append((every(withdrawn), self._withdrawn()))
         if not self.halts:
             branches.append((every([superseded, draft.unharmed(), *waits, *unsent]), [left]))
         if self.late is not None:
@@ -200,7 +205,7 @@ class Moving(Edged):
         return branches
 
     def _withdrawn(self) -> list[Statement]:
-        """What is done when the input that a motion lasts with is taken away."""
+        """The statements for a motion whose input is no longer TRUE."""
         draft = self.draft
         moving = either([self.sent, self.taken, self.still_earlier()])
         return [when(moving, self._end_begun(), [draft.forgotten(), draft.end()])]
@@ -209,7 +214,7 @@ class Moving(Edged):
         return self.sent, self.taken, self.earlier, self.ending_flag
 
     def _end_begun(self) -> list[Statement]:
-        """What begins to end the motion, for the reason that there is."""
+        """The statements that begin to end the motion and record the reason."""
         draft = self.draft
         return [
             *self.drop,
@@ -222,8 +227,12 @@ class Moving(Edged):
             draft.go(self.ending),
         ]
 
+    def seen_to_move(self) -> Statement:
+        """The statement that records motion, unless another command was under way when this one was sent."""
+        return when(self.alone, [assigned(self.axis.unseen, False)])
+
     def alarmed(self, tests: Sequence[Expression]) -> list[Statement]:
-        """What notes an alarm while the motion is being ended: it is why the motion has ended, whatever was before."""
+        """The statements that record an alarm as the reason, while the motion is being ended."""
         reason = Assignment(self.first_reason, Whole(ERRORS["alarm"][0], UINT))
         return [when(test, [reason]) for test in tests]
 
@@ -231,10 +240,13 @@ class Moving(Edged):
         """See `Kind`."""
         if not self.stop:
             return None
-        ends = between(self.draft, self.ending, self.stop)
+        return between(self.draft, self.ending, self.stop)
+
+    def pressing(self) -> Expression | None:
+        """See `Kind`. Whether its command is accepted is looked at before another start goes out."""
         if not self.commands or self.look <= max(self.commands) + 1:
-            return ends
-        return either([ends, every([self.sent, Negation(self.taken), Negation(self.ending_flag)])])
+            return None
+        return every([self.sent, Negation(self.taken), Negation(self.ending_flag)])
 
     def tail(self) -> list[Statement]:
         """See `Kind`."""
@@ -257,7 +269,7 @@ class Moving(Edged):
         return [chain(branches), self.over(*flags, *lowered), self._count()]
 
     def _count(self) -> Statement:
-        """What counts the command of the block in the port, from where it goes out until the block has ended."""
+        """The statement that counts the block's command in the port until the block has ended."""
         active = self.axis.active
         less = Assignment(active, Operation("-", (active, Whole(1, UDINT)), UDINT))
         lost = when(compared(active, ">", Whole(0, UDINT)), [less])
@@ -267,21 +279,21 @@ class Moving(Edged):
         return when(changes, [counts, Assignment(self.counted, Negation(self.counted)), *alone])
 
     def _clashes(self) -> Expression:
-        """Whether the device does not show which of two commands it carries out: this one, or that of another block."""
+        """Whether the device could not show which of two commands it carries out, this one or another block's."""
         if not self.hidden:
             return self.axis.exclusive
-        active, one = self.axis.active, Whole(1, UDINT)
-        return either([compared(active, ">", one), every([compared(active, "=", one), Negation(self.counted)])])
+        active, own = self.axis.active, Whole(1, UDINT)
+        return either([compared(active, ">", own), every([compared(active, "=", own), Negation(self.counted)])])
 
     def _ending(self, late: Expression) -> list[Statement]:
-        """What is done while the motion is being ended: tries, and what comes after."""
+        """The statements while the motion is being ended: further tries, and the end."""
         draft = self.draft
         once_more: list[Branch] = []
         if self.tries > 1:
-            again = every([draft.failed(), compared(self.tries_left, ">", number(1))])
+            is_retried = every([draft.failed(), compared(self.tries_left, ">", number(1))])
             minus = Assignment(self.tries_left, plus(self.tries_left, -1))
-            once_more.append((again, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
-        behind = compared(draft.step, "=", number(0))
+            once_more.append((is_retried, [*self.drop, draft.forgotten(), minus, draft.go(self.ending)]))
+        finished = compared(draft.step, "=", number(0))
         flags = [assigned(flag, False) for flag in (self.ending_flag, self.sent, self.taken)]
         outcome = when(draft.failed(), draft.erroneous(), self.ended_well())
         tells = [compared(self.first_reason, "<>", _NONE), *([draft.failed()] if self.halts else [])]
@@ -293,15 +305,15 @@ class Moving(Edged):
         ]
         return [
             when(every([late, draft.unharmed(), compared(draft.step, ">", number(self.stop))]), [draft.fail("late")]),
-            chain([*once_more, (either([draft.failed(), behind]), ended)]),
+            chain([*once_more, (either([draft.failed(), finished]), ended)]),
         ]
 
 
 def unready(kind: Moving, draft: BlockDraft, moves: Expression) -> Branch:
-    """What is done where the axis has to stand: a motion of the block itself is ended, and it begins again."""
+    """The branch for an axis that has to stand: the block's own motion is ended, then it begins again."""
     kind.hidden = True
-    again = [Assignment(kind.pending, kind.still_earlier())] if kind.pending is not None else []
-    return either([moves, kind.still_earlier()]), [*again, draft.fail("unready")]
+    remember_edge = [Assignment(kind.pending, kind.still_earlier())] if kind.pending is not None else []
+    return either([moves, kind.still_earlier()]), [*remember_edge, draft.fail("unready")]
 
 
 class Jogging(Moving):
@@ -346,11 +358,11 @@ class Jogging(Moving):
         draft = self.draft
         # At its end it begins in the other direction where that alone is asked for.
         free = either([Negation(draft.busy), compared(draft.step, "=", number(0))])
-        begins = every([self.ready, free, _single(self.levels)])
+        may_begin = every([self.ready, free, _single(self.levels)])
         direction = [Assignment(self.backward, self.levels[1])] if len(self.levels) > 1 else []
         return [
             when(Negation(self.execute), [assigned(self.ready, True)]),
-            Assignment(self.edge, begins),
+            Assignment(self.edge, may_begin),
             chain([(self.edge, [*direction, *self.converted(), *self.begun()]), self.idle()]),
             Assignment(self.pressed, self.execute),
         ]
@@ -365,61 +377,11 @@ class Jogging(Moving):
         """See `Edged`."""
         return [when(Negation(_single(self.levels)), super().ended_well())]
 
-    def over(self, *others: Statement) -> Statement:
+    def over(self, *statements: Statement) -> Statement:
         """See `Edged`."""
-        return super().over(*others, when(Negation(self.draft.done), [assigned(self.ready, False)]))
+        return super().over(*statements, when(Negation(self.draft.done), [assigned(self.ready, False)]))
 
 
 def _single(levels: Sequence[Expression]) -> Expression:
     """Whether exactly one of the inputs is TRUE."""
     return levels[0] if len(levels) == 1 else compared(levels[0], "<>", levels[1])
-
-
-class Stopping(Edged):
-    """A block that stops the axis, and locks it while Execute is TRUE. It asks until it is answered."""
-
-    comment = (
-        "While it is Busy or Execute is TRUE, the axis is locked: no motion starts. It asks for the stop until it is "
-        "answered, and is Busy until the device stands."
-    )
-
-    def __init__(self, draft: BlockDraft, axis: AxisPort) -> None:
-        super().__init__(draft, aborted=False)
-        self.axis = axis
-        remark = "why its last request has failed, an ErrorID; it asks again"
-        self.last_error = draft.declare("uiLastError", UINT, "output", remark)
-        self.lock = draft.flag("xLocking", "the axis is locked by this block")
-        self.stop = 0
-        self.insists: Sequence[Statement] = ()
-
-    def take_over(self) -> list[Statement]:
-        """What makes the block responsible: the device has accepted the stop."""
-        return [increment(self.axis.motion)]
-
-    def edges(self) -> list[Statement]:
-        """See `Kind`."""
-        draft, stops = self.draft, self.axis.stops
-        more = Operation("+", (stops, Whole(1, UDINT)), UDINT)
-        lock = [Assignment(stops, more), assigned(self.lock, True)]
-        begin = [*self.begun(), Assignment(self.last_error, _NONE), draft.forgotten(), *draft.at_start]
-        allowed = [Negation(self.lock), *([draft.unharmed()] if draft.at_start else [])]
-        begin.append(when(every(allowed), lock))
-        return [*self.find_edge(), chain([(self.edge, begin), self.idle()])]
-
-    def urgent(self) -> Expression | None:
-        """See `Kind`."""
-        return between(self.draft, 1, self.stop) if self.stop else None
-
-    def tail(self) -> list[Statement]:
-        """See `Kind`."""
-        draft = self.draft
-        again = [Assignment(self.last_error, draft.reason), draft.forgotten(), *self.drop, draft.go(1)]
-        refused = [(every([draft.failed(), self.edge]), draft.erroneous())] if draft.at_start else []
-        return [*self.insists, chain([*refused, (draft.failed(), again), self.done()]), self.over()]
-
-    def unlock(self) -> Statement:
-        """What unlocks the axis, in each scan."""
-        stops = self.axis.stops
-        releases = every([self.lock, Negation(self.draft.busy), Negation(self.execute)])
-        less = Assignment(stops, Operation("-", (stops, Whole(1, UDINT)), UDINT))
-        return when(releases, [when(self.axis.locked, [less]), assigned(self.lock, False)])

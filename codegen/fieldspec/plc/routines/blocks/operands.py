@@ -101,8 +101,8 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
     remark = of_value(value) if operand.bit is None else ""
     if quantity is not None:
         unit = quantity.quantity.value.unit
-        about = f"in {unit}; 1 count = {count_of(quantity.quantity.value)}" if unit else remark
-        source = block.declare(f"lr{Name.of(name).pascal()}", LREAL, "input", about)
+        description = f"in {unit}; 1 count = {count_of(quantity.quantity.value)}" if unit else remark
+        source = block.declare(f"lr{Name.of(name).pascal()}", LREAL, "input", description)
         raw = block.declare(raw_name, kind, "output", "what is sent, in counts")
         parameter = f"{PREFIXES[quantity.quantity.kind.name]}Counts"
         call = Call(
@@ -122,7 +122,7 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
 
 
 def unit_of(operand: Operand) -> str:
-    """The unit of a fact, or counts."""
+    """The unit of a fact; `counts` where it has none."""
     value = operand.value
     return value.unit if value is not None and value.unit and value.scaled else "counts"
 
@@ -148,7 +148,7 @@ def _unless_refused(block: BlockDraft, statements: list[Statement]) -> list[Stat
 
 
 def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) -> Iterator[Statement]:
-    """What refuses a number that may not be written."""
+    """The statements that refuse a number which may not be written."""
     ranges = value.writable_ranges
     if ranges is None or kind.family not in ("signed", "unsigned"):
         return
@@ -174,12 +174,12 @@ def outputs_of(block: BlockDraft, name: str, operand: Operand, value: Value | No
     unit = quantity.quantity.value.unit
     physical = block.declare(f"lr{Name.of(name).pascal()}", LREAL, "output", f"in {unit}" if unit else "")
     assert isinstance(kind, Elementary)
-    beside = block.declare(f"{PREFIXES[kind.name]}{Name.of(name).pascal()}Raw", kind, "output", of_value(value))
+    raw_output = block.declare(f"{PREFIXES[kind.name]}{Name.of(name).pascal()}Raw", kind, "output", of_value(value))
     parameter = f"{PREFIXES[quantity.quantity.kind.name]}Counts"
     call = Call(
         world.routine(quantity.name, "from_counts"), ((parameter, raw),), (("lrValue", physical),), block.status.type
     )
-    return [Assignment(beside, raw), *_refusing(block, call, block.fail("request"))]
+    return [Assignment(raw_output, raw), *_refusing(block, call, block.fail("request"))]
 
 
 def field_of(bit: Bit, word: Expression) -> Expression:
@@ -201,10 +201,10 @@ def holds(world: World, operand: Operand, content: Value | None, value: ScalarVa
         assert isinstance(truth, Operation)
         return truth if value in (True, 1) else compared(truth.operands[0], "=", truth.operands[1])
     number = field_of(operand.bit, read) if operand.bit is not None else read
-    wanted = constant(world, operand, content, value, number.type)
-    if isinstance(wanted, Truth):
-        return number if wanted.value else compared(number, "=", wanted)
-    return compared(number, "=", wanted)
+    expected = constant(world, operand, content, value, number.type)
+    if isinstance(expected, Truth):
+        return number if expected.value else compared(number, "=", expected)
+    return compared(number, "=", expected)
 
 
 def constant(world: World, operand: Operand, content: Value | None, value: ScalarValue, kind: Type) -> Expression:

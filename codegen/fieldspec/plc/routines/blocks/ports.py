@@ -37,10 +37,10 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
-URGENT = 3
-"""How many scans an urgent request keeps the line for itself: whoever serves the port counts it down.
+PRESSING, URGENT = 3, 6
+"""What a block that looks whether its command is accepted, and one that stops, write in each scan to go before others.
 
-It does so twice between two calls of the block that asks, where the order of the calls changes.
+Whoever serves the port counts it down: twice between two calls of a block, where the order of the calls changes.
 """
 POSTPONED = 65535
 """The error of a request that was not sent because a stop goes first: whoever has asked asks again."""
@@ -51,7 +51,7 @@ _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("request", UDINT, "the number of the request, which whoever asks counts up"),
     ("answered", UDINT, "the number of the request that was answered"),
     ("first", UDINT, "the number of the last request of a stop"),
-    ("urgent", INT, "while it is not 0, only stops ask; whoever serves the port counts it down in each scan"),
+    ("urgent", INT, "while it is not 0, what is not urgent waits; whoever serves the port counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
 
@@ -78,13 +78,13 @@ def ports(world: World) -> Iterator[Port]:
         ("exclusive", BOOL, "one of them does not see whether the device takes it: no other begins meanwhile"),
     )
     if layout.registers:
-        asked = (
+        access = (
             ("write", BOOL, "whether the words are to be written"),
             ("address", UINT, "of the first register"),
             ("count", INT, "how many words"),
             ("words", world.words, "what is written, or was read"),
         )
-        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *asked, *mover))
+        yield Port(AXIS, "axis", "A device, and the access to its registers", (*_HANDSHAKE, *access, *mover))
     elif sends(layout):
         yield Port(AXIS, "axis", "A device, and who moves it", mover)
     if own_links(layout):
@@ -109,7 +109,7 @@ def ports(world: World) -> Iterator[Port]:
 
 
 def own_links(layout: DeviceLayout) -> list[LinkLayout]:
-    """The links with frames that a controller builds itself."""
+    """The links whose frames have more than a body, which the controller builds itself."""
     return [link for link in layout.links.values() if framed(link)]
 
 
@@ -119,7 +119,7 @@ def sends(layout: DeviceLayout) -> bool:
 
 
 def cyclic(layout: DeviceLayout) -> list[MessageLayout]:
-    """The telegrams with which tasks work."""
+    """The telegrams of fixed size that tasks use."""
     names = {name for task in layout.device.tasks if task.steps for name in task.messages}
     return [
         message
@@ -129,19 +129,19 @@ def cyclic(layout: DeviceLayout) -> list[MessageLayout]:
 
 
 def axis_key(message: MessageLayout | Message) -> str:
-    """The key of the port of a telegram."""
+    """The key of the port for a telegram."""
     return f"axis of {message.name}"
 
 
-def member(world: World, port: str, name: str, of: Expression) -> Member:
+def member(world: World, port: str, name: str, struct: Expression) -> Member:
     """A member of a port."""
     if not world.port_members:
         world.port_members.update({port.key: {name: kind for name, kind, _ in port.members} for port in ports(world)})
-    return Member(of, world.names.members[port][name], world.port_members[port][name])
+    return Member(struct, world.names.members[port][name], world.port_members[port][name])
 
 
 def increment(count: Expression) -> Statement:
-    """What adds one to a number, and begins again with 0 behind the greatest one."""
-    more = Operation("+", (count, Whole(1, UDINT)), UDINT)
-    most = compared(count, "=", Whole(UDINT.high, UDINT))
-    return when(most, [Assignment(count, Whole(0, UDINT))], [Assignment(count, more)])
+    """The statement that adds 1 to a count, with 0 after its greatest value."""
+    successor = Operation("+", (count, Whole(1, UDINT)), UDINT)
+    is_greatest = compared(count, "=", Whole(UDINT.high, UDINT))
+    return when(is_greatest, [Assignment(count, Whole(0, UDINT))], [Assignment(count, successor)])

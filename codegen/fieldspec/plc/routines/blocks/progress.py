@@ -10,9 +10,10 @@ from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
 from fieldspec.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
 from fieldspec.plc.routines.blocks.kinds import Branch
-from fieldspec.plc.routines.blocks.motion import Moving, Stopping
+from fieldspec.plc.routines.blocks.motion import Moving
 from fieldspec.plc.routines.blocks.operands import NoBlock, holds, unit_of
 from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import target
 from fieldspec.plc.routines.expressions import (
     LREAL,
@@ -37,7 +38,7 @@ _START = "how long the device may stand before it moves, or off its target; the 
 
 
 class Conditions:
-    """What a block waits for. `arguments` has the raw numbers of arguments, `message` the telegram."""
+    """The conditions that a block waits for. `arguments` has raw numbers by argument, `message` is the telegram."""
 
     def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: str = "") -> None:
         self.world, self.operands, self.draft, self.message = world, operands, draft, message
@@ -47,23 +48,23 @@ class Conditions:
         self.standstill = () if halting is None else standstill(operands, halting, message)
 
     def operand(self, step: Step) -> Operand:
-        """What a step acts on."""
+        """The operand of a step."""
         return target(self.operands, step, self.message)
 
     def compared(self, task: Task) -> list[Step]:
-        """The steps for which the block looks before the command where the device is."""
+        """The waits whose operand is compared with its value before the command."""
         return [step for step in task.steps if step.action == "wait" and step.argument and proves_target(task)]
 
-    def start_of(self, step: Step, seen: Seen) -> list[Statement]:
+    def start_of(self, step: Step, value_of: Seen) -> list[Statement]:
         """What notes where the device is before the command: the value there, and whether that is away from the target.
 
         What is near the target may not have begun yet, or need no motion at all.
         """
-        raw = self._raw(step, seen)
+        raw = self._raw(step, value_of)
         noted: list[Statement] = [Assignment(self._at_start(step, raw), raw)] if step.relative else []
         if step.argument in self.arguments:
-            computed, there = self.test(step, seen)
-            noted += [*computed, Assignment(self._away(), opposite(there))]
+            computed, reached = self.test(step, value_of)
+            noted += [*computed, Assignment(self._away(), opposite(reached))]
         return noted
 
     def _away(self) -> Variable:
@@ -74,29 +75,29 @@ class Conditions:
         name = f"{self.world.variable(fact, raw.type)}AtStart"
         return self.draft.declared_once(name, raw.type, "local", "what it was before the command")
 
-    def _raw(self, step: Step, seen: Seen) -> Expression:
+    def _raw(self, step: Step, value_of: Seen) -> Expression:
         operand = self.operand(step)
-        raw = seen(operand)
+        raw = value_of(operand)
         if raw is None:
             raise NoBlock(f"{operand.path} is not where the block looks")
         return raw
 
-    def test(self, step: Step, seen: Seen) -> tuple[list[Statement], Expression]:
+    def test(self, step: Step, value_of: Seen) -> tuple[list[Statement], Expression]:
         """What is computed before, and whether what a step waits for is there.
 
         Raises NoBlock for an argument that nothing sends, and for what is not to be seen.
         """
-        raw, operand = self._raw(step, seen), self.operand(step)
+        raw, operand = self._raw(step, value_of), self.operand(step)
         if not step.argument:
             return [], self.has(operand, step.wanted, raw)
         if step.argument not in self.arguments:
             raise NoBlock(f"no step before sends what `{step.target}` is waited for")
-        wanted = self.arguments[step.argument]
-        if step.within is None and not step.relative and wanted.type == raw.type:
-            return [], compared(raw, "=", wanted)
-        away = _difference(raw, wanted)
+        expected = self.arguments[step.argument]
+        if step.within is None and not step.relative and expected.type == raw.type:
+            return [], compared(raw, "=", expected)
+        away = _difference(raw, expected)
         if step.relative:
-            away = Operation("-", (_difference(raw, self._at_start(step, raw)), _real(wanted)), LREAL)
+            away = Operation("-", (_difference(raw, self._at_start(step, raw)), _real(expected)), LREAL)
         if operand.value is not None and operand.value.scaled:
             away = times(away, Ratio(operand.value.scale))
         distance = self.draft.declared_once("lrAway", LREAL, "local", "how far it is from where it was sent")
@@ -108,7 +109,7 @@ class Conditions:
         return computed, every([compared(distance, "<=", window), compared(distance, ">=", minus)])
 
     def _window(self, step: Step, operand: Operand) -> Variable:
-        """The input with the distance from its target at which a device is there."""
+        """The input for the distance within which a device counts as at its target."""
         if step.argument not in self.windows:
             remark = f"how far from its target the device may be at the end, in {unit_of(operand)}"
             digits = f"{step.within:f}"
@@ -116,35 +117,35 @@ class Conditions:
             self.windows[step.argument] = self.draft.declare("lrWindow", LREAL, "input", remark, initial)
         return self.windows[step.argument]
 
-    def has(self, operand: Operand, wanted: Sequence[ScalarValue], raw: Expression) -> Expression:
+    def has(self, operand: Operand, values: Sequence[ScalarValue], raw: Expression) -> Expression:
         """Whether a fact has one of some values."""
-        return either([holds(self.world, operand, operand.value, value, raw) for value in wanted])
+        return either([holds(self.world, operand, operand.value, value, raw) for value in values])
 
-    def all_of(self, steps: Sequence[Step], seen: Seen) -> tuple[list[Statement], Expression]:
-        """What is computed before, and whether all that some steps wait for is there."""
+    def all_of(self, steps: Sequence[Step], value_of: Seen) -> tuple[list[Statement], Expression]:
+        """The statements that compute conditions, and whether all of them hold."""
         computed: list[Statement] = []
         tests: list[Expression] = []
         for step in steps:
-            more, test = self.test(step, seen)
-            computed += more
+            statements, test = self.test(step, value_of)
+            computed += statements
             tests.append(test)
         return computed, every(tests)
 
-    def stands(self, seen: Seen) -> Expression | None:
-        """Whether the device stands, by what the task that stops it waits for; None where that is not to be seen."""
+    def stands(self, value_of: Seen) -> Expression | None:
+        """Whether the device stands, by the waits of the task that stops it; None where one of them is not visible."""
         tests: list[Expression] = []
         for step in self.standstill:
-            raw = seen(self.operand(step))
+            raw = value_of(self.operand(step))
             if raw is None:
                 return None
             tests.append(self.has(self.operand(step), step.wanted, raw))
         return every(tests) if tests else None
 
-    def watched(self, watches: Sequence[Watch], seen: Seen) -> list[Branch]:
-        """What ends the block where something that it is watched by is no longer so."""
+    def watched(self, watches: Sequence[Watch], value_of: Seen) -> list[Branch]:
+        """The branches that fail the block where a watched fact no longer has its value."""
         branches: list[Branch] = []
         for watch in watches:
-            raw = seen(watch.operand)
+            raw = value_of(watch.operand)
             if raw is not None:
                 test = opposite(self.has(watch.operand, (watch.value,), raw))
                 branches.append((test, [self.draft.fail(watch.reason)]))
@@ -154,89 +155,98 @@ class Conditions:
         self,
         kind: Moving,
         steps: Sequence[Step],
-        seen: Seen,
+        value_of: Seen,
         must_begin: bool,
-        then: Sequence[Statement],
-        again: Sequence[Statement],
+        success: Sequence[Statement],
+        repeat: Sequence[Statement],
     ) -> list[Statement]:
         """Judges a motion: whether it is where it is to be, has not begun, or has ended before.
 
         Where it `must_begin`, what is waited for may be that of a motion before: it must be seen not to be there first.
         """
         draft = self.draft
-        computed, reached = self.all_of(steps, seen)
-        stands = self.stands(seen)
-        there = draft.flag("xReached", "all that is waited for is there, in one look")
+        computed, reached = self.all_of(steps, value_of)
+        is_standing = self.stands(value_of)
+        reached_flag = draft.flag("xReached", "all that is waited for is there, in one look")
         standing = draft.flag("xStanding", "the device stands")
         idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
-        body = [*computed, Assignment(there, reached), Assignment(standing, there if stands is None else stands)]
+        body = [
+            *computed,
+            Assignment(reached_flag, reached),
+            Assignment(standing, reached_flag if is_standing is None else is_standing),
+        ]
         fresh, wrong = [standing], [draft.fail("idle")]
         evidence: list[Expression] = []
-        if stands is not None:
+        if is_standing is not None:
             moved = draft.flag("xMoved", "the device was seen to move")
             fresh.append(moved)
-            body.append(when(Negation(standing), [assigned(moved, True), assigned(kind.axis.unseen, False)]))
+            body.append(when(Negation(standing), [assigned(moved, True), kind.seen_to_move()]))
             wrong = [when(moved, [draft.fail("short")], wrong)]
             evidence.append(moved)
-        enough: Expression = there
+        enough: Expression = reached_flag
         if must_begin:
             changed = draft.flag("xChanged", "what is waited for was seen not to be there: the motion has begun")
             fresh.append(changed)
-            body.append(when(Negation(there), [assigned(changed, True)]))
-            enough = every([there, changed])
+            body.append(when(Negation(reached_flag), [assigned(changed, True)]))
+            enough = every([reached_flag, changed])
         elif any(step.argument for step in steps):
-            enough = every([there, either([self._away(), *evidence, idle])])
+            enough = every([reached_flag, either([self._away(), *evidence, idle])])
         for flag in fresh:
             kind.forget_first(flag)
-        return [*body, chain([(enough, then), (idle, wrong)], again)]
+        return [*body, chain([(enough, success), (idle, wrong)], repeat)]
 
     def stopped(
         self,
         kind: Moving | Stopping,
         steps: Sequence[Step],
-        seen: Seen,
-        then: Sequence[Statement],
-        again: Statement,
+        value_of: Seen,
+        success: Sequence[Statement],
+        repeat: Statement,
         resend: Statement,
     ) -> list[Statement]:
         """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
 
-        What begins in spite of the stop is stopped anew.
+        What moves for long is stopped anew: the device may have begun what it had accepted before. A stop that is sent
+        too often might begin its ramp anew each time.
         """
         draft = self.draft
-        computed, stands = self.all_of(steps, seen)
+        computed, is_standing = self.all_of(steps, value_of)
         standing = draft.flag("xStanding", "the device stands")
         kind.forget_first(standing)
         idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        moving = draft.flag("xMoving", "the device moves although it was told to stop")
+        kind.forget_first(moving)
+        long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
         unseen = kind.axis.unseen
-        over = [assigned(unseen, False), *then]
-        moves = [assigned(unseen, False), when(standing, [resend], [again]), assigned(standing, False)]
-        waits = when(every([unseen, Negation(idle)]), [assigned(standing, True), again], over)
-        return [*computed, when(stands, [waits], moves)]
+        waits = when(
+            every([unseen, Negation(idle)]), [repeat, assigned(moving, False)], [assigned(unseen, False), *success]
+        )
+        onward = when(long, [resend, assigned(moving, False)], [repeat, assigned(moving, True)])
+        return [*computed, Assignment(standing, is_standing), when(standing, [waits], [onward])]
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
-    """What a task waits for behind its last command."""
-    behind = task.steps[last_command(task) + 1 :]
-    return tuple(step for step in behind if step.action == "wait" and not shows_acceptance(operands, step, message))
+    """The waits of a task after its last command, without those for an acceptance."""
+    following = task.steps[last_command(task) + 1 :]
+    return tuple(step for step in following if step.action == "wait" and not shows_acceptance(operands, step, message))
 
 
 _OPPOSITES = {"=": "<>", "<>": "="}
 
 
 def opposite(test: Expression) -> Expression:
-    """NOT of a comparison or of a truth."""
+    """The negation of a comparison or of a truth."""
     if isinstance(test, Operation) and test.operator in _OPPOSITES:
         return Operation(_OPPOSITES[test.operator], test.operands, test.type)
     return Negation(test)
 
 
-def _real(of: Expression) -> Expression:
-    kind = of.type
+def _real(value: Expression) -> Expression:
+    kind = value.type
     assert isinstance(kind, Elementary)
     if kind.family not in ("signed", "unsigned"):
         raise NoBlock("what it compares is no whole number")
-    return Conversion(of, LREAL)
+    return Conversion(value, LREAL)
 
 
 def _difference(first: Expression, second: Expression) -> Expression:

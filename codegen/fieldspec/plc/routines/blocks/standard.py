@@ -57,7 +57,7 @@ ERRORS = {
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """What a block does while it has a number as its step: `ask` when it may, and `take` when it was answered."""
+    """A step of a block: the statements that send its request, and those that take the response."""
 
     ask: tuple[Statement, ...]
     take: tuple[Statement, ...] = ()
@@ -92,20 +92,20 @@ class BlockDraft(Variables):
         self.good = compared(self.result, "=", self.status.of("ok"))
 
     def steps_from(self, initial: int) -> None:
-        """Declares the step, and the number that it has before anything was asked for."""
+        """Declares the variable for the number of the step, with its initial value."""
         self.step = self.declare("iStep", INT, "local", "0 behind the last one", f"{initial}" if initial else "")
 
     def flag(self, name: str, remark: str = "") -> Variable:
-        """A truth that the block remembers."""
+        """A BOOL that the block keeps between scans."""
         return self.declared_once(name, BOOL, "local", remark)
 
     def struct(self, name: str, key: str, remark: str = "") -> Variable:
-        """A struct that the block is lent, by its key."""
+        """A struct that the block has as VAR_IN_OUT, by its key."""
         kind = StructType(self.world.names.structs[key])
         return self.declared_once(self.world.variable(name, kind), kind, "in_out", remark)
 
     def fail(self, reason: str) -> Statement:
-        """The statement that says why the block ends."""
+        """The statement that gives the block a reason to end with an error."""
         return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
 
     def refuse(self) -> Statement:
@@ -131,7 +131,7 @@ class BlockDraft(Variables):
         return Assignment(self.step, number(step))
 
     def end(self) -> Statement:
-        """The statement that goes behind the last step."""
+        """The statement that goes to step 0, after the last one."""
         return self.go(0)
 
     def timer(self, name: str, running: Expression, time: str, initial: str, remark: str) -> Expression:
@@ -142,7 +142,7 @@ class BlockDraft(Variables):
         return Member(timer, "Q", BOOL)
 
     def settle(self, initial: str) -> None:
-        """Adds a step that waits until the device has seen what it was sent."""
+        """Adds a step that waits a time in which the device takes over what it was sent."""
         step = self.next
         self.settling.append(step)
         timer = self.declared_once("fbSettle", TIMER, "local")
@@ -151,7 +151,7 @@ class BlockDraft(Variables):
         self.add([when(Member(timer, "Q", BOOL), [self.go(step + 1)])], remark="the device sees what was sent")
 
     def timers(self) -> list[Statement]:
-        """The calls of the timers."""
+        """The statements that call the timers."""
         calls: list[Statement] = [Timing(timer, running, time) for timer, running, time in self.timed]
         if self.settling:
             running = either([compared(self.step, "=", number(step)) for step in self.settling])
@@ -159,24 +159,28 @@ class BlockDraft(Variables):
         return calls
 
     def selected(self, asks: bool) -> list[Statement]:
-        """CASE over the step, without the steps that have nothing to do."""
-        bodies = [(at, step.ask if asks else step.take, step.remark) for at, step in enumerate(self.steps, 1)]
+        """A CASE over the step, without branches for steps that have no statements."""
+        bodies = [
+            (position, step.ask if asks else step.take, step.remark) for position, step in enumerate(self.steps, 1)
+        ]
         branches = tuple(
-            (((at, at),), (Remark(remark), *body) if remark else body) for at, body, remark in bodies if body
+            (((position, position),), (Remark(remark), *body) if remark else body)
+            for position, body, remark in bodies
+            if body
         )
         return [Selection(self.step, branches)] if branches else []
 
     def cleared(self) -> list[Statement]:
-        """What takes back the outputs that say how the block has ended."""
+        """The statements that reset the outputs for the end of the block."""
         ends = [variable for variable in (self.done, self.aborted, self.error) if variable is not None]
         return [*(assigned(variable, False) for variable in ends), Assignment(self.error_id, Whole(0, UINT))]
 
     def ends(self) -> list[Expression]:
-        """The outputs that say that the block has ended."""
+        """The outputs that are TRUE when the block has ended."""
         return [variable for variable in (self.done, self.aborted, self.error) if variable is not None]
 
     def erroneous(self) -> list[Statement]:
-        """What ends the block with an error."""
+        """The statements that end the block with an error."""
         return [Assignment(self.error_id, self.reason), assigned(self.error, True)]
 
     def unharmed(self) -> Expression:
@@ -188,21 +192,21 @@ class BlockDraft(Variables):
         return compared(self.reason, "<>", Whole(0, UINT))
 
     def forgotten(self) -> Statement:
-        """What forgets the reason to end with an error."""
+        """The statement that clears the reason to end with an error."""
         return Assignment(self.reason, Whole(0, UINT))
 
-    def attempt(self, call: Expression, then: Body, reason: str) -> list[Statement]:
-        """Calls a function, and goes on where it returns Ok; else ends with an error."""
-        return [Assignment(self.result, call), when(self.good, then, [self.fail(reason)])]
+    def attempt(self, call: Expression, success: Body, reason: str) -> list[Statement]:
+        """The statements that call a function and go on with `success` where it returns Ok, else fail."""
+        return [Assignment(self.result, call), when(self.good, success, [self.fail(reason)])]
 
     def finished(self, body: Sequence[Statement]) -> Routine:
-        """The block; local variables that no statement uses are left out."""
+        """The routine of the block, without local variables that no statement uses."""
         remarks = tuple(filter(None, self.remarks))
         return Routine(self.name, self.group, None, self.needed(tuple(body)), tuple(body), remarks)
 
 
 def assigned(variable: Expression, value: bool) -> Statement:
-    """What makes a truth TRUE or FALSE."""
+    """The statement that makes a BOOL TRUE or FALSE."""
     return Assignment(variable, Truth(value))
 
 
@@ -212,5 +216,5 @@ def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:
 
 
 def chain(branches: Sequence[tuple[Expression, Sequence[Statement]]], otherwise: Sequence[Statement] = ()) -> Statement:
-    """IF with several tests."""
+    """An IF statement with a branch for each test."""
     return Condition(tuple((test, tuple(body)) for test, body in branches), tuple(otherwise))

@@ -31,21 +31,21 @@ _WAYS = {"read": "unpack", "write": "pack"}
 
 
 def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routine]:
-    """A block that reads registers of a group into its struct, and one that writes them."""
+    """The blocks that read registers of a group into its struct, and those that write them."""
     device = world.layout.device
     if device.space("").unit != WORD:
         return
     for group in device.groups:
         if device.space_name(group.space) != device.space_name(""):
             continue
-        for way, function in _WAYS.items():
+        for direction, function in _WAYS.items():
             routine = by_name.get(world.routine(function, group.name, group_order(world, group)))
             if routine is not None:
-                yield _group_block(world, group, way, routine)
+                yield _group_block(world, group, direction, routine)
 
 
-def _group_block(world: World, group: RegisterGroup, way: str, routine: Routine) -> Routine:
-    block = LineDraft.executed(world, world.block(way, group.name), f"registers {group.name}", AXIS)
+def _group_block(world: World, group: RegisterGroup, direction: str, routine: Routine) -> Routine:
+    block = LineDraft.executed(world, world.block(direction, group.name), f"registers {group.name}", AXIS)
     address = block.declare("uiAddress", UINT, "input", "of the first register")
     count = block.declare("iCount", INT, "input", f"how many words, 1..{world.words.high + 1}")
     kind = world.struct(group.name)
@@ -54,34 +54,37 @@ def _group_block(world: World, group: RegisterGroup, way: str, routine: Routine)
     port = block.of_port
     call = routine.called(uiAddress=address, iCount=count, aWords=port("words"), stData=data)
     ask: list[Statement] = [
-        Assignment(port("write"), Truth(way == "write")),
+        Assignment(port("write"), Truth(direction == "write")),
         Assignment(port("address"), address),
         Assignment(port("count"), count),
     ]
-    _add(block, way, call, ask, [block.end()], compared(count, "<", number(1)), count)
+    _add(block, direction, call, ask, [block.end()], compared(count, "<", number(1)), count)
     title = group.title or Name.of(group.name).title()
-    block.remarks += [f"{way.title()}s registers: {title}. {world.comment(group, None)}".strip(), meanings(ERRORS)]
+    block.remarks += [
+        f"{direction.title()}s registers: {title}. {world.comment(group, None)}".strip(),
+        meanings(ERRORS),
+    ]
     return block.block()
 
 
 def _add(
     block: LineDraft,
-    way: str,
+    direction: str,
     call: Expression,
     ask: list[Statement],
-    then: list[Statement],
+    success: list[Statement],
     few: Expression,
     count: Expression,
 ) -> None:
-    """Adds the step that reads or writes; a number of words that cannot be is refused."""
-    if way == "write":
-        block.request(block.attempt(call, tuple(block.ask(*ask)), "request"), then)
+    """Adds the step that reads or writes registers; it refuses a number of words that no request can have."""
+    if direction == "write":
+        block.request(block.attempt(call, tuple(block.ask(*ask)), "request"), success)
         return
     status = block.status
-    many = compared(count, ">", number(block.world.words.high + 1))
+    too_many = compared(count, ">", number(block.world.words.high + 1))
     refused: list[Statement] = [Assignment(block.result, status.of("no_room")), block.fail("request")]
     block.request(
-        [chain([(few, refused), (many, refused)], block.ask(*ask))], block.attempt(call, tuple(then), "damaged")
+        [chain([(few, refused), (too_many, refused)], block.ask(*ask))], block.attempt(call, tuple(success), "damaged")
     )
 
 
@@ -98,35 +101,35 @@ def table_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routi
         if not 0 < words <= world.words.high + 1:
             continue
         element_name = table.record.name if records.count(table.record.name) == 1 else f"{table.name}_element"
-        for way, function in _WAYS.items():
+        for direction, function in _WAYS.items():
             routine = by_name.get(world.routine(function, table.record.name, table_order(table.record)))
-            if routine is not None and (way == "read" or table.writable):
-                yield _element_block(world, table, way, routine, by_name, element_name)
+            if routine is not None and (direction == "read" or table.writable):
+                yield _element_block(world, table, direction, routine, by_name, element_name)
                 if element_name != table.name:
-                    yield _table_block(world, table, way, routine, by_name)
+                    yield _table_block(world, table, direction, routine, by_name)
 
 
 def _element_block(
-    world: World, table: TableLayout, way: str, routine: Routine, by_name: Mapping[str, Routine], name: str
+    world: World, table: TableLayout, direction: str, routine: Routine, by_name: Mapping[str, Routine], name: str
 ) -> Routine:
-    """The block for one element."""
-    block = LineDraft.executed(world, world.block(way, name), f"table {table.name}", AXIS)
+    """The block that reads or writes one element of a table."""
+    block = LineDraft.executed(world, world.block(direction, name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
     index = block.declare("iNumber", INT, "input", _numbers(table))
     data = block.declare(world.variable("data", kind), kind, "in_out")
     block.limit()
-    _transfer(block, table, way, routine, by_name, index, data, [block.end()])
-    _about(block, world, table, f"{way.title()}s one element of {table.name}.")
+    _transfer(block, table, direction, routine, by_name, index, data, [block.end()])
+    _about(block, world, table, f"{direction.title()}s one element of {table.name}.")
     return block.block()
 
 
 def _table_block(
-    world: World, table: TableLayout, way: str, routine: Routine, by_name: Mapping[str, Routine]
+    world: World, table: TableLayout, direction: str, routine: Routine, by_name: Mapping[str, Routine]
 ) -> Routine:
-    """The block for elements in a row."""
+    """The block that reads or writes consecutive elements of a table."""
     first = table.table.index_from
     last = first + table.table.count - 1
-    block = LineDraft.executed(world, world.block(way, table.name), f"table {table.name}", AXIS)
+    block = LineDraft.executed(world, world.block(direction, table.name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
     low = block.declare("iFirst", INT, "input", f"first element: {_numbers(table)}", str(first))
     high = block.declare("iLast", INT, "input", "last element", str(last))
@@ -137,11 +140,11 @@ def _table_block(
     block.limit()
     block.at_start.append(Assignment(index, low))
     element = Element(data, index, kind)
-    ready: list[Statement] = [Assignment(copied, element)] if way == "write" else []
-    after: list[Statement] = [Assignment(element, copied)] if way == "read" else []
-    more = when(compared(index, "<", high), [Assignment(index, plus(index, 1))], [block.end()])
-    _transfer(block, table, way, routine, by_name, index, copied, [*after, more], ready)
-    _about(block, world, table, f"{way.title()}s elements of {table.name}, one after the other.")
+    ready: list[Statement] = [Assignment(copied, element)] if direction == "write" else []
+    after: list[Statement] = [Assignment(element, copied)] if direction == "read" else []
+    following = when(compared(index, "<", high), [Assignment(index, plus(index, 1))], [block.end()])
+    _transfer(block, table, direction, routine, by_name, index, copied, [*after, following], ready)
+    _about(block, world, table, f"{direction.title()}s elements of {table.name}, one after the other.")
     return block.block()
 
 
@@ -157,15 +160,15 @@ def _about(block: LineDraft, world: World, table: TableLayout, text: str) -> Non
 def _transfer(
     block: LineDraft,
     table: TableLayout,
-    way: str,
+    direction: str,
     routine: Routine,
     by_name: Mapping[str, Routine],
     index: Variable,
     data: Variable,
-    then: list[Statement],
+    success: list[Statement],
     ready: list[Statement] | None = None,
 ) -> None:
-    """Adds the step that reads or writes an element: its address first, which refuses numbers that there are not."""
+    """Adds the step that reads or writes an element, by the address that its number gives."""
     world = block.world
     port = block.of_port
     words = (table.record.size or 0) // 2
@@ -173,16 +176,18 @@ def _transfer(
     address = block.declare("uiAddress", UINT, "local")
     address_call = of_address.called(iNumber=index, uiAddress=address)
     arguments: dict[str, Expression] = {"iFirst": number(0), "aWords": port("words"), "stData": data}
-    if way == "read":
+    if direction == "read":
         arguments["iCount"] = number(words)
     call = routine.called(**arguments)
     ask: list[Statement] = block.ask(
-        Assignment(port("write"), Truth(way == "write")),
+        Assignment(port("write"), Truth(direction == "write")),
         Assignment(port("address"), address),
         Assignment(port("count"), number(words)),
     )
-    if way == "read":
-        block.request(block.attempt(address_call, tuple(ask), "request"), block.attempt(call, tuple(then), "damaged"))
+    if direction == "read":
+        block.request(
+            block.attempt(address_call, tuple(ask), "request"), block.attempt(call, tuple(success), "damaged")
+        )
         return
     packed = block.attempt(call, tuple(ask), "request")
-    block.request(block.attempt(address_call, (*(ready or ()), *packed), "request"), then)
+    block.request(block.attempt(address_call, (*(ready or ()), *packed), "request"), success)

@@ -30,7 +30,7 @@ def end_steps(task: Task) -> tuple[int, int] | None:
         raise NoBlock(str(error)) from None
 
 
-def describe(block: BlockDraft, tasks: Sequence[Task], title: str, *more: str) -> None:
+def describe(block: BlockDraft, tasks: Sequence[Task], title: str, *further_remarks: str) -> None:
     """Adds the comment of a block: what it does, its steps as the spec has them, and what is not known."""
     for task in tasks:
         head = title if len(tasks) == 1 else Name.of(task.name).title()
@@ -38,7 +38,7 @@ def describe(block: BlockDraft, tasks: Sequence[Task], title: str, *more: str) -
         block.remarks.append("Steps: " + "; ".join(step_text(step) for step in task.steps) + ".")
     notes = dict.fromkeys(note for task in tasks for note in task.notes)
     block.remarks += [f"Note: {note}" for note in notes]
-    block.remarks += [text for text in more if text]
+    block.remarks += [text for text in further_remarks if text]
     block.remarks.append(meanings(ERRORS))
     if tasks[0].kind in MOVING:
         block.remarks.append(

@@ -23,19 +23,19 @@ _REQUEST, _RESPONSE = "request", "response"
 
 @dataclass(frozen=True, slots=True)
 class RequestBit:
-    """A bit of the request: its word, its mask, and the roles of what it stands for."""
+    """A bit of the request: the word it is in, its mask, and the roles of its fact."""
 
     word: Expression
     mask: int
     roles: frozenset[str]
 
     def put(self, on: bool) -> Statement:
-        """The statement that sets or clears it."""
+        """The statement that sets or clears the bit."""
         return masked(self.word, self.mask, on)
 
 
 class TelegramPlaces:
-    """The facts of a telegram, as members of its port."""
+    """The members of a telegram's port, by the facts that they hold."""
 
     def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: MessageLayout) -> None:
         self.world, self.operands, self.message = world, operands, message
@@ -43,14 +43,14 @@ class TelegramPlaces:
         self.valid = self._member("valid")
 
     def axis_port(self) -> AxisPort:
-        """The members of the port that say who moves the axis."""
+        """The members of the port that say which block has the axis."""
         return AxisPort(*(self._member(name) for name in AxisPort.MEMBERS))
 
     def _member(self, name: str) -> Member:
         return member(self.world, axis_key(self.message), name, self.axis)
 
     def starting(self) -> list[Operand]:
-        """The bits of the request that let something begin or go on."""
+        """The bits of the request that start something or keep it going."""
         path = f"messages/{self.message.name}/{_REQUEST}/"
         return [
             operand
@@ -59,7 +59,7 @@ class TelegramPlaces:
         ]
 
     def seen(self, operand: Operand) -> Expression | None:
-        """What shows a fact: a field of the request or of the response."""
+        """The member for an operand in the request or the response; None where they do not have it."""
         try:
             return self.place(operand)[0]
         except NoBlock:
@@ -76,7 +76,7 @@ class TelegramPlaces:
         raise NoBlock(f"{operand.path} is not in {self.message.name}")
 
     def bit(self, operand: Operand) -> RequestBit:
-        """A bit of the request. Raises NoBlock for what is none."""
+        """The bit of the request for an operand. Raises NoBlock for what is no bit."""
         if operand.bit is None:
             raise NoBlock(f"{operand.path} is not a bit")
         word, _ = self.place(operand)
@@ -84,7 +84,7 @@ class TelegramPlaces:
 
 
 def cleared(bits: Sequence[RequestBit]) -> list[Statement]:
-    """What clears bits, those of one word together."""
+    """The statements that clear bits, one for each word."""
     words: dict[Expression, int] = {}
     for bit in bits:
         words[bit.word] = words.get(bit.word, 0) | bit.mask

@@ -38,7 +38,7 @@ _SETTLE = "T#100ms"
 
 
 class Helpers:
-    """The functions for single registers that blocks call, each once."""
+    """The functions for single registers that blocks call, each made once."""
 
     def __init__(self, world: World) -> None:
         self.world = world
@@ -46,23 +46,27 @@ class Helpers:
         self.runs = [range(block.start, block.end) for block in read_plan(world.layout).blocks if not block.space]
 
     def from_words(self, register: RegisterLayout) -> Routine:
-        """What takes the value of a register out of words."""
+        """The function that takes the value of a register out of words."""
         return self._once(register, "from_words", self._unpacked)
 
     def to_words(self, register: RegisterLayout) -> Routine:
-        """What puts the value of a register into words."""
+        """The function that puts the value of a register into words."""
         return self._once(register, "to_words", self._packed)
 
-    def _once(self, register: RegisterLayout, way: str, make: Callable[[str, RegisterLayout], Routine]) -> Routine:
-        name = self.world.routine(register.name, way)
+    def _once(
+        self, register: RegisterLayout, direction: str, make: Callable[[str, RegisterLayout], Routine]
+    ) -> Routine:
+        name = self.world.routine(register.name, direction)
         if name not in self.routines:
             self.routines[name] = make(name, register)
         return self.routines[name]
 
-    def _draft(self, name: str, register: RegisterLayout, way: str) -> Draft:
+    def _draft(self, name: str, register: RegisterLayout, direction: str) -> Draft:
         fact = register.register
-        about = f"{way}: {fact.printed_name or register.name}. {self.world.comment(fact, fact.value)}".strip()
-        return Draft(name, "blocks", self.world.status, about)
+        description = (
+            f"{direction}: {fact.printed_name or register.name}. {self.world.comment(fact, fact.value)}".strip()
+        )
+        return Draft(name, "blocks", self.world.status, description)
 
     def _holder(self, draft: Draft, first: Expression, remark: str) -> Words:
         array = draft.declare("aWords", self.world.words, "in_out", remark)
@@ -89,7 +93,9 @@ class Helpers:
 def has_only_registers(operands: Operands, task: Task) -> bool:
     """Whether all steps of a task act on registers."""
     targets = [operands.target(step.target) for step in task.steps]
-    return bool(targets) and all(len(named) == 1 and named[0].scope == REGISTERS for named in targets)
+    return bool(targets) and all(
+        len(operands_of_step) == 1 and operands_of_step[0].scope == REGISTERS for operands_of_step in targets
+    )
 
 
 def register_of(world: World, operand: Operand) -> RegisterLayout:
@@ -107,7 +113,7 @@ def register_of(world: World, operand: Operand) -> RegisterLayout:
 
 
 class WordTask(LineTask):
-    """The steps of a block that reads and writes registers."""
+    """Adds the steps of a block that reads and writes registers."""
 
     def __init__(
         self,
@@ -122,14 +128,14 @@ class WordTask(LineTask):
         self.helpers = helpers
         self.watches = [watch for watch in self.watches if watch.operand.scope == REGISTERS]
 
-    def units(self, task: Task, first: int, behind: int) -> Iterable[Unit]:
+    def units(self, task: Task, first: int, stop: int) -> Iterable[Unit]:
         """See `LineTask`."""
         index = first
-        while index < behind:
+        while index < stop:
             step = task.steps[index]
             last = index + 1
             if step.action == "wait":
-                waits = conditions(self.operands, task, index)[: behind - index]
+                waits = conditions(self.operands, task, index)[: stop - index]
                 last = index + len(waits)
                 yield Unit(index, last, False, waits)
             elif step.action == "read":
@@ -139,7 +145,7 @@ class WordTask(LineTask):
                 while (
                     step.action == "write"
                     and self.target(step).bit is not None
-                    and last < behind
+                    and last < stop
                     and task.steps[last].action == "write"
                     and self.target(task.steps[last]).holder is holder
                 ):
@@ -166,10 +172,10 @@ class WordTask(LineTask):
         """See `LineTask`."""
         return register_of(self.world, operand).register.answer
 
-    def perform(self, task: Task, unit: Unit, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+    def perform(self, task: Task, unit: Unit, operands: Sequence[Operand], decide: Decide, remark: str) -> None:
         """See `LineTask`. Raises NoBlock for what is not a bit."""
         if not unit.commands:
-            self._observe(needed, decide, remark)
+            self._observe(operands, decide, remark)
             return
         step = task.steps[unit.index]
         operand = self.target(step)
@@ -202,30 +208,30 @@ class WordTask(LineTask):
         kind = self.world.type_of(register.register.answer)
         return self.draft.declared_once(self.world.variable(f"{register.name}_read", kind), kind, "local")
 
-    def _runs(self, needed: Iterable[Operand]) -> list[list[RegisterLayout]]:
-        """The registers of some operands, those together that one request reads without a hole."""
-        registers = {id(register): register for register in (register_of(self.world, item) for item in needed)}
+    def _runs(self, operands: Iterable[Operand]) -> list[list[RegisterLayout]]:
+        """The registers of some operands, in runs that one request reads."""
+        registers = {id(register): register for register in (register_of(self.world, item) for item in operands)}
         runs: list[list[RegisterLayout]] = []
-        most = self.world.words.high + 1
+        limit = self.world.words.high + 1
         for register in sorted(registers.values(), key=lambda register: register.address):
             first = runs[-1][0] if runs else register
             end = register.address + register.words
-            together = any(run.start <= first.address and end <= run.stop for run in self.helpers.runs)
-            if runs and together and end - first.address <= most:
+            is_one_block = any(run.start <= first.address and end <= run.stop for run in self.helpers.runs)
+            if runs and is_one_block and end - first.address <= limit:
                 runs[-1].append(register)
             else:
                 runs.append([register])
         return runs
 
-    def _observe(self, needed: Sequence[Operand], decide: Decide, remark: str) -> None:
+    def _observe(self, operands: Sequence[Operand], decide: Decide, remark: str) -> None:
         """Adds steps that read registers into their variables, and decide."""
-        runs = self._runs(needed)
-        behind = self.draft.next + len(runs)
+        runs = self._runs(operands)
+        following = self.draft.next + len(runs)
         for run in runs:
-            then = decide(behind) if run is runs[-1] else [self.draft.go(self.draft.next + 1)]
-            self._asks(run, then, remark)
+            success = decide(following) if run is runs[-1] else [self.draft.go(self.draft.next + 1)]
+            self._asks(run, success, remark)
 
-    def _asks(self, run: Sequence[RegisterLayout], then: Sequence[Statement], remark: str = "") -> None:
+    def _asks(self, run: Sequence[RegisterLayout], success: Sequence[Statement], remark: str = "") -> None:
         """Adds a step that reads a run of registers."""
         first = run[0].address
         for register in reversed(run):
@@ -235,9 +241,9 @@ class WordTask(LineTask):
                 iFirst=number(register.address - first),
                 aWords=self.draft.of_port("words"),
             )
-            then = self.draft.attempt(call, tuple(then), "damaged")
+            success = self.draft.attempt(call, tuple(success), "damaged")
         words = max(register.address + register.words for register in run) - first
-        self.draft.request(self.draft.ask(*self._address(first, words, False)), then, remark)
+        self.draft.request(self.draft.ask(*self._address(first, words, False)), success, remark)
 
     def _writes(self, operand: Operand, value: Expression, decide: Decide, remark: str = "") -> None:
         """Adds a step that writes a register."""
@@ -251,8 +257,8 @@ class WordTask(LineTask):
         fill = draft.attempt(call, tuple(draft.ask(*address)), "request")
         draft.request(fill, decide(draft.next + 1), remark)
 
-    def _next(self, behind: int) -> list[Statement]:
-        return [self.draft.go(behind)]
+    def _next(self, following: int) -> list[Statement]:
+        return [self.draft.go(following)]
 
     def _bits(self, task: Task, unit: Unit, decide: Decide, remark: str) -> None:
         """Adds steps that change bits of one word and leave the others: consecutive writes together."""
@@ -279,7 +285,7 @@ class WordTask(LineTask):
         self._writes(operand, word, decide, remark)
 
     def _changed(self, operand: Operand, step: Step, word: Variable) -> list[Statement]:
-        """What changes bits in a word that was read."""
+        """The statements that change the bits of an operand in a word that was read."""
         bit = operand.bit
         assert bit is not None
         if step.action != "write":
@@ -293,13 +299,13 @@ class WordTask(LineTask):
 
 
 def _masked(word: Variable, operand: Operand, on: bool) -> Statement:
-    """What sets a bit of a word to 1 or 0."""
+    """The statement that sets or clears the bit of an operand in a word."""
     assert operand.bit is not None
     return masked(word, operand.bit.mask, on)
 
 
 def masked(word: Expression, mask: int, on: bool) -> Statement:
-    """What sets bits of a word to 1 or 0."""
+    """The statement that sets or clears the bits of a mask in a word."""
     kind = word.type
     assert isinstance(kind, Elementary)
     bits = BITS[kind.size]
