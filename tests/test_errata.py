@@ -9,7 +9,7 @@ import pytest
 from fieldspec.language import checks
 from fieldspec.language.model.texts import JUDGEMENT
 from fieldspec.language.reading.project import DeviceSpec, read
-from fieldspec.tools.proofs.errata import put_back
+from fieldspec.tools.proofs.errata import errata_by_version, put_back
 from fieldspec.tools.proofs.running import FindingsCache, errata_proofs, everything
 from layouts import TEST_SPECS, newest
 
@@ -38,6 +38,13 @@ def test_an_erratum_is_a_judgement_only_if_no_rule_can_prove_it(spec: DeviceSpec
             findings = [*broken, *checks.run(wrong)]
             provable[erratum.id] = {finding.code for finding in findings if finding.message not in clean}
     assert {id: codes for id, codes in provable.items() if codes} == {}
+
+
+@pytest.mark.parametrize("spec", DEVICES.values(), ids=list(DEVICES))
+def test_an_erratum_is_proven_once_at_the_newest_version_that_has_it(spec: DeviceSpec) -> None:
+    newest_with = {erratum.id: version for version in spec.versions() for erratum in spec.at(version)[0].errata}
+    proven = [(erratum.id, version) for version, _, errata in errata_by_version(spec) for erratum in errata]
+    assert sorted(proven) == sorted(newest_with.items())
 
 
 def test_an_erratum_whose_printed_value_keeps_its_rule_is_a_finding() -> None:

@@ -20,6 +20,7 @@ from pymodbus.client import ModbusSerialClient, ModbusTcpClient
 
 from bounded import HANGING
 from external_tools import require_tool
+from fieldspec.carriers.carrier import LineSettings
 from fieldspec.cli import main
 from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation
@@ -323,3 +324,16 @@ def test_the_unit_address_that_nobody_has_chosen_is_printed(arguments: list[str]
 def test_assumptions_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["simulate", "ck10", "--assumptions", "--specs", SPECS]) == 0
     assert "20000 pulses from its origin" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("line", "characters", "milliseconds"),
+    [
+        (LineSettings(19200, 8, "even", 1), 3.5, 2.005),
+        (LineSettings(9600, 8, "none", 2), 1.5, 1.719),
+        (LineSettings(9600, 8, "none", 1), 96, 100),
+        (LineSettings(1200, 7, "odd", 1), 12, 100),
+    ],
+)
+def test_characters_take_the_time_of_their_bits(line: LineSettings, characters: float, milliseconds: float) -> None:
+    assert line.seconds(characters) == pytest.approx(milliseconds / 1000, abs=1e-6)

@@ -46,7 +46,7 @@ class JavaScript:
     def answers(self, queries: list[Query]) -> list[Answer]:
         """The answer to each query."""
         jobs = [self._job(query) for query in queries]
-        (self.folder / "jobs.json").write_text(json.dumps(jobs, default=_bytes), "utf-8")
+        (self.folder / "jobs.json").write_text(json.dumps(_finite(jobs), default=_bytes), "utf-8")
         command = [require_tool("node"), str(SCRIPT), str(self.folder / "device/module.js"), "jobs.json"]
         run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
         if run.returncode:
@@ -183,14 +183,23 @@ def _element(value: Value, item: Any, size: int) -> Any:
         return bool(item)
     if isinstance(item, bytes | bytearray):
         return {"$b": bytes(item).hex()}
-    if isinstance(item, float) and not math.isfinite(item):
-        return {"$f": "NaN" if math.isnan(item) else "Infinity" if item > 0 else "-Infinity"}
     return _number(item, value.number_size(size))
 
 
 def _number(item: Any, size: int) -> Any:
     if isinstance(item, int) and not isinstance(item, bool):
         return {"$n": str(item)} if size > WIDE else item if abs(item) < 1 << 53 else {"$f": str(item)}
+    return item
+
+
+def _finite(item: Any) -> Any:
+    """Jobs with the numbers that JSON does not have by their names, wherever they stand."""
+    if isinstance(item, Mapping):
+        return {key: _finite(inner) for key, inner in item.items()}
+    if isinstance(item, list | tuple):
+        return [_finite(inner) for inner in item]
+    if isinstance(item, float) and not math.isfinite(item):
+        return {"$f": "NaN" if math.isnan(item) else "Infinity" if item > 0 else "-Infinity"}
     return item
 
 
