@@ -379,7 +379,8 @@ class Jogging(Moving):
 
     def over(self, *others: Statement) -> Statement:
         """See `Edged`."""
-        return super().over(*others, when(Negation(self.draft.done), [assigned(self.ready, False)]))
+        fresh = Assignment(self.ready, Negation(self.execute))
+        return super().over(*others, when(Negation(self.draft.done), [fresh]))
 
 
 def _single(levels: Sequence[Expression]) -> Expression:
