@@ -15,12 +15,12 @@ from typing import Any
 import minimalmodbus
 import pytest
 import serial
+from fieldspec.carriers.carrier import LineSettings
 from pymodbus import FramerType, ModbusException
 from pymodbus.client import ModbusSerialClient, ModbusTcpClient
 
 from bounded import HANGING
 from external_tools import require_tool
-from fieldspec.carriers.carrier import LineSettings
 from fieldspec.cli import main
 from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation

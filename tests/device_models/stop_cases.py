@@ -20,6 +20,8 @@ from device_models.stop_rules import (
     who_follows_falls_to_neutral,
 )
 
+HALT = "word:042F +Halt.Execute +Halt.Busy"
+
 STOP_CASES = (
     Case(
         a_stop_comes_next,
@@ -44,6 +46,30 @@ STOP_CASES = (
         23,
         ("word:043F", "word:042F +Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
         ("word:043F", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("word:043F", HALT, EDGE, "word:043F -Halt.Busy +Halt.Done"),
+        ("word:043F", EDGE, HALT, "word:043F -Halt.Busy +Halt.Done"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("word:043F", HALT, EDGE, "word:043F -Halt.Busy +Halt.Done"),
+        ("word:043F", HALT, EDGE, "word:047F", "-Halt.Busy +Halt.Done"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("word:043F", HALT, EDGE, "word:043F -Halt.Busy +Halt.Done"),
+        ("n1 v100 word:043F", HALT, EDGE, "word:043F -Halt.Busy +Halt.Done"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("word:043F", HALT, EDGE, "word:043F -Halt.Busy +Halt.Done"),
+        ("word:043F", "word:042F +Stop.Execute +Stop.Busy", EDGE, "word:043F -Stop.Busy +Stop.Done"),
     ),
     Case(
         a_stop_never_gives_up,

@@ -44,7 +44,10 @@ def _is_called(calls: Calls, first: int, last: int) -> bool:
 
 
 def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
-    """Rule 23: a stop ends with its bits cleared, and is asked for three times where no answer comes."""
+    """Rule 23: a stop ends with its bits cleared, and is asked for three times where no answer comes.
+
+    A halt does not lock the axis: where it stands, a motion that was asked for since has the bits that let tasks go on.
+    """
     for calls, index, scan in _stop_edges(history):
         last = _last_before_edge(history, calls, index)
         end = next((place for place in range(index, calls.index_at(last) + 1) if calls.ends[place]), None)
@@ -54,7 +57,8 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
         word = history.scans[when].word
         if word is not None:
             begins = calls.kind == "halt" and any(text.startswith("start ") for text in history.scans[when].asked)
-            if not begins and not _asks_to_stop(word):
+            prepares = calls.kind == "halt" and not word & START_BITS and _is_succeeded(history, scan, when)
+            if not begins and not prepares and not _asks_to_stop(word):
                 text = f"it ends with {calls.ends[end]}, and the control word {word:04X}H"
                 yield Violation(23, when, calls.name, text)
         elif "Error" in calls.ends[end] and not _others_lock(history, calls, scan, when):
@@ -297,6 +301,13 @@ def _others_lock(history: History, calls: Calls, first: int, last: int) -> bool:
 def _asks_to_stop(word: int) -> bool:
     """Whether a control word lets nothing move."""
     return not word & START_BITS and (word & TASK_BITS != TASK_BITS or word & 0x0F != 0x0F)
+
+
+def _is_succeeded(history: History, first: int, last: int) -> bool:
+    """Whether the axis stands, and a motion is Busy whose edge was not before a scan."""
+    edges = [(calls, calls.edge_before(last)) for calls in history.of_kind(*MOTIONS) if calls.busy_at(last)]
+    stands = not history.scans[last].state.velocity
+    return stands and any(edge >= 0 and calls.scans[edge] >= first for calls, edge in edges)
 
 
 def _is_followed(history: History, number: int, last: int) -> bool:

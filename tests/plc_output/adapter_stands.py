@@ -136,6 +136,17 @@ class Stand:
                 return
         raise AssertionError("the port is not freed")
 
+    def gives_way(self, scans: int) -> int:
+        """Asks, and some scans later a stop is to go first; gives the error of the answer."""
+        self.put(**{"send" if "frames" in self.adapter.port.lower() else "count": 1})
+        self.ask()
+        self.run(scans)
+        self.put(urgent=6)
+        self.scan()
+        assert self.of("state") == ANSWERED
+        assert self.of("answered") == self.of("request")
+        return int(self.of("error"))
+
 
 def generated(device: str, is_siemens: bool) -> str:
     """What is generated for a device, without comments."""

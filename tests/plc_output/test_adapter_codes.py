@@ -151,6 +151,29 @@ def test_an_answer_to_a_request_that_another_has_replaced_is_not_its_answer(bloc
     assert (stand.ask_words(write=True), requests(stand, block)) == (0, 2)
 
 
+@pytest.mark.parametrize("scans", [0, 1])
+def test_words_that_are_not_sent_yet_give_way_to_a_stop(block: str, scans: int, folder: Path) -> None:
+    stand = begun(block, folder)
+    assert stand.gives_way(scans) == 65535
+    assert requests(stand, block) == 0
+
+
+def test_words_of_a_stop_are_sent(block: str, folder: Path) -> None:
+    stand = begun(block, folder)
+    stand.put(urgent=6, first=stand.of("request") + 1)
+    assert (stand.ask_words(write=True), requests(stand, block)) == (0, 1)
+
+
+def test_words_that_are_abandoned_before_they_are_sent_are_not_sent(block: str, folder: Path) -> None:
+    stand = begun(block, folder)
+    stand.put(write=True, address=ADDRESS, count=1)
+    stand.ask()
+    stand.scan()
+    stand.put(state=3)
+    stand.run(20)
+    assert (stand.of("state"), requests(stand, block)) == (0, 0)
+
+
 # The port of an S7
 
 

@@ -46,6 +46,7 @@ ADAPTERS = {"codesys": CODESYS, "twincat": TWINCAT, "siemens": SIEMENS}
 RECEIVERS = {"codesys": "fbRead", "twincat": "fbReceive", "siemens": "receive"}
 STEPS = {"codesys": ("iStep", 3), "twincat": ("iStep", 3), "siemens": ("phase", 4)}
 """The step in which an adapter waits for the answer."""
+SENT = {"codesys": "fbWrite.Requests", "twincat": "fbSend.Requests", "siemens": "send.Requests"}
 
 
 @cache
@@ -284,6 +285,29 @@ def test_a_request_of_frames_that_is_abandoned_frees_the_port(name: str, folder:
     line = Line(name, folder)
     line.stand.put(send=4)
     line.stand.abandoned()
+
+
+@pytest.mark.parametrize("scans", [0, 1])
+def test_frames_that_are_not_sent_yet_give_way_to_a_stop(name: str, scans: int, folder: Path) -> None:
+    stand = Line(name, folder).stand
+    assert stand.gives_way(scans) == 65535
+    assert stand.get(SENT[name]) == 0
+
+
+def test_the_frame_of_a_stop_is_sent(name: str, folder: Path) -> None:
+    line = Line(name, folder, packet(4), 50)
+    line.stand.put(urgent=6, first=line.stand.of("request") + 1)
+    assert line.ask() == 0
+
+
+def test_a_frame_that_is_abandoned_before_it_is_sent_is_not_sent(name: str, folder: Path) -> None:
+    stand = Line(name, folder).stand
+    stand.put(send=4)
+    stand.ask()
+    stand.scan()
+    stand.put(state=3)
+    stand.run(100)
+    assert (stand.of("state"), stand.get(SENT[name])) == (0, 0)
 
 
 # The program that opens the port of CODESYS

@@ -59,6 +59,24 @@ def test_a_successor_that_is_superseded_by_a_halt_is_aborted(name: str, make: Ca
     assert broken(rig, 15, 16, 20) == []
 
 
+@pytest.mark.parametrize(("name", "answer"), [("tc100", "Busy"), ("ck10", "Error 11"), ("esc11", "Error 11")])
+def test_an_edge_of_a_jog_behind_the_scan_in_which_it_was_aborted_is_taken(
+    name: str, answer: str, make: Callable[..., Any]
+) -> None:
+    rig = make(name)
+    jog = jogging(rig)
+    rig.start(rig.block("halt"))
+    rig.start(jog, False)
+    for _ in range(300):
+        rig.run(1)
+        if rig.ended(jog) != "Busy":
+            break
+    assert rig.ended(jog) == "CommandAborted"
+    rig.start(jog)
+    rig.run(1)
+    assert (rig.ended(jog), broken(rig, 2)) == (answer, [])
+
+
 @pytest.mark.parametrize("name", POSITIONING)
 def test_an_edge_in_the_scan_in_which_another_has_the_axis_is_taken(name: str, make: Callable[..., Any]) -> None:
     scans, edge = 0, -1

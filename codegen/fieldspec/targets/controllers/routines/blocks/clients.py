@@ -145,12 +145,9 @@ class _Client:
         no_reason = Assignment(self.reason, Whole(0, UINT))
         none = compared(self.reason, "=", Whole(0, UINT))
         request = self._of_frames("request")
-        send_request = [
-            increment(request),
-            Assignment(self.request, request),
-            Assignment(state, number(ASKED)),
-            go(_WAIT),
-        ]
+        goes_first = when(compared(urgent, ">", number(PRESSING)), [Assignment(self._of_frames("first"), request)])
+        send_request = [increment(request), Assignment(self.request, request), goes_first]
+        send_request += [Assignment(state, number(ASKED)), go(_WAIT)]
         room = world.words.high + 1
         wrong_count = either([compared(count, "<", number(1)), compared(count, ">", number(room))])
         asking: list[Statement] = [

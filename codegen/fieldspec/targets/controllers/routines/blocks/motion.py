@@ -379,7 +379,8 @@ class Jogging(Moving):
 
     def over(self, *statements: Statement) -> Statement:
         """See `Edged`."""
-        return super().over(*statements, when(Negation(self.draft.done), [assigned(self.ready, False)]))
+        fresh = Assignment(self.ready, Negation(self.execute))
+        return super().over(*statements, when(Negation(self.draft.done), [fresh]))
 
 
 def _single(levels: Sequence[Expression]) -> Expression:
