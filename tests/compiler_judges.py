@@ -60,12 +60,12 @@ def rows(text: str) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
 
 def commands(path: str, text: str | None = None) -> list[str]:
     """The commands for a module: those of the row that names it, or of the one that names the nearest folder above."""
-    found: dict[str, list[str]] = {}
+    named: dict[str, list[str]] = {}
     for places, judges in rows(GUIDE.read_text("utf-8") if text is None else text):
         for place in places:
             if path == place or (place.endswith("/") and path.startswith(place)):
-                found.setdefault(place, []).extend(judges)
-    return found[max(found, key=len)] if found else []
+                named.setdefault(place, []).extend(judges)
+    return named[max(named, key=len)] if named else []
 
 
 def folders(package: Path = PACKAGE) -> list[str]:
@@ -132,9 +132,9 @@ def call(command: str) -> list[str]:
     program, *words = command.split()
     if program == "python":
         return [sys.executable, *words]
-    found = [[path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob(word))] for word in words]
-    assert all(found), f"CONTRIBUTING.md names tests that are not there: {command}"
-    tests = [path for paths in found for path in paths]
+    matches = [[path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob(word))] for word in words]
+    assert all(matches), f"CONTRIBUTING.md names tests that are not there: {command}"
+    tests = [path for paths in matches for path in paths]
     return [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", *tests]
 
 
