@@ -22,13 +22,13 @@ registers:
       - {at: POWER, name: power, type: u16, source: L6}
 """.replace("HASH", "0" * 64)
 
-NEEDED_IN_ONE = "allow: {gaps_declared: The frequency is there since 1.1.}"
+NEEDED_BY_A_VERSION = "allow: {gaps_declared: The frequency is there since 1.1.}"
 """What leads to `current` is a hole in version 1.0 alone, so that version 1.1 does not use the allowance."""
 NEEDED_IN_NONE = "allow: {gaps_declared: A., bits_unique: B.}"
 ACCEPTS = 'accepts: [{rule: RULE, path: registers/frequency, reason: R, date: 2026-05-01, since: "1.1"}]'
 
 
-def findings(power: int = 23, allowed: str = NEEDED_IN_ONE, accepts: str = "") -> list[str]:
+def findings(power: int = 23, allowed: str = NEEDED_BY_A_VERSION, accepts: str = "") -> list[str]:
     """The codes of the findings of a device at both versions."""
     text = SPEC.replace("POWER", str(power)).replace("ALLOWED", allowed).replace("ACCEPTS", accepts)
     return [finding.code for finding in proven(read({"gadget/device.yaml": text.encode()}).devices["gadget"])]
@@ -37,8 +37,8 @@ def findings(power: int = 23, allowed: str = NEEDED_IN_ONE, accepts: str = "") -
 @pytest.mark.parametrize(
     ("power", "allowed", "expected"),
     [
-        (23, NEEDED_IN_ONE, []),
-        (22, NEEDED_IN_ONE, ["addresses_disjoint"]),
+        (23, NEEDED_BY_A_VERSION, []),
+        (22, NEEDED_BY_A_VERSION, ["addresses_disjoint"]),
         (22, NEEDED_IN_NONE, ["addresses_disjoint", "allowances_used"]),
     ],
     ids=["needed by one version", "beside another finding", "needed by no version"],

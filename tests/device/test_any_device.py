@@ -8,7 +8,7 @@ import pytest
 
 from fieldspec.cli import main
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.behaviour.part import NONE
+from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.testing import simulation
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.server import Server
@@ -21,7 +21,7 @@ NEWEST = [
 
 @pytest.mark.parametrize("layout", NEWEST)
 def test_every_frame_is_answered_or_ignored(layout: DeviceLayout) -> None:
-    server = Server(Engine(layout, NONE))
+    server = Server(Engine(layout, Behaviour(())))
     chance = random.Random(layout.device.id)
     for example in layout.device.examples.values():
         for changed in range(4):

@@ -11,7 +11,7 @@ import pytest
 from fieldspec.cli import main
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.pipeline import layouts, load
-from fieldspec.language.behaviour.part import NONE
+from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.testing import simulation
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.server import Server
@@ -97,7 +97,7 @@ def test_a_link_with_a_delimiter_is_served_as_a_stream(layout: DeviceLayout) -> 
 
 
 def test_a_request_without_a_code_is_the_only_message_that_its_bytes_fit(layout: DeviceLayout) -> None:
-    server, reasons = Server(Engine(layout, NONE)), []
+    server, reasons = Server(Engine(layout, Behaviour(()))), []
     server.complain = reasons.append
     assert server.answer("text", b"I?\n").frame == b"\0\0\n"
     assert server.answer("text", b"??\n").frame == b""
@@ -107,7 +107,7 @@ def test_a_request_without_a_code_is_the_only_message_that_its_bytes_fit(layout:
 
 
 def test_a_refusal_by_a_fault_is_told_where_the_device_cannot_answer_it(layout: DeviceLayout) -> None:
-    server, reasons = Server(Engine(layout, NONE)), []
+    server, reasons = Server(Engine(layout, Behaviour(()))), []
     server.complain = reasons.append
     assert server.answer("line", b"\x01\x01", forced="busy").frame == b""
     assert reasons == ["line: refused, busy: by a fault; the device is silent, as no `refuse` says what it answers"]
