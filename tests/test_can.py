@@ -21,7 +21,7 @@ from fieldspec.codec.explain.log import log_line
 from fieldspec.codec.explain.readings import FrameOptions, read, remarks
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
-from fieldspec.command.rendering.explanation import faults
+from fieldspec.command.rendering.explanation_text import faults
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, package, runtime
 from random_devices.agreement import JUDGES, Comparison, compare_layout

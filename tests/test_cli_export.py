@@ -17,7 +17,7 @@ from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.tools.lists.export import COLUMNS, as_csv, as_json, as_xlsx
 from fieldspec.tools.lists.item import Item, items
 from fieldspec.tools.lists.text_sheet import text_sheet
-from fieldspec.tools.lists.workbook import workbook_sheet
+from fieldspec.tools.lists.workbook_reader import workbook_sheet
 from layouts import newest
 
 DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))

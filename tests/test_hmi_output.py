@@ -16,7 +16,7 @@ from fieldspec.foundation.spreadsheet import Workbook
 from fieldspec.language.model.enums import Enum
 from fieldspec.targets.controllers.enums import KINDS
 from fieldspec.targets.hmi.backend import files
-from fieldspec.tools.lists.packing import packed
+from fieldspec.tools.lists.workbook_writer import packed
 from layouts import SPECS, TEST_SPECS, layout_at, layouts, newest
 from spec_files import gadget
 

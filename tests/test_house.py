@@ -35,8 +35,8 @@ HOMES = {
     "jinja2": ("targets/templates.py",),
     "construct": ("codec/reference/",),
     "pyarrow": ("tools/captures/",),
-    "openpyxl": ("tools/lists/workbook.py",),
-    "xlsxwriter": ("tools/lists/packing.py",),
+    "openpyxl": ("tools/lists/workbook_reader.py",),
+    "xlsxwriter": ("tools/lists/workbook_writer.py",),
     "argparse": ("cli.py", *COMMANDS),
     "rich": COMMANDS,
     "shtab": COMMANDS,
@@ -52,7 +52,7 @@ HOMES = {
     "mcp": COMMANDS,
     "platform": (),
     "getpass": (),
-    "datetime": ("tools/lists/packing.py",),  # workbooks have one that is the same in all of them
+    "datetime": ("tools/lists/workbook_writer.py",),  # workbooks have one that is the same in all of them
     # A review records the date of the day, and a simulation runs by a clock.
     "time": ("command/verbs/build.py", "command/audits/audit_files.py", "tools/simulator/clock.py"),
     "random": ("tools/simulator/faults.py",),

@@ -10,7 +10,7 @@ import pytest
 from command_line import CommandLine
 from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.layout.value_texts import spec_text
-from fieldspec.command.rendering.explanation import frame_table
+from fieldspec.command.rendering.explanation_text import frame_table
 from fieldspec.language.reading.project import read
 from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.explainer import explainer_files

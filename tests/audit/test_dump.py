@@ -12,7 +12,7 @@ from command_line import CommandLine, RunResult
 from fieldspec.codec.reference.records import CodecError, decoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.tools.audit.addressed_values import addressed_values
-from fieldspec.tools.lists.workbook import workbook_sheet
+from fieldspec.tools.lists.workbook_reader import workbook_sheet
 from layouts import TEST_SPECS, layout_at, newest
 from spec_files import DEVICE, gadget
 
@@ -232,7 +232,7 @@ def test_options_of_dumps_need_a_dump(run: CommandLine) -> None:
 
 def test_a_dump_may_be_a_workbook(run: CommandLine) -> None:
     from fieldspec.foundation.spreadsheet import Workbook, Worksheet
-    from fieldspec.tools.lists.packing import packed
+    from fieldspec.tools.lists.workbook_writer import packed
 
     content = packed(Workbook((Worksheet("dump", (("address", "value"), ("0x10", 101))),)))
     assert workbook_sheet(content).rows

@@ -14,7 +14,7 @@ from fieldspec.command.rendering.audit_formats import as_csv, as_xlsx
 from fieldspec.language.reading.project import DeviceSpec, read
 from fieldspec.tools.audit.ledger import COLUMNS, EFFECTS, KINDS, by_effect, verdict
 from fieldspec.tools.audit.section import SectionTable
-from fieldspec.tools.lists.workbook import workbook_sheet
+from fieldspec.tools.lists.workbook_reader import workbook_sheet
 from fieldspec.tools.proofs.running import errata_proofs
 
 HERE = Path(__file__).parent

@@ -14,7 +14,7 @@ from external_tools import require_tool
 from fieldspec.codec.explain.log import LogLine
 from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.command.rendering.explanation import as_data
+from fieldspec.command.rendering.explanation_text import as_data
 
 SCRIPT = Path(__file__).with_name("explanations.mjs")
 DIRECTIONS = ("request", "response")

@@ -13,7 +13,7 @@ import pytest
 
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.command.rendering.explanation import as_data
+from fieldspec.command.rendering.explanation_text import as_data
 from fieldspec.command.verbs.decode import FramePrinter, Log
 from fieldspec.language.model.texts import Example
 from js_output.explanations import explained_by_node, explained_by_python, portable

@@ -27,7 +27,7 @@ from fieldspec.targets.controllers.dialects import SIEMENS
 from fieldspec.targets.scl.backend import files, refusals
 from fieldspec.targets.scl.project import project
 from fieldspec.targets.scl.sources import clashes, string
-from fieldspec.tools.lists.packing import packed
+from fieldspec.tools.lists.workbook_writer import packed
 from layouts import SPECS, TEST_SPECS, layouts, newest
 from shared_results import shared
 from spec_files import DEVICE

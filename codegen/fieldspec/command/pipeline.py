@@ -131,7 +131,7 @@ def _contents(name: str, files: Files) -> dict[str, bytes]:
     """The bytes of files by path. A workbook that occurs several times is packed once."""
     workbooks = {id(content): content for content in files.values() if not isinstance(content, str)}
     if workbooks:
-        from fieldspec.tools.lists.packing import packed
+        from fieldspec.tools.lists.workbook_writer import packed
 
         bytes_of = {key: packed(workbook) for key, workbook in workbooks.items()}
     return {

@@ -22,7 +22,7 @@ from fieldspec.tools.evidence.report import Baseline, BaselineError, baseline, e
 from fieldspec.tools.evidence.unit_evidence import UnitEvidence
 from fieldspec.tools.lists.dump import dump, object_sheet
 from fieldspec.tools.lists.sheet import ListError
-from fieldspec.tools.lists.workbook import MAGIC
+from fieldspec.tools.lists.workbook_reader import MAGIC
 
 if TYPE_CHECKING:
     from fieldspec.codec.layout.device import DeviceLayout

@@ -11,7 +11,7 @@ from fieldspec.command.files import regular_file
 from fieldspec.command.files.regular_file import SizeError
 from fieldspec.tools.lists.sheet import MOST_BYTES, ListError, Sheet
 from fieldspec.tools.lists.text_sheet import text_sheet
-from fieldspec.tools.lists.workbook import MAGIC, workbook_sheet
+from fieldspec.tools.lists.workbook_reader import MAGIC, workbook_sheet
 
 COLUMNS = ("address", "space", "name", "words", "type", "access")
 """The columns of a register list that an option names."""

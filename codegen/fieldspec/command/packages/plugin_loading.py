@@ -104,7 +104,7 @@ def _refuse_content(plugin: Plugin, path: str, content: str | Workbook) -> None:
         except UnicodeError:
             raise plugin.error(f"the content of {path} is no text in UTF-8: it has half of a surrogate pair") from None
         return
-    from fieldspec.tools.lists.packing import packed
+    from fieldspec.tools.lists.workbook_writer import packed
 
     try:
         packed(content)  # the pipeline does so again, where nobody knows whose workbook it is

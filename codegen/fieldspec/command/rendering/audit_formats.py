@@ -16,7 +16,7 @@ from fieldspec.foundation.source import Span
 from fieldspec.foundation.spreadsheet import clean, guarded
 from fieldspec.language.model.fact import Citation
 from fieldspec.tools.audit.section import Cell, Figure, Report, Section, SectionTable
-from fieldspec.tools.lists.packing import workbook
+from fieldspec.tools.lists.workbook_writer import workbook
 
 SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be examined"), "": ("", "")}
 """The marks of rows and figures, as a sign and in words."""

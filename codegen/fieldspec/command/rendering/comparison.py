@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.command.rendering.blocks import Block, Line, Table
 from fieldspec.foundation.spreadsheet import guarded
 from fieldspec.tools.lists.cells import DECIMAL, HEXADECIMAL
-from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.comparison import Compared, Missing
 from fieldspec.tools.lists.listing import Listing, ListRow
 

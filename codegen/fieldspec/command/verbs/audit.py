@@ -22,7 +22,7 @@ from fieldspec.tools.audit.register_dump import compared, judged, section
 from fieldspec.tools.lists.dump import dump, object_sheet
 from fieldspec.tools.lists.sheet import ListError, Sheet
 from fieldspec.tools.lists.text_sheet import decoded
-from fieldspec.tools.lists.workbook import MAGIC
+from fieldspec.tools.lists.workbook_reader import MAGIC
 
 if TYPE_CHECKING:
     from fieldspec.language.model.device import Device

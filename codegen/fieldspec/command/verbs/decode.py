@@ -17,9 +17,9 @@ from fieldspec.command.console.streams import print_error, print_json, print_lin
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.frames.frame_options import frame_options
-from fieldspec.command.rendering import explanation as texts
+from fieldspec.command.rendering import explanation_text as texts
 from fieldspec.command.rendering.blocks import Block, Line
-from fieldspec.command.rendering.explanation import faults
+from fieldspec.command.rendering.explanation_text import faults
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import TYPE_CHECKING
 
@@ -45,7 +45,7 @@ class FramePrinter:
 
     def _json(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> None:
 
-        from fieldspec.command.rendering.explanation import as_data
+        from fieldspec.command.rendering.explanation_text import as_data
 
         data = as_data(self.layout, reading.explanation, reading.readings, reading.chosen, remarks, reading.wrong)
         if number:

@@ -19,7 +19,7 @@ from fieldspec.language.reading.findings import bounded
 from fieldspec.tools.audit.addressed_values import Address, AddressedValue, addressed_values
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable
 from fieldspec.tools.lists.cells import HEXADECIMAL
-from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.dump import Dump, Entry
 
 WORD = 16

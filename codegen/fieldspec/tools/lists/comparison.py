@@ -9,7 +9,7 @@ from decimal import Decimal
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists.cells import BASES
-from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.item import REGISTERS, Item
 from fieldspec.tools.lists.listing import Listing, ListRow, moved
 

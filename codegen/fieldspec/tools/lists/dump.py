@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.cells import HEXADECIMAL, address_text, base_of_heading
-from fieldspec.tools.lists.columns import headings_text
+from fieldspec.tools.lists.column_roles import headings_text
 from fieldspec.tools.lists.json_text import json_data
 from fieldspec.tools.lists.listing import Listing, listing
 from fieldspec.tools.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 from fieldspec.language.model.value import MOST_PLACES, PRIMITIVES, Kind
-from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.listing import ListRow
 
 USUAL = (Decimal(-10), Decimal(10))

@@ -12,7 +12,7 @@ from fieldspec.foundation.line_text import visible_json
 from fieldspec.foundation.spreadsheet import clean, guarded
 from fieldspec.language.model.value import Value
 from fieldspec.tools.lists.item import Item, exact_number
-from fieldspec.tools.lists.packing import workbook
+from fieldspec.tools.lists.workbook_writer import workbook
 
 Cell: TypeAlias = int | Decimal | str | None
 

@@ -17,7 +17,7 @@ from fieldspec.tools.lists.cells import (
     address_range,
     base_of_heading,
 )
-from fieldspec.tools.lists.columns import Columns, columns
+from fieldspec.tools.lists.column_roles import Columns, columns
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
 
 _MOST_WORDS = 5

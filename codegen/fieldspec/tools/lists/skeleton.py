@@ -12,7 +12,7 @@ from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.units import standard_units
 from fieldspec.language.model.value import PRIMITIVES, Kind
 from fieldspec.language.schema import schema
-from fieldspec.tools.lists.columns import folded
+from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.listing import ListRow

@@ -8,10 +8,10 @@ from pathlib import PurePath
 from fieldspec.foundation.spreadsheet import clean, csv_text
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.language.reading.yaml_reader import decoded, parsed
-from fieldspec.tools.lists.packing import workbook
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.tools.lists.text_sheet import text_sheet
-from fieldspec.tools.lists.workbook import MAGIC, workbook_sheet
+from fieldspec.tools.lists.workbook_reader import MAGIC, workbook_sheet
+from fieldspec.tools.lists.workbook_writer import workbook
 from fieldspec.tools.live.value_lists import ValueList
 
 SUFFIXES = (".csv", ".xlsx", ".json", ".yaml", ".yml")

@@ -10,7 +10,7 @@ import openpyxl
 import pytest
 
 from fieldspec.foundation.spreadsheet import Cell, Workbook, Worksheet
-from fieldspec.tools.lists.packing import LONGEST, packed
+from fieldspec.tools.lists.workbook_writer import LONGEST, packed
 
 CELLS: list[tuple[Cell, str | int]] = [
     ("plain", "plain"),
