@@ -391,7 +391,7 @@ def test_a_second_stop_leaves_the_first_alone(name: str, make: Callable[..., Any
     rig.start(first)
     rig.run(1)
     rig.start(f"{first} 2")
-    rig.run(400)
+    rig.run(600)
     assert rig.ended(first)[:4] == "Done"
     assert rig.ended(f"{first} 2")[:4] in ("Done", "Erro")
     rig.start(f"{first} 2", False)
