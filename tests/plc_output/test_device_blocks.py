@@ -63,10 +63,6 @@ def test_nothing_starts_in_the_first_scan_or_after_a_restart(axis: Axis) -> None
     assert (axis.starts, rig.ended(axis.absolute)) == ([], "")
 
 
-LONG = 300
-"""Scans in which a block ends that watches a motion which it has not seen for tStart."""
-
-
 def test_an_alarm_while_moving_ends_the_block_and_its_reset_moves_nothing(axis: Axis) -> None:
     rig = axis.rig
     assert rig.done(axis.block("Home")) == "Done"
@@ -76,7 +72,7 @@ def test_an_alarm_while_moving_ends_the_block_and_its_reset_moves_nothing(axis: 
     while not axis.starts:
         rig.scan()
     rig.device.alarm(3)
-    rig.run(LONG)
+    rig.run(60)
     assert rig.ended(axis.absolute) == f"Error {NUMBER['alarm']}"
     rig.done(axis.block("ServoOff"))
     assert rig.done(axis.block("ResetAlarm")) == "Done"
@@ -95,7 +91,7 @@ def test_a_servo_that_goes_off_is_an_error(axis: Axis) -> None:
     if isinstance(rig.device, Telegram111):
         rig.device.obey(0)
         rig.bench.ports[rig.axis]["strequest"]["wcontrolword1"] = 0
-    rig.run(LONG)
+    rig.run(100)
     assert rig.ended(axis.block("Home")) == f"Error {NUMBER['servo']}"
     assert len(axis.starts) == 1
 
@@ -120,7 +116,8 @@ def test_a_stop_ends_a_motion_and_locks_the_axis_until_its_input_falls(axis: Axi
         rig.scan()
     rig.run(6)
     rig.run(1, axis.block("Stop"), Execute=True)
-    rig.run(LONG)
+    # A motion that was not seen may begin for tStart, which is 2 s.
+    rig.run(300)
     assert rig.ended(axis.absolute) == "CommandAborted"
     assert (rig.ended(axis.block("Stop")), rig.device.motion.moving) == ("Done", 0)
     assert rig.done(axis.relative) == f"Error {NUMBER['locked']}"

@@ -12,11 +12,12 @@ from fieldspec.model.watches import Watch, halting_task, last_command, proves_ta
 from fieldspec.plc.routines.blocks.kinds import Branch
 from fieldspec.plc.routines.blocks.motion import Moving
 from fieldspec.plc.routines.blocks.operands import NoBlock, holds, unit_of
-from fieldspec.plc.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.plc.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
 from fieldspec.plc.routines.blocks.stopping import Stopping
 from fieldspec.plc.routines.blocks.tasks import target
 from fieldspec.plc.routines.expressions import (
     LREAL,
+    UINT,
     Conversion,
     Elementary,
     Expression,
@@ -24,6 +25,7 @@ from fieldspec.plc.routines.expressions import (
     Negation,
     Operation,
     Variable,
+    Whole,
     compared,
     either,
     every,
@@ -214,9 +216,12 @@ class Conditions:
         kind.forget_first(moving)
         long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
         unseen = kind.axis.unseen
-        waits = when(
-            every([unseen, Negation(idle)]), [again, assigned(moving, False)], [assigned(unseen, False), *then]
-        )
+        may_begin = [unseen, Negation(idle)]
+        if isinstance(kind, Moving):
+            # With an alarm, or without its servo, the device has given up what it had accepted.
+            numbers = (Whole(ERRORS[reason][0], UINT) for reason in ("alarm", "servo"))
+            may_begin += [compared(kind.first_reason, "<>", reason) for reason in numbers]
+        waits = when(every(may_begin), [again, assigned(moving, False)], [assigned(unseen, False), *then])
         onward = when(long, [resend, assigned(moving, False)], [again, assigned(moving, True)])
         return [*computed, Assignment(standing, stands), when(standing, [waits], [onward])]
 
