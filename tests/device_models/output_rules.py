@@ -164,6 +164,11 @@ def a_start_has_an_edge(history: History) -> Iterator[Violation]:
         for scan, about in _starts(history, asked):
             owners = [calls for calls in history.of_kind(*MOTIONS) if starts(calls.kind, about)]
             edges = {calls.name: calls.edge_before(scan) for calls in owners}
+            for calls in owners:
+                # What goes out in the scan of an edge is what a block that was Busy has asked for before.
+                earlier = calls.edge_before(scan - 1) if calls.busy_at(scan - 1) else -1
+                if earlier > used.get(calls.name, -1):
+                    edges[calls.name] = earlier
             fresh = [name for name, index in edges.items() if index >= 0 and used.get(name, -1) < index]
             names = ", ".join(edges) or "none"
             if fresh:

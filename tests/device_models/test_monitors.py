@@ -235,6 +235,24 @@ CASES = (
     Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, MOVES, DONE)),
     Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, DONE)),
     Case(
+        done_is_at_the_target,
+        37,
+        ("p500", EDGE, "ask:start_absolute accepted:absolute:1:500 w1", DONE),
+        ("p400", EDGE, "ask:start_absolute accepted:absolute:1:500 w1", DONE),
+    ),
+    Case(
+        a_start_has_an_edge,
+        38,
+        ("", EDGE, "-Move.Execute", f"+Move.Execute {MOVES}", "ask:start_absolute"),
+        ("", EDGE, "-Move.Execute", f"+Move.Execute {MOVES}", "ask:start_absolute", "ask:start_absolute"),
+    ),
+    Case(
+        two_edges_start_once,
+        18,
+        ("", EDGE, "-Move.Execute", f"{EDGE} ask:start_absolute +Other.Execute +Other.Busy", "ask:start_relative"),
+        ("", f"{EDGE} ask:start_absolute +Other.Execute +Other.Busy", "ask:start_relative"),
+    ),
+    Case(
         silence_is_an_error,
         38,
         ("ms:50", EDGE, "lost x250", "-Move.Busy +Move.Error Move.ErrorID=2"),

@@ -29,7 +29,7 @@ from random_devices.inputs import (
 from random_devices.queries import Query, message_queries, queried_messages, shapes
 from random_devices.script_judge import accessed
 
-VALUE_DRAWS, RECORD_DRAWS, FRAME_DRAWS, ACCESS_DRAWS = 240, 500, 106, 12
+VALUE_DRAWS, RECORD_DRAWS, FRAME_DRAWS, ACCESS_DRAWS = 330, 690, 146, 17
 """How often something is drawn for a fact, besides its edges. A frame gives four or five inputs each time."""
 _EDGES = 160
 """The edges of a record that are tried: so many at most, drawn from all."""

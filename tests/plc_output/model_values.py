@@ -87,12 +87,14 @@ def invalid(device: str, kind: str, name: str, of: str, dice: random.Random) -> 
 
 
 def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
-    """The position or the distance that a block asks its device for, in counts."""
+    """The position or the distance that a block asks its device for, in counts; None where that is no number."""
     if kind == "point":
         return _point_of(block, inputs)
     pattern = {"absolute": POSITION, "relative": DISTANCE}.get(kind)
     for (owner, name), value in inputs.items():
         if owner == block and pattern is not None and pattern.search(name):
+            if not math.isfinite(value):
+                return None
             return round(value * SCALES.get(device, 1.0) * 1e6) / 1e6 if name.startswith("lr") else float(value)
     return None
 

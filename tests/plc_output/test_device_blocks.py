@@ -116,7 +116,8 @@ def test_a_stop_ends_a_motion_and_locks_the_axis_until_its_input_falls(axis: Axi
         rig.scan()
     rig.run(6)
     rig.run(1, axis.block("Stop"), Execute=True)
-    rig.run(40)
+    # A motion that was not seen may begin for tStart, which is 2 s.
+    rig.run(300)
     assert rig.ended(axis.absolute) == "CommandAborted"
     assert (rig.ended(axis.block("Stop")), rig.device.motion.moving) == ("Done", 0)
     assert rig.done(axis.relative) == f"Error {NUMBER['locked']}"

@@ -12,13 +12,14 @@ from fieldspec.language.model.watches import Watch, halting_task, last_command, 
 from fieldspec.targets.controllers.routines.blocks.kinds import Branch
 from fieldspec.targets.controllers.routines.blocks.motion import Moving
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, holds, unit_of
-from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
 from fieldspec.targets.controllers.routines.blocks.stopping import Stopping
 from fieldspec.targets.controllers.routines.blocks.tasks import target
 from fieldspec.targets.controllers.routines.scaling import times
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     LREAL,
+    UINT,
     Conversion,
     Elementary,
     Expression,
@@ -26,6 +27,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     Negation,
     Operation,
     Variable,
+    Whole,
     compared,
     either,
     every,
@@ -218,9 +220,12 @@ class Conditions:
         kind.forget_first(moving)
         long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
         unseen = kind.axis.unseen
-        waits = when(
-            every([unseen, Negation(idle)]), [repeat, assigned(moving, False)], [assigned(unseen, False), *success]
-        )
+        may_begin = [unseen, Negation(idle)]
+        if isinstance(kind, Moving):
+            # With an alarm, or without its servo, the device has given up what it had accepted.
+            numbers = (Whole(ERRORS[reason][0], UINT) for reason in ("alarm", "servo"))
+            may_begin += [compared(kind.first_reason, "<>", reason) for reason in numbers]
+        waits = when(every(may_begin), [repeat, assigned(moving, False)], [assigned(unseen, False), *success])
         onward = when(long, [resend, assigned(moving, False)], [repeat, assigned(moving, True)])
         return [*computed, Assignment(standing, is_standing), when(standing, [waits], [onward])]
 
