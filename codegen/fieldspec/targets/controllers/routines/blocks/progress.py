@@ -220,7 +220,7 @@ class Conditions:
         kind.forget_first(moving)
         long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
         unseen = kind.axis.unseen
-        may_begin = [unseen, Negation(idle)]
+        may_begin: list[Expression] = [unseen, Negation(idle)]
         if isinstance(kind, Moving):
             # With an alarm, or without its servo, the device has given up what it had accepted.
             numbers = (Whole(ERRORS[reason][0], UINT) for reason in ("alarm", "servo"))
