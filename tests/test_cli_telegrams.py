@@ -201,7 +201,7 @@ def test_the_request_says_which_parameter_a_response_holds(run: CommandLine) -> 
     ("request_frame", "answer", "message"),
     [
         ("07 01 00 02 03 C4 00 00", "06 02 0A AA 00 01", "identification.firmware: parameter 964[1]"),
-        ("07 01 00 02 03 C4 00 00", "06 02 0A AB 00 01", "wrong: should be 2730"),
+        ("07 01 00 02 03 C4 00 00", "06 02 0A AB 00 01", "note on values[0]: It should be 2730."),
         ("07 01 00 01 03 C4 00 03", "06 01 00 00", "identification: parameter 964[3]"),
         ("07 01 00 01 03 B1 00 07", "06 01 0E E0", "fault_codes: parameter 945[7]"),
         ("07 01 00 01 40 95 00 00", "06 01 00 24", "alarm_code: parameter Ut095"),

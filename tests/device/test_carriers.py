@@ -15,7 +15,6 @@ from typing import Any
 import minimalmodbus
 import pytest
 import serial
-from fieldspec.carriers.carrier import LineSettings
 from pymodbus import FramerType, ModbusException
 from pymodbus.client import ModbusSerialClient, ModbusTcpClient
 
@@ -24,6 +23,7 @@ from external_tools import require_tool
 from fieldspec.cli import main
 from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation
+from fieldspec.tools.carriers.carrier import LineSettings
 from fieldspec.tools.simulator.clock import ManualClock
 from simulators import SPECS
 

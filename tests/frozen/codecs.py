@@ -7,9 +7,11 @@ that are encoded `again`, and so on. What a codec does not say, it has no aspect
 from __future__ import annotations
 
 import json
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -129,9 +131,12 @@ def _rows(
     explained: Callable[[list[dict[str, Any]]], Iterable[dict[str, Any]]], script: ScriptExplainer, inputs: list[Input]
 ) -> Iterator[Aspects]:
     """The explanations of accesses and of some frames, with all their rows."""
+    # Counted for each fact, so that a share of the facts is asked the same as all of them.
+    counts: defaultdict[tuple[str, ...], Iterator[int]] = defaultdict(count)
     asked = [
-        item.aspect == "access" or (item.aspect == "decode" and item.query.kind == "frame" and number % ROWS == 0)
-        for number, item in enumerate(inputs)
+        item.aspect == "access"
+        or (item.aspect == "decode" and item.query.kind == "frame" and next(counts[item.query.path]) % ROWS == 0)
+        for item in inputs
     ]
     jobs = [
         script.job(item.query.path, item.query.data, item.request)

@@ -82,7 +82,9 @@ def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str)
     elif end == "quick stop":
         speed.bench.set(block(speed, "QuickStop"), Execute=True)
     elif end == "servo off":
+        # The motion stays responsible until its axis stands, so it says itself why it has ended.
         speed.bench.set(block(speed, "ServoOff"), Execute=True)
+        result = f"Error {NUMBER['servo']}"
     else:
         speed.bench.set(speed.move, lrSpeed=250.0)
         result = f"Error {NUMBER['request']}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import struct
 from collections.abc import Iterator
-from decimal import Decimal
+from decimal import Context, Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -235,7 +235,7 @@ def entries(layout: DeviceLayout, value: Value, raw: Any) -> Iterator[tuple[Any,
         exact = quantity(value, raw) or Fraction(raw) * scale_of(value) + Fraction(value.offset)
         scaled = exact * 10**30
         if scaled.denominator == 1 and abs(exact) < 10**29:
-            text = f"{Decimal(scaled.numerator).scaleb(-30):f}"
+            text = f"{Decimal(scaled.numerator).scaleb(-30, Context(prec=100)):f}"
             try:
                 wanted: Any = count_of_quantity(value, exact)
             except NoQuantityError as error:

@@ -11,6 +11,7 @@ Key = tuple[str, str]
 """The definition or the path of a mapping in the schema, and a key of it."""
 
 DOCUMENTATION = "It is documentation: no byte depends on it, and the tests of the pages cover it."
+EXPANDED = "Reading a spec gives it to the copied registers, which state it themselves here."
 COMPARED = "It is compared with another fact by a check, which has its own cases."
 HANDLING = "It says how to handle a value and is in no codec."
 FILES = "It is in a second file: a judge splits devices so, and compares the outputs of both forms."
@@ -111,6 +112,12 @@ KEYS = {
     ("field", "span"): COMPARED,
     ("field", "word_span"): COMPARED,
     ("field", "atomic"): "It bounds the requests for a register; registers have it.",
+    ("copy", "trigger"): EXPANDED,
+    ("copy.rows", "access"): EXPANDED,
+    ("copy.rows", "decimal"): COMPARED,
+    ("copy.rows", "words"): COMPARED,
+    ("message.segments", "abort"): "A program sends it; codecs have it as any other message.",
+    ("message.segments", "unsized"): "It says when a size in an answer means nothing, which only clients look at.",
     ("register", "copy_of"): "Reading a spec adds it to the registers of a block that is copied.",
     ("register", "number"): COMPARED,
     ("register", "same_as"): COMPARED,
