@@ -148,6 +148,7 @@ KEYS = {
 WORDS = {
     ("part", "algorithm"): "Algorithms are rows of one table; the tests of checksums cover each row.",
     ("enum", "kind"): DOCUMENTATION,
+    ("flags", "bit_0"): "`least` is the default: words without the key have it.",
 }
 """Keys of which random devices need not have every word."""
 

@@ -19,7 +19,7 @@ SEEDS = (1, 2, 3)
 COUNT = 12
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
-RICH = (53, 20, 10, 24, 52, 0, 16, 21, 7, 14, 27)
+RICH = (43, 49, 36, 1, 28, 4, 18, 27, 0, 2)
 """Seeds whose devices have all keys together. Where what is drawn has changed, the others follow behind them."""
 LEAST = 1
 """Devices without findings that have a key."""
