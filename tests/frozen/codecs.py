@@ -7,11 +7,9 @@ that are encoded `again`, and so on. What a codec does not say, it has no aspect
 from __future__ import annotations
 
 import json
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -113,9 +111,9 @@ def _processes(
 
 def _explained(layout: DeviceLayout, inputs: list[Input]) -> Iterator[Aspects]:
     explainer = Explainer(layout, Path())
-    for number, item in enumerate(inputs):
+    for item in inputs:
         query, result = item.query, {}
-        if item.aspect == "decode" and query.kind == "frame" and number % EXPLAINED == 0:
+        if item.aspect == "decode" and query.kind == "frame" and item.number % EXPLAINED == 0:
             result = aspects(item, explainer.answer(query))
             # It goes on behind the first fault, and is not asked about all frames, as the codecs are.
             result = {f"explained_{aspect}": text for aspect, text in result.items()}
@@ -131,11 +129,8 @@ def _rows(
     explained: Callable[[list[dict[str, Any]]], Iterable[dict[str, Any]]], script: ScriptExplainer, inputs: list[Input]
 ) -> Iterator[Aspects]:
     """The explanations of accesses and of some frames, with all their rows."""
-    # Counted for each fact, so that a share of the facts is asked the same as all of them.
-    counts: defaultdict[tuple[str, ...], Iterator[int]] = defaultdict(count)
     asked = [
-        item.aspect == "access"
-        or (item.aspect == "decode" and item.query.kind == "frame" and next(counts[item.query.path]) % ROWS == 0)
+        item.aspect == "access" or (item.aspect == "decode" and item.query.kind == "frame" and item.number % ROWS == 0)
         for item in inputs
     ]
     jobs = [

@@ -56,12 +56,13 @@ class Input:
     """A question to all codecs.
 
     `aspect` is decode or encode; encode what has a wrong or odd type, or is absent; or access: explain a frame that
-    accesses registers, with the request before it.
+    accesses registers, with the request before it. `number` counts the inputs of a fact.
     """
 
     aspect: str
     query: Query
     request: bytes = b""
+    number: int = 0
 
     @property
     def text(self) -> str:
@@ -99,7 +100,7 @@ def inputs(layout: DeviceLayout, fact: Fact) -> list[Input]:
     """The inputs of a fact. Those of equal facts in several versions of a device are the same."""
     dice = Dice(f"{layout.device.id}/{fact.path}")
     draw = {"frame": _frame_inputs, "record": _record_inputs, "access": _access_inputs}.get(fact.kind, _value_inputs)
-    return list(draw(layout, fact, dice))
+    return [replace(item, number=number) for number, item in enumerate(draw(layout, fact, dice))]
 
 
 def _value_inputs(layout: DeviceLayout, fact: Fact, dice: Dice) -> Iterator[Input]:

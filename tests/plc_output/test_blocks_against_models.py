@@ -48,8 +48,7 @@ def test_every_task_is_done_with_a_calm_device(name: str, make: Callable[..., An
             assert rig.finish(rig.block(kind)) == "Done"
     block = jogging(rig)
     rig.start(block, False)
-    # A jog that was not seen to move stays Busy until the axis has stood for tStart, which is 2 s, and one more poll.
-    rig.run(400)
+    rig.run(400)  # a jog that was not seen to move is Busy until the axis has stood for tStart, 2 s, and one poll more
     assert (rig.model.state.velocity, rig.ended(block)) == (0, "")
     assert [rig.finish(rig.block(kind)) for kind in ("stop", "power_off")] == ["Done", "Done"]
 
@@ -174,8 +173,7 @@ def test_a_stop_is_done_when_the_axis_stands(name: str, make: Callable[..., Any]
     set_out(rig, name, 1900 if name == "esc11" else 9000, slow=False)
     rig.run(20)
     rig.start(rig.block("stop"))
-    # So does a stop.
-    rig.run(800, milliseconds=5)
+    rig.run(800, milliseconds=5)  # a stop is Busy as long
     assert rig.ended(rig.block("stop")).startswith("Done")
     assert broken(rig, 15, 24) == []
 
