@@ -39,13 +39,15 @@ class Event:
     """What happens at a device.
 
     `kind` is asked (a frame or a bit that is to start or stop something is on the wire), accepted, refused, began,
-    reached, interrupted, stop or alarm; `about` says of what, and `number` of which motion.
+    reached, interrupted, stop or alarm; `about` says of what, `number` of which motion, and `speed` how fast it is to
+    be.
     """
 
     kind: str
     about: str
     number: int = 0
     value: float = 0.0
+    speed: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -115,7 +117,7 @@ class Axis:
         self.wait = 0.0 if outside else self.draws.start_delay()
         if kind == "home":
             self.homed = False
-        self.record("accepted", kind, value, self.number)
+        self.events.append(Event("accepted", kind, self.number, value, abs(speed)))
         if self.wait <= 0:
             self._begin()
 

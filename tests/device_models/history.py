@@ -144,9 +144,9 @@ class Calls:
 class History:
     """The scans of one run, with the blocks by name and kind.
 
-    `value_of` gives the value that a block asks the device for with some inputs, and `position_of` the position that it
-    shows, both in counts, or None. `may_move` has the numbers of ErrorID that say that the device may be moving, and
-    `patience` is how many milliseconds the exchanges of a few blocks take.
+    `value_of` gives the value that a block asks the device for with some inputs, `speed_of` how fast, and `position_of`
+    the position that it shows, all in counts, or None. `may_move` has the numbers of ErrorID that say that the device
+    may be moving, and `patience` is how many milliseconds the exchanges of a few blocks take.
     """
 
     def __init__(
@@ -157,8 +157,9 @@ class History:
         position_of: Callable[[str, Mapping[tuple[str, str], float]], float | None] = lambda block, outputs: None,
         may_move: Iterable[int] = (2, 3, 4, 5, 7),
         patience: int = 5000,
+        speed_of: Callable[[str, Mapping[tuple[str, str], float]], float | None] = lambda block, inputs: None,
     ) -> None:
-        self.scans, self.kinds, self.patience = scans, kinds, patience
+        self.scans, self.kinds, self.patience, self.speed_of = scans, kinds, patience, speed_of
         self.value_of, self.position_of, self.may_move = value_of, position_of, frozenset(may_move)
 
     @cached_property

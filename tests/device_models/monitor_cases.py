@@ -10,6 +10,7 @@ from device_models.history import History
 KINDS = {
     "Move": "absolute",
     "Other": "relative",
+    "Point": "point",
     "Home": "home",
     "Jog": "jog",
     "Stop": "stop",
@@ -21,9 +22,11 @@ KINDS = {
 EDGE = "+Move.Execute +Move.Busy"
 MOVES = "ask:start_absolute accepted:absolute:1:500 began:absolute:1:500 n1 v100"
 JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 v100"
+JOG_EDGE = "+Jog.JogForward +Jog.Busy"
+HOME = "+Home.Execute +Home.Busy"
 STOP = "+Stop.Execute +Stop.Busy"
 MOVING = "began:absolute:1:500 w0 n1 v100"
-STANDS = "reached:absolute:1:500 n0 v0"
+STANDS = "reached:absolute:1:500 n0 v0 p500"
 DONE = "-Move.Busy +Move.Done"
 AWAY = "-Move.Execute -Move.Done"
 

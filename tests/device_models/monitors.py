@@ -7,12 +7,13 @@ reads and aborts another breaks rule 20, and one that delays a stop rule 22.
 
 from __future__ import annotations
 
+from device_models.done_rules import DONE_RULES
 from device_models.history import History, Violation
 from device_models.motion_rules import MOTION_RULES
 from device_models.output_rules import OUTPUT_RULES
 from device_models.stop_rules import STOP_RULES
 
-MONITORS = (*OUTPUT_RULES, *MOTION_RULES, *STOP_RULES)
+MONITORS = (*OUTPUT_RULES, *MOTION_RULES, *DONE_RULES, *STOP_RULES)
 
 
 def violations(history: History) -> list[Violation]:

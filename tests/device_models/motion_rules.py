@@ -1,4 +1,4 @@
-"""Monitors of who is responsible, and of Done: rules 15 to 21, 32 to 34 and 37 to 39."""
+"""Monitors of who is responsible, and of what blocks show: rules 15 to 21, 32, 33, 38 and 39."""
 
 from __future__ import annotations
 
@@ -76,27 +76,56 @@ def _is_replaced(history: History, calls: Calls, first: int, last: int) -> bool:
 
 
 def two_edges_start_once(history: History) -> Iterator[Violation]:
-    """Rule 18: of two edges in one scan one starts at most, and the other block does not stay Busy."""
-    blocks = history.of_kind(*MOTIONS)
+    """Rule 18: of two edges in one scan one starts at most, and who does not start is aborted by the other."""
     together: dict[int, list[tuple[Calls, int]]] = {}
-    for calls in blocks:
+    for calls in history.of_kind(*MOTIONS):
         for index, scan in enumerate(calls.scans):
             if calls.edges[index] and calls.busy[index]:
                 together.setdefault(scan, []).append((calls, index))
     for scan, edges in together.items():
         if len(edges) < 2:
             continue
+        names = ", ".join(calls.name for calls, _ in edges)
         last = min(_last_before_edge(history, calls, index) for calls, index in edges)
         end = history.after(scan)
         if _is_clear(history, scan) and end <= last and sum(calls.busy_at(end) for calls, _ in edges) > 1:
-            yield Violation(18, end, ", ".join(calls.name for calls, _ in edges), "both stay Busy")
-        kinds = [calls.kind for calls, _ in edges]
-        # What goes out in this very scan is what a block that was Busy has asked for before.
-        first = scan + any(index and calls.busy[index - 1] for calls, index in edges)
-        asked = [text for text in history.asked_between(first, last) if text.startswith("start ")]
-        number = sum(any(starts(kind, text[6:]) for kind in kinds) for text in asked)
-        if number > 1:
-            yield Violation(18, scan, ", ".join(calls.name for calls, _ in edges), f"{number} starts for two edges")
+            yield Violation(18, end, names, "both stay Busy")
+        started = [
+            text
+            for when, text in history.requests
+            if scan <= when <= last
+            and text.startswith("start ")
+            and any(starts(calls.kind, text[6:]) for calls, _ in edges)
+            and not (when == scan and _was_asked_before(history, edges, text))
+        ]
+        if len(started) > 1:
+            yield Violation(18, scan, names, f"{len(started)} starts for two edges")
+        elif started:
+            yield from _losers(history, [calls for calls, _ in edges if not starts(calls.kind, started[0][6:])], scan)
+
+
+def _was_asked_before(history: History, edges: list[tuple[Calls, int]], text: str) -> bool:
+    """Whether a start in the scan of edges is what a block that was Busy has asked for by an edge before, and not sent.
+
+    What goes out in that very scan may be on its way before the block sees the new edge.
+    """
+    for calls, index in edges:
+        earlier = calls.edge_before(calls.scans[index - 1]) if index and calls.busy[index - 1] else -1
+        if earlier < 0 or not starts(calls.kind, text[6:]):
+            continue
+        if text not in history.asked_between(calls.scans[earlier], calls.scans[index] - 1):
+            return True
+    return False
+
+
+def _losers(history: History, losers: list[Calls], scan: int) -> Iterator[Violation]:
+    """Rule 18: the blocks of an edge in a scan that do not start, and end otherwise than aborted by who does."""
+    for calls in losers:
+        ending = _end_after(calls, scan)
+        if ending is None or ending[1] in ("edge", "CommandAborted"):
+            continue
+        if ending[1] == "Done" or _is_clear(history, scan):
+            yield Violation(18, ending[0], calls.name, f"{ending[1]} {ending[2]}, and another was started")
 
 
 def who_fails_stops_or_says_so(history: History) -> Iterator[Violation]:
@@ -159,16 +188,6 @@ def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
                 yield Violation(33, ending[0], calls.name, text)
 
 
-def home_is_done_by_this_run(history: History) -> Iterator[Violation]:
-    """Rule 34: Home is done where its own run has set the home."""
-    yield from _done_is_reached(history, ("home",), 34)
-
-
-def done_is_at_the_target(history: History) -> Iterator[Violation]:
-    """Rule 37: a move is done where the device has accepted it, and has reached the target, or stood there before."""
-    yield from _done_is_reached(history, MOVES, 37)
-
-
 def silence_is_an_error(history: History) -> Iterator[Violation]:
     """Rule 38: where no answer comes any more, what is asked for by an edge ends with Error within a bounded time."""
     for calls in history.of_kind(*MOVES, "home", "power_on", "power_off", "reset"):
@@ -210,30 +229,9 @@ def a_valid_position_is_true(history: History) -> Iterator[Violation]:
                 )
 
 
-def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Iterator[Violation]:
-    for calls in history.of_kind(*kinds):
-        for index, scan in enumerate(calls.scans):
-            if not calls.rises(index, "Done"):
-                continue
-            edge = calls.edge_before(scan)
-            begun = history.accepted(calls, calls.scans[edge], scan) if edge >= 0 else []
-            if not begun:
-                yield Violation(rule, scan, calls.name, "Done, and the device has accepted no command for it")
-            elif not _was_reached(history, begun[-1][1].number, scan) and not _stands_at(history, begun[-1][1], scan):
-                state = history.scans[scan].state
-                text = f"Done at {state.position:g}, and {begun[-1][1].value:g} is not reached"
-                yield Violation(rule, scan, calls.name, text)
-
-
 def _was_reached(history: History, number: int, last: int) -> bool:
     """Whether a motion has come to its target by a scan."""
     return any(event.kind == "reached" and event.number == number for scan, event in history.events if scan <= last)
-
-
-def _stands_at(history: History, command: Event, scan: int) -> bool:
-    """Whether the axis stands where a command leads to, which so moves nothing."""
-    state = history.scans[scan].state
-    return command.about == "absolute" and not state.number and abs(state.position - command.value) <= 0.5
 
 
 def _owner_number(history: History, calls: Calls, scan: int) -> int:
@@ -310,8 +308,6 @@ MOTION_RULES = (
     who_fails_stops_or_says_so,
     nothing_is_done_without_power,
     an_alarm_ends_a_motion,
-    home_is_done_by_this_run,
-    done_is_at_the_target,
     silence_is_an_error,
     a_valid_position_is_true,
 )

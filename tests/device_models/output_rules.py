@@ -8,6 +8,8 @@ from device_models.history import ENDS, JOGS, LOCKS, MOTIONS, Calls, History, Vi
 
 REFUSED = 1
 """The ErrorID of a value that is refused."""
+SPEED_STEP = 20.0
+"""Counts in a second between two numbers of the coarsest speed, which is 1000 counts in a minute [hiwin 6.6.1]."""
 
 
 def nothing_in_the_first_scan(history: History) -> Iterator[Violation]:
@@ -93,17 +95,26 @@ def an_end_has_a_beginning(history: History) -> Iterator[Violation]:
 
 
 def values_count_at_the_edge(history: History) -> Iterator[Violation]:
-    """Rules 9 and 10: what the device is asked for is what the inputs were at the last edge."""
-    for calls in history.of_kind("absolute", "relative", "point"):
+    """Rules 9 and 10: what the device is asked for, and how fast, is what the inputs were at the last edge.
+
+    A jog that turns begins with what its inputs are where it stands.
+    """
+    for calls in history.of_kind("absolute", "relative", "point", *JOGS):
         for scan, event in history.accepted(calls, 0, len(history.scans)):
             index = calls.edge_before(scan)
             if index < 0:
                 continue
             wanted = history.value_of(calls.name, history.scans[calls.scans[index]].inputs)
+            rule = 10 if index > 0 and calls.busy[index - 1] else 9
             if wanted is not None and abs(wanted - event.value) > 0.5:
-                again = index > 0 and calls.busy[index - 1]
                 text = f"{event.value:g} is asked for, and the inputs were {wanted:g} at the edge"
-                yield Violation(10 if again else 9, scan, calls.name, text)
+                yield Violation(rule, scan, calls.name, text)
+            last = calls.index_at(scan) if calls.kind in JOGS else index
+            inputs = (history.scans[calls.scans[place]].inputs for place in range(index, last + 1))
+            speeds = [history.speed_of(calls.name, item) for item in inputs]
+            if not any(speed is None or abs(speed - event.speed) <= SPEED_STEP for speed in speeds):
+                text = f"the speed {event.speed:g} is asked for, and the inputs were {speeds[0]:g} at the edge"
+                yield Violation(rule, scan, calls.name, text)
 
 
 def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:

@@ -5,7 +5,7 @@ A line has what changes in a scan; all else stays as it was:
     +Move.Execute -Move.Busy     an input or an output rises, falls
     Move.ErrorID=8 Read.diPositionRaw=500   a number
     ask:start_absolute           a request on the wire
-    accepted:absolute:1:500      an event of the device, with the number of the motion and a value
+    accepted:absolute:1:500:90   an event of the device, with the number of the motion, a value and a speed
     n1 w2 v100 p500              the motion that is carried out, that waits, velocity, position
     on off home lost-home alarm well
     restart   skip:Move   invalid:Move   word:043F   lost   ms:50   x200
@@ -88,8 +88,8 @@ class Record:
     @staticmethod
     def _event(item: str) -> Event:
         kind, about, *numbers = item.split(":")
-        number, value = (*numbers, "0", "0")[:2]
-        return Event(kind, about, int(number), float(value))
+        number, value, speed = (*numbers, "0", "0", "0")[:3]
+        return Event(kind, about, int(number), float(value), float(speed))
 
     def _other(self, head: str, rest: str, scan: Scan) -> set[str]:
         if head == "skip":
@@ -109,7 +109,7 @@ class Record:
 
 
 def record_of(kinds: Mapping[str, str], lines: Sequence[str]) -> History:
-    """The record that some lines describe. The value of a block is its input `value`."""
+    """The record that some lines describe. The value and the speed of a block are its inputs so named."""
     record = Record(kinds)
     for text in lines:
         record.line(text)
@@ -118,4 +118,5 @@ def record_of(kinds: Mapping[str, str], lines: Sequence[str]) -> History:
         kinds,
         lambda block, inputs: inputs.get((block, "value")),
         lambda block, outputs: outputs.get((block, "diPositionRaw")),
+        speed_of=lambda block, inputs: inputs.get((block, "speed")),
     )

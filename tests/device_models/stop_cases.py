@@ -74,6 +74,18 @@ STOP_CASES = (
     Case(
         a_stop_never_gives_up,
         23,
+        ("word:043F", HALT, EDGE, "word:043F -Halt.Busy +Halt.Done"),
+        ("word:043F", "+Halt.Execute +Halt.Busy", EDGE, "-Halt.Busy +Halt.Done"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("word:043F", HALT, EDGE, "word:047F ask:start_absolute -Halt.Busy +Halt.Done"),
+        ("word:043F", "+Halt.Execute +Halt.Busy", EDGE, "word:047F ask:start_absolute -Halt.Busy +Halt.Done"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
         ("", "+Stop.Execute +Stop.Busy", *("ask:stop",) * 3, "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
         ("", "+Stop.Execute +Stop.Busy", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
     ),

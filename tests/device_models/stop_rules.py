@@ -61,6 +61,8 @@ def a_stop_never_gives_up(history: History) -> Iterator[Violation]:
             if not begins and not prepares and not _asks_to_stop(word):
                 text = f"it ends with {calls.ends[end]}, and the control word {word:04X}H"
                 yield Violation(23, when, calls.name, text)
+            elif not any(_asks_to_stop(entry.word or 0) for entry in history.scans[scan : when + 1]):
+                yield Violation(23, when, calls.name, "it ends, and its bits were never cleared")
         elif "Error" in calls.ends[end] and not _others_lock(history, calls, scan, when):
             number = sum(text in STOPPING for text in history.asked_between(scan, when))
             heard = any(event.kind == "stop" for at, event in history.events if scan <= at <= when)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from benches import Bench, block_names
-from model_values import fitting, kinds, position_of, value_of
+from model_values import fitting, kinds, position_of, speed_of, value_of
 
 from device_models.ck10 import Ck10
 from device_models.draws import Draws
@@ -142,6 +142,7 @@ class ModelRig:
             lambda block, inputs: value_of(self.name, block, self.kinds[block], inputs),
             lambda block, outputs: position_of(self.name, block, outputs),
             patience=PATIENCE.get(self.name, 5000),
+            speed_of=lambda block, inputs: speed_of(self.name, self.kinds[block], block, inputs),
         )
 
     def ended(self, block: str) -> str:

@@ -30,6 +30,8 @@ SCALES = {"esc11": 100.0}
 """Counts in the unit of an input that is a number with a point."""
 INVALID = {"tc100": 101, "esc11": 101, "hiwin-e": -600000.0}
 """A speed that a device does not take."""
+TOP_SPEEDS = {"tc100": 20000.0, "esc11": 5000.0, "hiwin-e": 20000.0}
+"""Counts in a second at 100 percent."""
 POSITION = re.compile(r"position|target(?!speed)", re.IGNORECASE)
 DISTANCE = re.compile(r"distance", re.IGNORECASE)
 SPEED = re.compile(r"speed|velocity", re.IGNORECASE)
@@ -97,6 +99,26 @@ def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str]
                 return None
             return round(value * SCALES.get(device, 1.0) * 1e6) / 1e6 if name.startswith("lr") else float(value)
     return None
+
+
+def speed_of(device: str, kind: str, block: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
+    """How fast a block asks its device to be, in counts in a second; None where it has no speed of its own.
+
+    TC100 and ESC11 take percents [tc100 8.2 L1623, esc11 10.1 L1165], and begin slowly with 0; the CK10 takes counts,
+    and the HIWIN E units in a minute [6.6.1 L1645], less by the override [6.6.1 L1648].
+    """
+    if kind == "velocity":
+        return None
+    numbers = {name: value for (owner, name), value in inputs.items() if owner == block and SPEED.search(name)}
+    share = numbers.pop("lrSpeedOverride", 100.0) / 100
+    speed = next(iter(numbers.values()), None)
+    if speed is None or not math.isfinite(speed):
+        return None
+    if device == "hiwin-e":
+        return min(TOP_SPEEDS[device], speed * share / 60)
+    if device in TOP_SPEEDS:
+        return TOP_SPEEDS[device] * speed / 100
+    return speed
 
 
 def _point_of(block: str, inputs: Mapping[tuple[str, str], float]) -> float | None:

@@ -99,3 +99,29 @@ def test_a_jog_that_begins_after_its_end_was_asked_for_comes_to_a_halt(
     rig.run(1500)
     assert rig.model.state.velocity == 0
     assert broken(rig, 15, 24, 29, 30) == []
+
+
+@pytest.mark.parametrize("name", POSITIONING)
+@pytest.mark.parametrize("release", ["both", "none", "other"])
+def test_a_jog_that_begins_late_is_stopped_again_where_its_input_falls_again(
+    name: str, release: str, make: Callable[..., Any]
+) -> None:
+    begin = {"moving": "from begin", "executing": "from begin", "stopped": "begin"}
+    rig = make(name, delay=1.5, late_start="goes on", **begin)
+    jog = rig.block("jog")
+    rig.start(jog)
+    while not rig.model.state.waiting and len(rig.record) < 2000:
+        rig.scan()
+    rig.run(5)
+    rig.start(jog, False)
+    rig.run(1)
+    rig.start(jog)
+    while not rig.model.state.velocity and len(rig.record) < 4000 and rig.model.state.waiting:
+        rig.scan()
+    rig.run(20)
+    rig.set(jog, JogForward=release == "both", JogBackward=release != "none")
+    rig.run(200)
+    rig.set(jog, JogForward=False, JogBackward=False)
+    rig.run(1500)
+    assert rig.model.state.velocity == 0
+    assert broken(rig, 15, 29, 30, 31) == []

@@ -1215,6 +1215,9 @@ class Telegram9(_BlockingClient):
 
         Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
 
+        Note: That ZSW1.11 falls where homing begins is not printed. If it stays 1, nothing in a
+        telegram tells a homing that something else has stopped from one that is done.
+
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
 
@@ -1410,6 +1413,9 @@ class AsyncTelegram9(_AsyncBaseClient):
         """Home.
 
         Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
+
+        Note: That ZSW1.11 falls where homing begins is not printed. If it stays 1, nothing in a
+        telegram tells a homing that something else has stopped from one that is done.
 
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
@@ -2557,6 +2563,9 @@ class Telegram111(_BlockingClient):
 
         Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
 
+        Note: That ZSW1.11 falls where homing begins is not printed. If it stays 1, nothing in a
+        telegram tells a homing that something else has stopped from one that is done.
+
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.
 
@@ -2771,6 +2780,9 @@ class AsyncTelegram111(_AsyncBaseClient):
         """Home.
 
         Steps: set homing_start; wait homing_done = true; wait standstill = true; clear homing_start.
+
+        Note: That ZSW1.11 falls where homing begins is not printed. If it stays 1, nothing in a
+        telegram tells a homing that something else has stopped from one that is done.
 
         Inferred (steps): The sequence is figure 7.2.5.1, which is not in the text. Bit 11 starts
         homing at 1 and stops it at 0, so it stays 1 until ZSW1.11 shows the end.

@@ -21,8 +21,9 @@ from fieldspec.language.model.watches import (
     shows_acceptance,
     watches,
 )
+from fieldspec.targets.controllers.routines.blocks.jogging import Jogging
 from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Edged, Executed, Kind
-from fieldspec.targets.controllers.routines.blocks.motion import Jogging, Moving, unready
+from fieldspec.targets.controllers.routines.blocks.motion import Moving, unready
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
 from fieldspec.targets.controllers.routines.blocks.ports import increment
 from fieldspec.targets.controllers.routines.blocks.progress import Conditions, opposite, standstill

@@ -13,10 +13,11 @@ from fieldspec.language.model.watches import MOVING
 from fieldspec.targets.controllers.routines.blocks.clients import client_blocks
 from fieldspec.targets.controllers.routines.blocks.cyclic import CyclicTask
 from fieldspec.targets.controllers.routines.blocks.frames import MessageTask, exchange_of, message_block
+from fieldspec.targets.controllers.routines.blocks.jogging import Jogging
 from fieldspec.targets.controllers.routines.blocks.kinds import Edged, Executed, Kind, Reading
 from fieldspec.targets.controllers.routines.blocks.line_tasks import LineTask
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
-from fieldspec.targets.controllers.routines.blocks.motion import AxisPort, Jogging, Moving
+from fieldspec.targets.controllers.routines.blocks.motion import AxisPort, Moving
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft

@@ -21,9 +21,10 @@ from fieldspec.language.model.watches import (
     shows_acceptance,
     watches,
 )
+from fieldspec.targets.controllers.routines.blocks.jogging import Jogging
 from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Executed
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
-from fieldspec.targets.controllers.routines.blocks.motion import Jogging, Moving, unready
+from fieldspec.targets.controllers.routines.blocks.motion import Moving, unready
 from fieldspec.targets.controllers.routines.blocks.operands import outputs_of
 from fieldspec.targets.controllers.routines.blocks.ports import increment
 from fieldspec.targets.controllers.routines.blocks.progress import Conditions, Seen, opposite

@@ -1,0 +1,82 @@
+"""Records that keep and break the rules of Done, and of what comes back by itself."""
+
+from __future__ import annotations
+
+from device_models.done_rules import (
+    a_reading_recovers,
+    done_is_at_the_target,
+    home_is_done_by_this_run,
+    what_waits_for_the_device_ends,
+)
+from device_models.monitor_cases import DONE, EDGE, HOME, MOVES, STANDS, Case
+
+DONE_CASES = (
+    Case(
+        home_is_done_by_this_run,
+        34,
+        ("", "+Home.Execute +Home.Busy", "accepted:home:1 n1", "reached:home:1 n0", "-Home.Busy +Home.Done"),
+        ("", "+Home.Execute +Home.Busy", "accepted:home:1 n1", "interrupted:home:1 n0", "-Home.Busy +Home.Done"),
+    ),
+    Case(
+        home_is_done_by_this_run,
+        34,
+        ("", HOME, "accepted:home:1 n1", "stop:outside interrupted:home:1 n0", "-Home.Busy +Home.Done"),
+        ("", HOME, "accepted:home:1 n1 lost-home", "stop:outside interrupted:home:1 n0", "home -Home.Busy +Home.Done"),
+    ),
+    Case(
+        home_is_done_by_this_run,
+        34,
+        ("", HOME, "accepted:home:1 n1", "stop:outside interrupted:home:1 n0", "-Home.Busy +Home.Done"),
+        ("", HOME, "accepted:home:1 n1", "stop:command interrupted:home:1 n0", "-Home.Busy +Home.Done"),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("", EDGE, MOVES, STANDS, f"{DONE} alarm"),
+        ("", EDGE, MOVES, f"{STANDS} alarm", DONE),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("", EDGE, MOVES, STANDS, "p900", "", "", DONE),
+        ("", EDGE, MOVES, STANDS, "p900 x9", DONE),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("", EDGE, MOVES, "reached:absolute:1:500 n0 v0 p505", DONE),
+        ("", EDGE, MOVES, "reached:absolute:1:500 n0 v0 p520", DONE),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("p500", EDGE, "accepted:absolute:1:500 w1", DONE),
+        ("p500", EDGE, "accepted:absolute:1:500 w1 v50", DONE),
+    ),
+    Case(
+        what_waits_for_the_device_ends,
+        40,
+        ("ms:50 off", "+Power.Execute +Power.Busy", "lost", "", "-Power.Busy +Power.Done x300"),
+        ("ms:50 off", "+Power.Execute +Power.Busy", "lost", "x300"),
+    ),
+    Case(
+        what_waits_for_the_device_ends,
+        40,
+        ("ms:50 off", "+Power.Execute +Power.Busy", "-Power.Busy +Power.Error Power.ErrorID=8 x300"),
+        ("ms:50 off", "+Power.Execute +Power.Busy x300"),
+    ),
+    Case(
+        a_reading_recovers,
+        40,
+        ("ms:50", "+Read.Enable +Read.Valid", "-Read.Valid +Read.Error lost", "x150", "-Read.Error +Read.Valid x300"),
+        ("ms:50", "+Read.Enable +Read.Valid", "-Read.Valid +Read.Error lost", "x300"),
+    ),
+    Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, MOVES, DONE)),
+    Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, DONE)),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("p500", EDGE, "ask:start_absolute accepted:absolute:1:500 w1", DONE),
+        ("p400", EDGE, "ask:start_absolute accepted:absolute:1:500 w1", DONE),
+    ),
+)

@@ -1,0 +1,134 @@
+"""Monitors of Done, and of what comes back by itself: rules 34, 37 and 40."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from device_models.axis import Event
+from device_models.history import MOVES, POWER, Calls, History, Violation
+from device_models.motion_rules import _is_clear, _last_before_edge
+
+WINDOW = 10.5
+"""How far from its target an axis is at its target, in counts: the windows of the rigs, and a rounding."""
+LOOKS = 4
+"""Calls and exchanges between what a device shows and what a block says of it."""
+
+
+def home_is_done_by_this_run(history: History) -> Iterator[Violation]:
+    """Rule 34: Home is done where its own run has set the home."""
+    yield from _done_is_reached(history, ("home",), 34)
+
+
+def done_is_at_the_target(history: History) -> Iterator[Violation]:
+    """Rule 37: a move is done where the device has accepted it, and has reached the target, or stood there before."""
+    yield from _done_is_reached(history, MOVES, 37)
+
+
+def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
+    """Rule 40: where all is well again, what switches the servo or resets an alarm ends, unless another undoes it."""
+    blocks = history.of_kind(*POWER, "reset")
+    for calls in blocks:
+        for index, scan in enumerate(calls.scans):
+            before = calls.scans[max(index - 1, 0)]
+            returns = history.clear_until[before] == before
+            if not (calls.edges[index] or returns) or not calls.busy[index] or not _is_clear(history, scan):
+                continue
+            end = history.after(scan)
+            hindered = any(
+                other.busy_at(when) for other in blocks if other is not calls for when in range(scan, end + 1)
+            )
+            if end <= _last_before_edge(history, calls, index) and not hindered and _stays(calls, index, end):
+                yield Violation(40, end, calls.name, "nothing is disturbed, and it stays Busy")
+
+
+def a_reading_recovers(history: History) -> Iterator[Violation]:
+    """Rule 40: a block that reads is Valid again where all is well."""
+    for calls in history.of_kind("read"):
+        judged = -1
+        for index, scan in enumerate(calls.scans):
+            if scan <= judged or not calls.execute[index] or not _is_clear(history, scan):
+                continue
+            judged = history.after(scan)
+            places = range(index, calls.index_at(judged) + 1)
+            enabled = all(calls.execute[place] for place in places) and len(places) == judged - scan + 1
+            if enabled and not any(
+                history.scans[calls.scans[place]].outputs.get((calls.name, "Valid")) for place in places
+            ):
+                yield Violation(40, judged, calls.name, "nothing is disturbed, and it is not Valid again")
+
+
+def _stays(calls: Calls, index: int, last: int) -> bool:
+    """Whether a block is called in each scan up to the last one, and Busy in all of them."""
+    places = range(index, calls.index_at(last) + 1)
+    return len(places) == last - calls.scans[index] + 1 and all(calls.busy[place] for place in places)
+
+
+def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Iterator[Violation]:
+    for calls in history.of_kind(*kinds):
+        for index, scan in enumerate(calls.scans):
+            if not calls.rises(index, "Done"):
+                continue
+            edge = calls.edge_before(scan)
+            begun = history.accepted(calls, calls.scans[edge], scan) if edge >= 0 else []
+            if not begun:
+                yield Violation(rule, scan, calls.name, "Done, and the device has accepted no command for it")
+                continue
+            accepted, command = begun[-1]
+            reached = _place_reached(history, command, scan)
+            state = history.scans[scan].state
+            if reached is None:
+                if not _keeps_its_home(history, command, accepted, scan):
+                    text = f"Done at {state.position:g}, and {command.value:g} is not reached"
+                    yield Violation(rule, scan, calls.name, text)
+            elif not _was_there(history, _looks_from(history, calls, index, accepted), scan, reached):
+                text = f"Done at {state.position:g}, and the last looks do not show that it stands at {reached:g}"
+                yield Violation(rule, scan, calls.name, text)
+
+
+def _place_reached(history: History, command: Event, last: int) -> float | None:
+    """Where a command has led the axis by a scan; None where it has not come there.
+
+    An absolute move to where it stands already, or near, moves nothing.
+    """
+    for scan, event in history.events:
+        if scan <= last and event.kind == "reached" and event.number == command.number:
+            return command.value if command.about == "absolute" else history.scans[scan].state.position
+    state = history.scans[last].state
+    near = command.about == "absolute" and abs(state.position - command.value) <= 0.5
+    return command.value if near and not state.number else None
+
+
+def _keeps_its_home(history: History, command: Event, accepted: int, last: int) -> bool:
+    """Whether something outside has stopped a homing, and the device has shown a home all the while.
+
+    No telegram of such a device tells that from a homing that is done.
+    """
+    outside = any(
+        event.kind == "stop" and event.about == "outside" for when, event in history.events if accepted <= when <= last
+    )
+    homed = all(entry.state.homed for entry in history.scans[accepted : last + 1])
+    return command.about == "home" and outside and homed
+
+
+def _was_there(history: History, first: int, last: int, place: float) -> bool:
+    """Whether the axis stood at a place, without an alarm, in one of some scans, the last one not included."""
+    return any(
+        not seen.alarm and not seen.velocity and abs(seen.position - place) <= WINDOW
+        for seen in (entry.state for entry in history.scans[first:last])
+    )
+
+
+def _looks_from(history: History, calls: Calls, index: int, accepted: int) -> int:
+    """The first scan that what a block shows in a call may be from: some calls and exchanges before, if accepted."""
+    scan = calls.scans[index]
+    first = calls.scans[max(index - LOOKS, 0)]
+    exchanges = [when for when in range(scan) if history.scans[when].fates and history.scans[when].word is None]
+    return max(accepted, min(first, *exchanges[-LOOKS:], scan))
+
+
+DONE_RULES = (
+    home_is_done_by_this_run,
+    done_is_at_the_target,
+    what_waits_for_the_device_ends,
+    a_reading_recovers,
+)

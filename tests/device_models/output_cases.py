@@ -1,0 +1,146 @@
+"""Records that keep and break the rules of edges and outputs."""
+
+from __future__ import annotations
+
+from device_models.monitor_cases import AWAY, DONE, EDGE, JOG_EDGE, MOVES, STOP, Case
+from device_models.output_rules import (
+    a_falling_edge_ends_nothing,
+    a_start_has_an_edge,
+    an_edge_is_answered_at_once,
+    an_end_has_a_beginning,
+    an_end_is_seen_once,
+    an_error_has_a_number,
+    done_is_for_the_last_edge,
+    nothing_in_the_first_scan,
+    outputs_exclude_each_other,
+    the_first_telegram_starts_nothing,
+    values_count_at_the_edge,
+    values_out_of_range_are_refused,
+)
+
+OUTPUT_CASES = (
+    Case(nothing_in_the_first_scan, 1, ("+Move.Execute", "", "-Move.Execute", EDGE), (EDGE, "")),
+    Case(nothing_in_the_first_scan, 1, ("", EDGE), ("", EDGE, "restart")),
+    Case(an_edge_is_answered_at_once, 2, ("", EDGE), ("", "+Move.Execute")),
+    Case(an_edge_is_answered_at_once, 2, ("", "+Move.Execute +Move.Error"), ("", f"{EDGE} +Move.Done")),
+    Case(outputs_exclude_each_other, 3, ("+Stop.Done +Stop.Busy",), ("+Move.Done +Move.Busy",)),
+    Case(an_error_has_a_number, 4, ("+Move.Error Move.ErrorID=2",), ("+Move.Error",)),
+    Case(an_error_has_a_number, 4, ("",), ("Move.ErrorID=2",)),
+    Case(a_falling_edge_ends_nothing, 5, ("", EDGE, "-Move.Execute"), ("", EDGE, "-Move.Execute -Move.Busy")),
+    Case(
+        an_end_is_seen_once,
+        6,
+        ("", EDGE, "-Move.Execute", DONE, "-Move.Done"),
+        ("", EDGE, "-Move.Execute", DONE, ""),
+    ),
+    Case(an_end_is_seen_once, 7, ("", EDGE, DONE, "", AWAY), ("", EDGE, DONE, "-Move.Done")),
+    Case(an_end_is_seen_once, 7, ("", EDGE, DONE, AWAY), ("", EDGE, DONE, "-Move.Execute")),
+    Case(
+        an_end_is_seen_once,
+        7,
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "+Stop.Busy -Stop.Done"),
+        ("", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "-Stop.Done"),
+    ),
+    Case(an_end_has_a_beginning, 8, ("", EDGE, DONE), ("", "+Move.Done")),
+    Case(
+        values_count_at_the_edge,
+        9,
+        ("Move.value=500", EDGE, f"Move.value=700 {MOVES}"),
+        ("Move.value=700", EDGE, f"Move.value=500 {MOVES}"),
+    ),
+    Case(
+        values_count_at_the_edge,
+        10,
+        ("Move.value=300", EDGE, "-Move.Execute", "+Move.Execute Move.value=500", MOVES),
+        ("Move.value=500", EDGE, "-Move.Execute", "+Move.Execute Move.value=300", MOVES),
+    ),
+    Case(
+        values_count_at_the_edge,
+        9,
+        ("Move.speed=50", EDGE, "Move.speed=90 accepted:absolute:1:500:50"),
+        ("Move.speed=50", EDGE, "Move.speed=90 accepted:absolute:1:500:90"),
+    ),
+    Case(
+        values_count_at_the_edge,
+        10,
+        ("Move.speed=90", EDGE, "-Move.Execute", "+Move.Execute Move.speed=50", "accepted:absolute:1:500:50"),
+        ("Move.speed=90", EDGE, "-Move.Execute", "+Move.Execute Move.speed=50", "accepted:absolute:1:500:90"),
+    ),
+    Case(
+        values_count_at_the_edge,
+        9,
+        ("Jog.speed=50", JOG_EDGE, "Jog.speed=90", "accepted:jog_forward:1:1:90"),
+        ("Jog.speed=50", JOG_EDGE, "Jog.speed=90", "accepted:jog_forward:1:1:10"),
+    ),
+    Case(
+        values_count_at_the_edge,
+        9,
+        ("Point.value=7", "+Point.Execute +Point.Busy", "accepted:point:1:7"),
+        ("Point.value=7", "+Point.Execute +Point.Busy", "accepted:point:1:3"),
+    ),
+    Case(
+        values_count_at_the_edge,
+        9,
+        ("Other.value=7", "+Other.Execute +Other.Busy", "accepted:relative:1:7"),
+        ("Other.value=7", "+Other.Execute +Other.Busy", "accepted:relative:1:3"),
+    ),
+    Case(
+        done_is_for_the_last_edge,
+        11,
+        ("", EDGE, "-Move.Execute", "+Move.Abort +Move.Execute -Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "-Move.Execute", "+Move.Execute -Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        done_is_for_the_last_edge,
+        11,
+        ("", STOP, "", EDGE, "-Move.Execute", "+Move.Execute -Move.Busy +Move.CommandAborted"),
+        ("", "+Halt.Execute +Halt.Busy", EDGE, "-Move.Execute", "+Move.Execute -Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        done_is_for_the_last_edge,
+        10,
+        ("", EDGE, MOVES, "-Move.Execute", "+Move.Execute", "accepted:absolute:2:700 n2", DONE),
+        ("", EDGE, MOVES, "-Move.Execute", "+Move.Execute", DONE),
+    ),
+    Case(
+        done_is_for_the_last_edge,
+        11,
+        ("", EDGE, MOVES, "-Move.Execute", "+Move.Execute -Move.Busy +Move.Error"),
+        ("", EDGE, MOVES, "-Move.Execute", f"+Move.Execute {DONE}"),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1"),
+        ("", f"invalid:Move {EDGE}"),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1"),
+        ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1", MOVES),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=1"),
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", DONE),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("ms:50", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=1 x300"),
+        ("ms:50", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "x300"),
+    ),
+    Case(a_start_has_an_edge, 13, ("", EDGE, "skip:Move", MOVES), (EDGE, MOVES)),
+    Case(a_start_has_an_edge, 13, ("", EDGE, MOVES), ("", EDGE, "restart", MOVES)),
+    Case(a_start_has_an_edge, 38, ("", EDGE, MOVES), ("", EDGE, MOVES, "ask:start_absolute")),
+    Case(
+        a_start_has_an_edge,
+        38,
+        ("", EDGE, "-Move.Execute", f"+Move.Execute {MOVES}", "ask:start_absolute"),
+        ("", EDGE, "-Move.Execute", f"+Move.Execute {MOVES}", "ask:start_absolute", "ask:start_absolute"),
+    ),
+    Case(the_first_telegram_starts_nothing, 40, ("word:0406", "word:040F"), ("word:040F",)),
+    Case(the_first_telegram_starts_nothing, 40, ("word:0406",), ("word:0406", "restart word:0047")),
+)
