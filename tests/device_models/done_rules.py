@@ -77,7 +77,7 @@ def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Ite
             reached = _place_reached(history, command, scan)
             state = history.scans[scan].state
             if reached is None:
-                if not _keeps_its_home(history, command, accepted, scan):
+                if not _is_hidden(history, command, accepted, scan):
                     text = f"Done at {state.position:g}, and {command.value:g} is not reached"
                     yield Violation(rule, scan, calls.name, text)
             elif not _was_there(history, _looks_from(history, calls, index, accepted), scan, reached):
@@ -98,16 +98,16 @@ def _place_reached(history: History, command: Event, last: int) -> float | None:
     return command.value if near and not state.number else None
 
 
-def _keeps_its_home(history: History, command: Event, accepted: int, last: int) -> bool:
-    """Whether something outside has stopped a homing, and the device has shown a home all the while.
+def _is_hidden(history: History, command: Event, accepted: int, last: int) -> bool:
+    """Whether something outside has stopped a motion, and nothing that the device shows tells that from its end.
 
-    No telegram of such a device tells that from a homing that is done.
+    The target of a point is not in the registers; a homing may leave the home of before set all the while.
     """
-    outside = any(
-        event.kind == "stop" and event.about == "outside" for when, event in history.events if accepted <= when <= last
-    )
     homed = all(entry.state.homed for entry in history.scans[accepted : last + 1])
-    return command.about == "home" and outside and homed
+    return (command.about == "point" or (command.about == "home" and homed)) and any(
+        event.kind == "stop" and event.about == "outside" and not event.value and accepted <= when <= last
+        for when, event in history.events
+    )
 
 
 def _was_there(history: History, first: int, last: int, place: float) -> bool:

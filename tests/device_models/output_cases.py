@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from device_models.monitor_cases import AWAY, DONE, EDGE, JOG_EDGE, MOVES, STOP, Case
+from device_models.monitor_cases import AWAY, DONE, EDGE, JOG_EDGE, MOVES, POINT, STOP, Case
 from device_models.output_rules import (
     a_falling_edge_ends_nothing,
     a_start_has_an_edge,
@@ -75,8 +75,8 @@ OUTPUT_CASES = (
     Case(
         values_count_at_the_edge,
         9,
-        ("Point.value=7", "+Point.Execute +Point.Busy", "accepted:point:1:7"),
-        ("Point.value=7", "+Point.Execute +Point.Busy", "accepted:point:1:3"),
+        ("Point.value=7", POINT, "accepted:point:1:7"),
+        ("Point.value=7", POINT, "accepted:point:1:3"),
     ),
     Case(
         values_count_at_the_edge,
