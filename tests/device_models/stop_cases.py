@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from device_models.monitor_cases import DONE, EDGE, JOGS, STOP, Case
+from device_models.monitor_cases import DONE, EDGE, JOG_EDGE, JOGS, STOP, Case
 from device_models.stop_rules import (
     a_halt_is_aborted_by_a_successor,
     a_jog_ends_with_its_input,
@@ -185,62 +185,68 @@ STOP_CASES = (
     Case(
         a_jog_ends_with_its_input,
         29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:read", "ask:stop"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:read", "ask:read"),
+        ("", JOG_EDGE, JOGS, "ask:stop stop:command:1", "-Jog.JogForward", "ask:read", "ask:read"),
+        ("", JOG_EDGE, "ask:stop stop:command:0", JOGS, "-Jog.JogForward", "ask:read", "ask:read"),
     ),
     Case(
         a_jog_ends_with_its_input,
         29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "n0 v0", "-Jog.Busy"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "ask:stop", "-Jog.Busy"),
+        ("", JOG_EDGE, JOGS, "-Jog.JogForward", "ask:read", "ask:stop"),
+        ("", JOG_EDGE, JOGS, "-Jog.JogForward", "ask:read", "ask:read"),
     ),
     Case(
         a_jog_ends_with_its_input,
         29,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:stop", "ask:read"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:read", "ask:read"),
+        ("", JOG_EDGE, JOGS, "-Jog.JogForward", "ask:stop", "n0 v0", "-Jog.Busy"),
+        ("", JOG_EDGE, JOGS, "-Jog.JogForward", "ask:stop", "-Jog.Busy"),
     ),
     Case(
         a_jog_ends_with_its_input,
         29,
-        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward word:043F ask:stop"),
-        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward"),
+        ("", JOG_EDGE, JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:stop", "ask:read"),
+        ("", JOG_EDGE, JOGS, "-Jog.JogForward +Jog.JogBackward", "ask:read", "ask:read"),
     ),
     Case(
         a_jog_ends_with_its_input,
         29,
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward ask:stop", "x300"),
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "-Jog.JogForward", "x300"),
+        ("word:053F", JOG_EDGE, JOGS, "+Jog.JogBackward word:043F ask:stop"),
+        ("word:053F", JOG_EDGE, JOGS, "+Jog.JogBackward"),
+    ),
+    Case(
+        a_jog_ends_with_its_input,
+        29,
+        ("ms:50", JOG_EDGE, JOGS, "-Jog.JogForward ask:stop", "x300"),
+        ("ms:50", JOG_EDGE, JOGS, "-Jog.JogForward", "x300"),
     ),
     Case(
         a_jog_turns_at_standstill,
         31,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "n0 v0", "+Jog.JogBackward accepted:jog_backward:2"),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "", "+Jog.JogBackward accepted:jog_backward:2"),
+        ("", JOG_EDGE, JOGS, "n0 v0", "+Jog.JogBackward accepted:jog_backward:2"),
+        ("", JOG_EDGE, JOGS, "", "+Jog.JogBackward accepted:jog_backward:2"),
     ),
     Case(
         a_jog_stops_itself,
         30,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, *("ask:stop",) * 3, "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "ask:stop", "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
+        ("", JOG_EDGE, JOGS, *("ask:stop",) * 3, "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
+        ("", JOG_EDGE, JOGS, "ask:stop", "-Jog.Busy +Jog.Error Jog.ErrorID=2", ""),
     ),
     Case(
         a_jog_stops_itself,
         30,
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, "accepted:absolute:2", "-Jog.Busy +Jog.CommandAborted", ""),
-        ("", "+Jog.JogForward +Jog.Busy", JOGS, EDGE, "-Jog.Busy +Jog.CommandAborted", ""),
+        ("", JOG_EDGE, JOGS, "accepted:absolute:2", "-Jog.Busy +Jog.CommandAborted", ""),
+        ("", JOG_EDGE, JOGS, EDGE, "-Jog.Busy +Jog.CommandAborted", ""),
     ),
     Case(
         a_jog_stops_itself,
         30,
-        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "word:043F", "", "", "-Jog.Busy +Jog.Error Jog.ErrorID=7", ""),
-        ("word:053F", "+Jog.JogForward +Jog.Busy", JOGS, "word:043F -Jog.Busy +Jog.Error Jog.ErrorID=7", ""),
+        ("word:053F", JOG_EDGE, JOGS, "word:043F", "", "", "-Jog.Busy +Jog.Error Jog.ErrorID=7", ""),
+        ("word:053F", JOG_EDGE, JOGS, "word:043F -Jog.Busy +Jog.Error Jog.ErrorID=7", ""),
     ),
     Case(
         both_directions_are_none,
         31,
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward", "n0 v0 x300"),
-        ("ms:50", "+Jog.JogForward +Jog.Busy", JOGS, "+Jog.JogBackward", "x300"),
+        ("ms:50", JOG_EDGE, JOGS, "+Jog.JogBackward", "n0 v0 x300"),
+        ("ms:50", JOG_EDGE, JOGS, "+Jog.JogBackward", "x300"),
     ),
     Case(
         power_comes_at_the_first_try,

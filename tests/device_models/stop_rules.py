@@ -179,7 +179,7 @@ def a_jog_ends_with_its_input(history: History) -> Iterator[Violation]:
             if not index or calls.fresh[index] or not calls.busy[index - 1]:
                 continue
             number = _owner_number(history, calls, scan)
-            if _releases(calls, index) and history.is_on(number, scan):
+            if _releases(calls, index) and history.is_on(number, scan) and not _is_stopped(history, number, scan):
                 following = [when for when, _ in history.requests if when >= scan][:2]
                 last = following[-1] if following else scan
                 word = history.scans[scan].word
@@ -190,6 +190,14 @@ def a_jog_ends_with_its_input(history: History) -> Iterator[Violation]:
             state = history.scans[scan].state
             if not (calls.busy[index] or calls.ends[index]) and number and state.number == number and state.velocity:
                 yield Violation(29, scan, calls.name, "it is not Busy any more, and the axis has not come to a halt")
+
+
+def _is_stopped(history: History, number: int, last: int) -> bool:
+    """Whether the device has obeyed a stop of a motion that it was carrying out, by a scan."""
+    return any(
+        event.kind == "stop" and event.about != "outside" and event.number == number and when <= last
+        for when, event in history.events
+    )
 
 
 def _releases(calls: Calls, index: int) -> bool:
