@@ -78,6 +78,18 @@ DONE_CASES = (
         ("ms:50 off", "+Power.Execute +Power.Busy x300"),
     ),
     Case(
+        what_waits_for_the_device_ends,
+        40,
+        ("ms:50 off", "+Power.Execute +Power.Busy", "+Off.Execute +Off.Busy x400"),
+        ("ms:50 off", "+Power.Execute +Power.Busy", "+Off.Execute +Off.Done x400"),
+    ),
+    Case(
+        a_reading_recovers,
+        40,
+        ("ms:50", "lost", "+Read.Enable +Read.Error x50", "-Read.Enable -Read.Error x300"),
+        ("ms:50", "lost", "+Read.Enable +Read.Error x350"),
+    ),
+    Case(
         a_reading_recovers,
         40,
         ("ms:50", "+Read.Enable +Read.Valid", "-Read.Valid +Read.Error lost", "x150", "-Read.Error +Read.Valid x300"),

@@ -17,6 +17,7 @@ KINDS = {
     "Halt": "halt",
     "Speed": "velocity",
     "Power": "power_on",
+    "Off": "power_off",
     "Read": "read",
 }
 EDGE = "+Move.Execute +Move.Busy"

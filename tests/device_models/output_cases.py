@@ -111,6 +111,18 @@ OUTPUT_CASES = (
     Case(
         values_out_of_range_are_refused,
         12,
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute alarm", "-Move.Busy +Move.Error Move.ErrorID=8"),
+        ("", EDGE, "-Move.Execute", "invalid:Move +Move.Execute", "-Move.Busy +Move.Error Move.ErrorID=11"),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
+        ("", STOP, "invalid:Move +Move.Execute +Move.Error Move.ErrorID=12"),
+        ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=12"),
+    ),
+    Case(
+        values_out_of_range_are_refused,
+        12,
         ("", "invalid:Move +Move.Execute +Move.Error Move.ErrorID=1"),
         ("", f"invalid:Move {EDGE}"),
     ),

@@ -42,6 +42,48 @@ STOP_CASES = (
         ("word:043F", "+Stop.Execute +Stop.Busy", "word:042F"),
     ),
     Case(
+        a_stop_comes_next,
+        22,
+        ("word:043F", "word:043B +Stop.Execute +Stop.Busy"),
+        ("word:0C2F", "+Stop.Execute +Stop.Busy"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("", STOP, "ask:stop stop:command", "ask:stop", "ask:stop", "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
+        ("", STOP, "ask:stop stop:command", "-Stop.Busy +Stop.Error Stop.ErrorID=2"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
+        ("", STOP, "+Halt.Execute +Halt.Busy", "-Halt.Busy +Halt.Error Halt.ErrorID=12"),
+        ("", "+Halt.Execute +Halt.Busy", "-Halt.Busy +Halt.Error Halt.ErrorID=12"),
+    ),
+    Case(
+        a_stop_locks_the_axis,
+        25,
+        ("ms:50", STOP, "", EDGE, "-Move.Busy +Move.Error x300"),
+        ("ms:50", STOP, "", EDGE, "x300"),
+    ),
+    Case(
+        a_stop_at_standstill_is_done,
+        28,
+        ("ms:50", STOP, "+Halt.Execute +Halt.Busy", "-Halt.Busy +Halt.Error Halt.ErrorID=12 +Stop.Done x300"),
+        ("ms:50", "+Halt.Execute +Halt.Busy", "-Halt.Busy +Halt.Error Halt.ErrorID=12 x300"),
+    ),
+    Case(
+        a_jog_stops_itself,
+        30,
+        ("", JOG_EDGE, JOGS, "ask:stop stop:command", "-Jog.Busy", ""),
+        ("", JOG_EDGE, JOGS, "", "-Jog.Busy", ""),
+    ),
+    Case(
+        who_follows_falls_to_neutral,
+        36,
+        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "-Speed.Busy +Speed.Error ask:speed_0"),
+        ("", "+Speed.Execute +Speed.Busy ask:speed_5", "-Speed.Busy +Speed.Error ask:speed_5"),
+    ),
+    Case(
         a_stop_never_gives_up,
         23,
         ("word:043F", "word:042F +Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Error"),
