@@ -84,6 +84,18 @@ DONE_CASES = (
         ("ms:50 off", "+Power.Execute +Power.Busy", "+Off.Execute +Off.Done x400"),
     ),
     Case(
+        what_waits_for_the_device_ends,
+        40,
+        (
+            "ms:50 off",
+            "+Power.Execute +Power.Busy",
+            "power-cycle",
+            "x1000",
+            "-Power.Busy +Power.Error Power.ErrorID=9 x900",
+        ),
+        ("ms:50 off", "+Power.Execute +Power.Busy", "power-cycle", "x2000"),
+    ),
+    Case(
         a_reading_recovers,
         40,
         ("ms:50", "lost", "+Read.Enable +Read.Error x50", "-Read.Enable -Read.Error x300"),

@@ -10,6 +10,8 @@ from device_models.motion_rules import _is_clear, _last_before_edge
 
 WINDOW = 10.5
 """How far from its target an axis is at its target, in counts: the windows of the rigs, and a rounding."""
+LIMIT = 65000
+"""Milliseconds until a task is given up at the latest: 60 s, and an exchange."""
 LOOKS = 4
 """Calls and exchanges between what a device shows and what a block says of it."""
 
@@ -25,7 +27,10 @@ def done_is_at_the_target(history: History) -> Iterator[Violation]:
 
 
 def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
-    """Rule 40: where all is well again, what switches the servo or resets an alarm ends, unless another undoes it."""
+    """Rule 40: where all is well again, what switches the servo or resets an alarm ends, unless another undoes it.
+
+    What a device has forgotten, as it was switched off and on, is not sent again (rule 38): the time limit ends it.
+    """
     blocks = history.of_kind(*POWER, "reset")
     for calls in blocks:
         for index, scan in enumerate(calls.scans):
@@ -33,7 +38,11 @@ def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
             returns = history.clear_until[before] == before
             if not (calls.edges[index] or returns) or not calls.busy[index] or not _is_clear(history, scan):
                 continue
-            end = history.after(scan)
+            edge = calls.scans[max(calls.edge_before(scan), 0)]
+            forgotten = any("power cycle" in entry.disturbed for entry in history.scans[edge : scan + 1])
+            end = history.after(scan, -(-LIMIT // history.patience) if forgotten else 1)
+            if end >= history.clear_until[scan]:
+                continue
             hindered = any(
                 other.busy_at(when) for other in blocks if other is not calls for when in range(scan, end + 1)
             )

@@ -8,7 +8,7 @@ A line has what changes in a scan; all else stays as it was:
     accepted:absolute:1:500:90   an event of the device, with the number of the motion, a value and a speed
     n1 w2 v100 p500              the motion that is carried out, that waits, velocity, position
     on off home lost-home alarm well
-    restart   skip:Move   invalid:Move   word:043F   lost   ms:50   x200
+    restart   power-cycle   skip:Move   invalid:Move   word:043F   lost   ms:50   x200
 """
 
 from __future__ import annotations
@@ -94,8 +94,8 @@ class Record:
     def _other(self, head: str, rest: str, scan: Scan) -> set[str]:
         if head == "skip":
             return {rest}
-        if head == "restart":
-            scan.disturbed = ("restart",)
+        if head in ("restart", "power-cycle"):
+            scan.disturbed = (head.replace("-", " "),)
         elif head == "invalid":
             scan.invalid = frozenset({rest})
         elif head == "word":

@@ -245,9 +245,8 @@ def test_names_of_files_in_a_revision_are_only_read(run: Any, tmp_path: Path) ->
 SCRIPT = Path(__file__).parent.parent.parent / ".ci" / "review"
 
 
-@pytest.mark.parametrize("variable", ["SPECS", "HEAD", "FAIL_ON"])
-@pytest.mark.parametrize("name", NAMES[:4:3], ids=ascii)
-def test_an_input_of_the_action_is_only_read(variable: str, name: str, tmp_path: Path) -> None:
+def reviewed(tmp_path: Path, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    """What the script of the action does with some inputs, in a repository of specs without findings."""
     specs_with(tmp_path / "specs", "gadget/more.yaml", b"notes: []\n")
     (tmp_path / "bin").mkdir()
     program = tmp_path / "bin" / "fieldspec"
@@ -256,12 +255,34 @@ def test_an_input_of_the_action_is_only_read(variable: str, name: str, tmp_path:
     git = [require_tool("git"), "-C", str(tmp_path), "-c", "user.name=n", "-c", "user.email=e@e"]
     for words in (("init", "--quiet"), ("add", "specs"), ("commit", "--quiet", "--message", "x")):
         subprocess.run([*git, *words], check=True)
-    environment = {**os.environ, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}", "BASE": "HEAD", variable: name}
-    ran = subprocess.run(["bash", str(SCRIPT)], cwd=tmp_path, env=environment, capture_output=True, check=False)
+    inputs = {**os.environ, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}", "BASE": "HEAD", **environment}
+    ran = subprocess.run(["bash", str(SCRIPT)], cwd=tmp_path, env=inputs, capture_output=True, check=False)
     log = (ran.stdout + ran.stderr).decode("utf-8", "surrogateescape")
-    assert ran.returncode == 2
     assert acting(log) == set()
     assert [command for command in workflow_commands(log) if command[2] == "pwned"] == []
+    return ran
+
+
+@pytest.mark.parametrize("variable", ["SPECS", "BASE", "HEAD", "FAIL_ON"])
+@pytest.mark.parametrize("name", NAMES[:4:3], ids=ascii)
+def test_an_input_of_the_action_is_only_read(variable: str, name: str, tmp_path: Path) -> None:
+    assert reviewed(tmp_path, **{variable: name}).returncode == 2
+
+
+@pytest.mark.parametrize("name", ["--output=x", "-x", "$(id)", "+refs/heads/*:refs/heads/*"])
+def test_a_base_that_looks_like_an_option_or_a_reference_is_only_read(name: str, tmp_path: Path) -> None:
+    assert reviewed(tmp_path, BASE=name).returncode == 2
+    heads = subprocess.run(["git", "-C", str(tmp_path), "branch", "--all"], capture_output=True, check=True).stdout
+    assert len(heads.splitlines()) == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".git", "bin", "specs"]
+
+
+@pytest.mark.parametrize("name", [*NAMES[:4:3], "--output=x", "$(id)"], ids=ascii)
+def test_findings_are_written_into_a_folder_of_any_name(name: str, tmp_path: Path) -> None:
+    assert reviewed(tmp_path, SARIF=name).returncode == 0
+    folder = tmp_path / name
+    assert sorted(path.name for path in folder.iterdir()) == ["check.sarif", "diff.sarif"]
+    assert all(json.loads(path.read_bytes())["version"] == "2.1.0" for path in folder.iterdir())
 
 
 DATA = (
