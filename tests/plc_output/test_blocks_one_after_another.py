@@ -123,3 +123,19 @@ def test_a_drive_hears_a_stop_after_a_restart_of_the_controller(name: str, kind:
     assert rig.model.state.servo
     assert rig.finish(rig.block(kind), limit=5.0) == "Done"
     assert not rig.model.state.servo
+
+
+@pytest.mark.parametrize("name", ["hiwin-e 3", "hiwin-e 9", "hiwin-e 102", "hiwin-e 111"])
+@pytest.mark.parametrize("reading", ["stays", "zeros"])
+def test_a_drive_hears_a_reset_after_a_restart_of_the_controller(
+    name: str, reading: str, make: Callable[..., Any]
+) -> None:
+    rig = make(name, home=False, no_control=reading)
+    rig.model.set_alarm(3)
+    rig.model.set_alarm(0)
+    rig.restart()
+    rig.run(10)
+    assert rig.model.state.alarm
+    assert rig.finish(rig.block("reset"), limit=5.0) == "Done"
+    assert not rig.model.state.servo
+    assert rig.finish(rig.block("power_on"), limit=5.0) == "Done"

@@ -344,6 +344,7 @@ class _Telegram3Tasks(_CyclicWork):
             [
                 task.put("control_word_1", 0x9, False),
                 task.settle(),
+                task.put("control_word_1", 0x400, True),
                 task.pulse("control_word_1", 0x80),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x8, name="alarm")),
@@ -466,7 +467,7 @@ class Telegram3(_BlockingClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -592,7 +593,7 @@ class AsyncTelegram3(_AsyncBaseClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -675,6 +676,7 @@ class _Telegram5Tasks(_CyclicWork):
             [
                 task.put("control_word_1", 0x9, False),
                 task.settle(),
+                task.put("control_word_1", 0x400, True),
                 task.pulse("control_word_1", 0x80),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x8, name="alarm")),
@@ -799,7 +801,7 @@ class Telegram5(_BlockingClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -927,7 +929,7 @@ class AsyncTelegram5(_AsyncBaseClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -1115,6 +1117,7 @@ class _Telegram9Tasks(_CyclicWork):
             [
                 task.put("control_word_1", 0xB59, False),
                 task.settle(),
+                task.put("control_word_1", 0x400, True),
                 task.pulse("control_word_1", 0x80),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x8, name="alarm")),
@@ -1308,7 +1311,7 @@ class Telegram9(_BlockingClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -1507,7 +1510,7 @@ class AsyncTelegram9(_AsyncBaseClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -1609,6 +1612,7 @@ class _Telegram102Tasks(_CyclicWork):
             [
                 task.put("control_word_1", 0x9, False),
                 task.settle(),
+                task.put("control_word_1", 0x400, True),
                 task.pulse("control_word_1", 0x80),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x8, name="alarm")),
@@ -1746,7 +1750,7 @@ class Telegram102(_BlockingClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -1887,7 +1891,7 @@ class AsyncTelegram102(_AsyncBaseClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -1979,6 +1983,7 @@ class _Telegram105Tasks(_CyclicWork):
             [
                 task.put("control_word_1", 0x9, False),
                 task.settle(),
+                task.put("control_word_1", 0x400, True),
                 task.pulse("control_word_1", 0x80),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x8, name="alarm")),
@@ -2117,7 +2122,7 @@ class Telegram105(_BlockingClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -2259,7 +2264,7 @@ class AsyncTelegram105(_AsyncBaseClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -2452,6 +2457,7 @@ class _Telegram111Tasks(_CyclicWork):
             [
                 task.put("control_word_1", 0xB59, False),
                 task.settle(),
+                task.put("control_word_1", 0x400, True),
                 task.pulse("control_word_1", 0x80),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x8, name="alarm")),
@@ -2662,7 +2668,7 @@ class Telegram111(_BlockingClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
@@ -2880,7 +2886,7 @@ class AsyncTelegram111(_AsyncBaseClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: pulse alarm_reset; wait alarm_present = false.
+        Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
         Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
 
