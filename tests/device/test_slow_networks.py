@@ -79,3 +79,35 @@ def test_a_request_with_a_code_that_no_message_has_is_refused_at_the_pause(
     with connected(ck10) as connection:
         assert sent_in_pieces(connection, whole) == rtu("01 C1 01")
         assert sent_in_pieces(connection, whole[:3], whole[3:]) == rtu("01 C1 01")
+
+
+@pytest.mark.parametrize(
+    ("damaged", "sound", "answer"),
+    [
+        ("01 10 04 10 00 01 F2 00 0A 00 00", "01 03 04 10 00 01", "01 03 02 00 0A"),
+        ("01 10 04 10 00 01 04 00 0A 00 00", "01 03 04 10 00 01", "01 03 02 00 0A"),
+    ],
+    ids=["much too long", "a little too long"],
+)
+def test_a_request_behind_one_with_a_damaged_length_is_answered(
+    ck10: SimulatedDevice, monkeypatch: pytest.MonkeyPatch, damaged: str, sound: str, answer: str
+) -> None:
+    monkeypatch.setattr(simulations, "PATIENCE", 2 * HANGING)
+    with connected(ck10) as connection:
+        connection.sendall(bytes.fromhex(damaged))
+        time.sleep(PAUSE)
+        connection.sendall(rtu(sound))
+        assert connection.recv(100) == rtu(answer)
+
+
+def test_a_request_behind_one_with_a_damaged_header_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(simulations, "PATIENCE", 2 * HANGING)
+    with (
+        simulation("wattmeter", ports={"tcp": "tcp://127.0.0.1:0"}, folder=str(TEST_SPECS)) as device,
+        connected(device) as connection,
+    ):
+        unit = bytes([device.simulation.server.unit_address])
+        connection.sendall(bytes.fromhex("00 07 00 00 00 F6") + unit + bytes.fromhex("03 FF F0 00 01"))
+        time.sleep(PAUSE)
+        connection.sendall(bytes.fromhex("00 08 00 00 00 06") + unit + bytes.fromhex("03 FF F0 00 01"))
+        assert connection.recv(100)[:2] == bytes.fromhex("00 08")

@@ -79,7 +79,9 @@ class Ck10(ModbusDevice):
     def set_alarm(self, number: int) -> None:
         """An alarm stops the axis and takes the servo off [2.3 L301]."""
         self.cause = number
-        if number:
+        if not number:
+            self.axis.record("cause gone", "alarm")
+        else:
             self.alarm, self.servo, self.running = number, False, False
             self.axis.record("alarm", f"{number}")
             self.axis.cut()

@@ -96,6 +96,12 @@ DONE_CASES = (
         ("ms:50 off", "+Power.Execute +Power.Busy", "power-cycle", "x2000"),
     ),
     Case(
+        what_waits_for_the_device_ends,
+        40,
+        ("ms:50 alarm alarm:3", "+Reset.Execute +Reset.Busy x400"),
+        ("ms:50 alarm alarm:3", "cause-gone:alarm", "+Reset.Execute +Reset.Busy x400"),
+    ),
+    Case(
         a_reading_recovers,
         40,
         ("ms:50", "lost", "+Read.Enable +Read.Error x50", "-Read.Enable -Read.Error x300"),

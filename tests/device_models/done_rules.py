@@ -29,7 +29,8 @@ def done_is_at_the_target(history: History) -> Iterator[Violation]:
 def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
     """Rule 40: where all is well again, what switches the servo or resets an alarm ends, unless another undoes it.
 
-    What a device has forgotten, as it was switched off and on, is not sent again (rule 38): the time limit ends it.
+    What a device has forgotten, as it was switched off and on, is not sent again (rule 38): the time limit ends it. So
+    it does with a reset that comes before what has caused the alarm is gone.
     """
     blocks = history.of_kind(*POWER, "reset")
     for calls in blocks:
@@ -40,7 +41,8 @@ def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
                 continue
             edge = calls.scans[max(calls.edge_before(scan), 0)]
             forgotten = any("power cycle" in entry.disturbed for entry in history.scans[edge : scan + 1])
-            end = history.after(scan, -(-LIMIT // history.patience) if forgotten else 1)
+            caused = calls.kind == "reset" and _has_cause(history, edge)
+            end = history.after(scan, -(-LIMIT // history.patience) if forgotten or caused else 1)
             if end >= history.clear_until[scan]:
                 continue
             hindered = any(
@@ -64,6 +66,12 @@ def a_reading_recovers(history: History) -> Iterator[Violation]:
                 history.scans[calls.scans[place]].outputs.get((calls.name, "Valid")) for place in places
             ):
                 yield Violation(40, judged, calls.name, "nothing is disturbed, and it is not Valid again")
+
+
+def _has_cause(history: History, scan: int) -> bool:
+    """Whether what has caused an alarm is there in a scan."""
+    causes = [event.kind for when, event in history.events if when <= scan and event.kind in ("alarm", "cause gone")]
+    return bool(causes) and causes[-1] == "alarm"
 
 
 def _stays(calls: Calls, index: int, last: int) -> bool:

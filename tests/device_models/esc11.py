@@ -115,7 +115,9 @@ class Esc11:
     def set_alarm(self, number: int) -> None:
         """It has an alarm, which stops it; 0 when what caused it is gone."""
         self.cause = number
-        if number:
+        if not number:
+            self.axis.record("cause gone", "alarm")
+        else:
             self.alarm = self.number = number
             if self.draws.reading("alarm", "servo off", "servo stays") == "servo off":
                 self.servo = False

@@ -100,7 +100,9 @@ class HiwinE:
     def set_alarm(self, number: int) -> None:
         """It has an alarm: it coasts, and is inhibited [3.5.2 L675, 7.2.2]; 0 when what caused it is gone."""
         self.cause = number
-        if number:
+        if not number:
+            self.axis.record("cause gone", "alarm")
+        else:
             self.alarm, self.machine = number, S1
             self.axis.record("alarm", f"{number}")
             self._cut()

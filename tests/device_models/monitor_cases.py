@@ -18,6 +18,7 @@ KINDS = {
     "Speed": "velocity",
     "Power": "power_on",
     "Off": "power_off",
+    "Reset": "reset",
     "Read": "read",
 }
 EDGE = "+Move.Execute +Move.Busy"

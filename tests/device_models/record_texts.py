@@ -29,7 +29,7 @@ FLAGS: dict[str, dict[str, Any]] = {
     "well": {"alarm": False},
 }
 NUMBERS = {"n": ("number", int), "w": ("waiting", int), "v": ("velocity", float), "p": ("position", float)}
-EVENTS = ("accepted", "refused", "began", "reached", "interrupted", "stop", "alarm")
+EVENTS = ("accepted", "refused", "began", "reached", "interrupted", "stop", "alarm", "cause-gone")
 
 
 class Record:
@@ -89,7 +89,7 @@ class Record:
     def _event(item: str) -> Event:
         kind, about, *numbers = item.split(":")
         number, value, speed = (*numbers, "0", "0", "0")[:3]
-        return Event(kind, about, int(number), float(value), float(speed))
+        return Event(kind.replace("-", " "), about, int(number), float(value), float(speed))
 
     def _other(self, head: str, rest: str, scan: Scan) -> set[str]:
         if head == "skip":

@@ -117,7 +117,9 @@ class Tc100(ModbusDevice):
     def set_alarm(self, number: int) -> None:
         """An alarm takes the servo off [6.3 L1337, 6.4 L1367] and is an abnormal stop [8.2 L1506]."""
         self.cause = number
-        if number:
+        if not number:
+            self.axis.record("cause gone", "alarm")
+        else:
             self.alarm, self.servo, self.abnormal = number, False, 1
             self.axis.record("alarm", f"{number}")
             self.axis.cut()
