@@ -39,12 +39,12 @@ class Wire:
 
     def open(self) -> None:
         """Connects, again after the connection was lost."""
-        framer = (
-            None
-            if self.datagrams
-            else codecs.framer(codecs.device_module(self.unit.engine.layout), self.unit.link, "request")
-        )
-        self.line = Line(self.unit.server, self.unit.link, framer, self.faults, lambda *event: None, self.message)
+        module = codecs.device_module(self.unit.engine.layout)
+
+        def framing() -> codecs.Framer | None:
+            return None if self.datagrams else codecs.framer(module, self.unit.link, "request")
+
+        self.line = Line(self.unit.server, self.unit.link, framing, self.faults, lambda *event: None, self.message)
 
     def write(self, data: bytes) -> None:
         self.true_answer = Answer(b"", "")

@@ -27,19 +27,24 @@ _MOST_RECENT = 65536
 
 
 class Line:
-    """One connection to a device. `message` names the message of frames that do not name it."""
+    """One connection to a device. `message` names the message of frames that do not name it.
+
+    `framing` makes framers of the link; it gives None where the frames come whole.
+    """
 
     def __init__(
         self,
         server: Server,
         link: str,
-        framer: Framer | None,
+        framing: Callable[[], Framer | None],
         faults: Faults,
         listener: Listener,
         message: str = "",
     ) -> None:
-        self.server, self.link, self.framer, self.faults, self.listener = server, link, framer, faults, listener
-        self.message = message
+        self.server, self.link, self.faults, self.listener = server, link, faults, listener
+        self.message, self.framing, self.framer = message, framing, framing()
+        self._paused = False
+        """Whether there was a pause since the last byte."""
         self._recent = bytearray()
         """The bytes since the last frame or silence."""
         self._unframed = 0
@@ -50,6 +55,9 @@ class Line:
         if self.framer is None:
             yield from self._answered(now, data)
             return
+        if self._paused and self._is_whole(data):
+            self._give_up(now)
+        self._paused = False
         self._recent += data
         del self._recent[:-_MOST_RECENT]
         self._unframed += len(data)
@@ -83,6 +91,7 @@ class Line:
         """
         if self.framer is None or not self._recent:
             return
+        self._paused = True
         whole = bytes(self._recent)
         if self.is_damaged and self.server.codecs[self.link].has_right_checksum(whole, "request"):
             self.framer.reset()
@@ -90,6 +99,18 @@ class Line:
         elif self.is_damaged or self.framer.pause() != [whole]:
             return
         yield from self.idle(now)
+
+    def _is_whole(self, data: bytes) -> bool:
+        """Whether bytes behind a pause are a frame by themselves, so that none goes on that has begun before."""
+        alone = self.framing() if self._recent else None
+        return alone is not None and alone.feed(data) == [data]
+
+    def _give_up(self, now: float) -> None:
+        """Drops the bytes of a frame that has begun and does not go on, as where its length is damaged."""
+        self.listener(now, self.link, "request", bytes(self._recent), "no frame")
+        self._recent.clear()
+        self._unframed = 0
+        self.framer = self.framing()
 
     @property
     def waiting(self) -> bool:

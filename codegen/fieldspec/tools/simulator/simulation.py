@@ -86,8 +86,11 @@ class Simulation:
 
     def line(self, link: str, framed: bool = True) -> Line:
         """A new connection to a link. Datagrams are not `framed`: each is a frame."""
-        framer = codecs.framer(self._module, link, "request") if framed else None
-        return Line(self.server, link, framer, self.faults, self._tell, self.message)
+
+        def framing() -> codecs.Framer | None:
+            return codecs.framer(self._module, link, "request") if framed else None
+
+        return Line(self.server, link, framing, self.faults, self._tell, self.message)
 
     def _tell(self, now: float, link: str, direction: str, data: bytes, text: str) -> None:
         for listener in self.listeners:
