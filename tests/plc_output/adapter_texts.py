@@ -37,7 +37,7 @@ SIEMENS_WALKS = {name: block for name, block in blocks("scl", "plc.md").items() 
 def standard(block: str) -> str:
     """A block for CODESYS or TwinCAT: pointers are lent variables, and what a vendor declares is a number."""
     block = without_comments(block)
-    block = re.sub(r"\bCOM\.(Open|Read|Write)\b", r"Com\1", block)
+    block = re.sub(r"\bCOM\.(Open|Close|Read|Write)\b", r"Com\1", block)
     block = block.replace("COM.ERROR.TIME_OUT", "5001").replace("COM.ERROR.NO_ERROR", "0")
     block = re.sub(r"\b(COM\.ERROR|COM\.PARITY\.\w+|COM\.STOPBIT\.\w+)", _number, block)
     block = re.sub(r"COM\.CAA_Parameter_Constants\.(\w+)", lambda match: str(PARAMETERS[match.group(1)]), block)

@@ -26,7 +26,7 @@ CODESYS = Adapter(
     *("FB_Tc100SerialPort", "tc100", "stFrames", "ST_Tc100_Frames", "hPort := 7"),
     {"xOpen": "bool", "fbRead.Line": LINE, "fbRead.Arrived": "int", "fbRead.Taken": "int", "fbRead.Waits": "bool"}
     | {"fbRead.Answer": "uint", "fbWrite.Answer": "uint"},
-    {"fbWrite.Requests": "int", "iStep": "int", "eError": "uint"},
+    {"fbWrite.Requests": "int", "iStep": "int", "eError": "uint", "xLost": "bool"},
     milliseconds=5,
 )
 TWINCAT = Adapter(
@@ -318,11 +318,12 @@ def opening(folder: Path) -> Compiled:
     """PRG_SerialPort; what it gives to the walk is its own."""
     program = standard(PROGRAMS["PRG_SerialPort"])
     program = re.sub(r"PRG_Tc100Axis\.(\w+)", r"\1", program)
-    program = program.replace("\nVAR\n", "\nVAR\n    xOpen : BOOL;\n    hPort : UDINT;\n", 1)
+    program = program.replace("\nVAR\n", "\nVAR\n    xOpen : BOOL;\n    hPort : UDINT;\n    xLost : BOOL;\n", 1)
     parameter = "TYPE Parameter : STRUCT udiParameterId : UDINT; udiValue : UDINT; END_STRUCT; END_TYPE\n"
     program = program.replace("OF COM.PARAMETER", "OF Parameter")
     outputs = (("xOpen", "bool"), ("hPort", "udint"), ("xError", "bool"), ("eError", "uint"))
-    block = Block("PRG_SerialPort", (("fbOpen.Answer", "uint"),), (*outputs, ("fbOpen.Requests", "int")))
+    inputs = (("fbOpen.Answer", "uint"), ("xLost", "bool"), ("fbClose.Answer", "uint"))
+    block = Block("PRG_SerialPort", inputs, (*outputs, ("fbOpen.Requests", "int"), ("fbClose.Requests", "int")))
     return Compiled(named(parameter + ALL + program), folder, block, parsed(parameter))
 
 
@@ -330,7 +331,7 @@ def opened(folder: Path, answer: int, scans: int) -> list[object]:
     """The outputs of the program some cycles of 5 ms after the controller was switched on."""
     program = opening(folder)
     program.restart()
-    return [program.scan(5, [answer]) for _ in range(scans)][-1]
+    return [program.scan(5, [answer, False, 0]) for _ in range(scans)][-1][:-1]
 
 
 def test_a_port_that_opens_is_given_to_the_walk(folder: Path) -> None:
@@ -350,4 +351,29 @@ def test_a_port_that_does_not_open_is_tried_again_each_second(folder: Path) -> N
 def test_a_port_that_opens_later_is_no_error_any_more(folder: Path) -> None:
     opened(folder, 5003, 5)
     program = opening(folder)
-    assert [program.scan(5, [0]) for _ in range(210)][-1] == [True, 7, False, 0, 2]
+    assert [program.scan(5, [0, False, 0]) for _ in range(210)][-1] == [True, 7, False, 0, 2, 0]
+
+
+@pytest.mark.parametrize("closes", [0, 5003])
+def test_a_port_that_fails_is_closed_and_opened_again(closes: int, folder: Path) -> None:
+    opened(folder, 0, 5)
+    program = opening(folder)
+    states: list[list[object]] = [program.scan(5, [0, True, closes])]
+    while states[-1][0] and len(states) < 250:
+        states.append(program.scan(5, [0, True, closes]))
+    assert states[-1] == [False, 7, True, 0, 1, 1]
+    assert [program.scan(5, [0, False, closes]) for _ in range(3)][-1] == [True, 7, False, 0, 2, 1]
+
+
+@pytest.mark.parametrize("block", ["fbRead", "fbWrite"])
+def test_a_port_whose_calls_fail_is_lost_until_it_is_closed(block: str, folder: Path) -> None:
+    line = Line("codesys", folder, packet(4), 50).put(**{f"{block}__Answer": 5003})
+    line.ask()
+    assert line.stand.get("xLost")
+    line.put(xOpen=False).stand.scan()
+    assert not line.stand.get("xLost")
+
+
+def test_a_read_without_bytes_loses_no_port(folder: Path) -> None:
+    line = Line("codesys", folder).put(fbRead__Waits=True)
+    assert (line.ask(), line.stand.get("xLost")) == (2, False)

@@ -111,6 +111,15 @@ ELSIF NOT Before THEN
 END_IF;
 Before := xExecute;
 END_FUNCTION_BLOCK
+FUNCTION_BLOCK ComClose
+VAR_INPUT xExecute : BOOL; hCom : UDINT; END_VAR
+VAR_OUTPUT xDone : BOOL; xError : BOOL; eError : UINT; END_VAR
+VAR Answer : UINT; Requests : INT; Before : BOOL; END_VAR
+IF NOT xExecute THEN xDone := FALSE; xError := FALSE; eError := 0;
+ELSIF NOT Before THEN Requests := Requests + 1; xDone := Answer = 0; xError := Answer <> 0; eError := Answer;
+END_IF;
+Before := xExecute;
+END_FUNCTION_BLOCK
 FUNCTION_BLOCK ComWrite
 VAR_INPUT xExecute : BOOL; hCom : UDINT; szSize : UDINT; udiTimeOut : UDINT; END_VAR
 VAR_IN_OUT pBuffer : ARRAY[0..254] OF BYTE; END_VAR
