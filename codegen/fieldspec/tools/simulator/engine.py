@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterable
+from contextlib import suppress
 from math import inf
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -109,7 +110,15 @@ class Engine(Operation):
     def follow_message(self, message: str, path: str, roles: Iterable[str]) -> None:
         """A request with a message has come; its fields are in memory."""
         names = {path, *roles, f"messages/{message}"}
-        self.run(rule for rule in self._rules if (rule.get("when") or {}).get("receive") in names)
+        self.run(rule for rule in self._rules if "refused" not in rule.keys and names.intersection(rule.received))
+        self.follow()
+
+    def follow_refusal(self, message: str, path: str, roles: Iterable[str], reason: str) -> None:
+        """A request with a message has been refused for a reason. A rule that refuses it again ends there."""
+        names = {path, *roles, f"messages/{message}"}
+        rules = [rule for rule in self._rules if rule.get("refused") == reason and names.intersection(rule.received)]
+        with suppress(Refusal):
+            self.run(rules)
         self.follow()
 
     def follow_write(self, paths: Iterable[str]) -> None:

@@ -1,0 +1,107 @@
+"""Scenes: what a request over the line shows of a simulated device, as steps in a file.
+
+A step has one of the keys
+`write` - words by address; a scalar is one word;
+`read` - words by address that must be read;
+`ask` - a message, `with` its values, `forced` to be refused for a reason; `answer` has values that the response must have, `frame` its bytes, `exception` its
+number;
+`exchange` - values of the cyclic message in use, the others 0; `answer` has values of the response, `bits` bits of words;
+`frame` - the bytes of a request, with those of the `answer`;
+`wait` - seconds; `set` - signals that come from outside; `power` - off and on.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from fieldspec.language.behaviour.part import Behaviour
+from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.server import Server
+from simulators import Unit, exception_number, parts_of
+
+Scene = dict[str, Any]
+FOLDER = Path(__file__).parent / "device" / "scenes"
+
+
+def scenes(device: str) -> list[Scene]:
+    """The scenes of a device."""
+    found: list[Scene] = yaml.safe_load((FOLDER / f"{device}.yaml").read_text("utf-8"))
+    return found
+
+
+class Stage:
+    """A simulated device on which a scene is played, without some parts of its behaviour."""
+
+    def __init__(self, device: str, scene: Scene, without: str = "") -> None:
+        layout, behaviour = parts_of(scene.get("device", device))
+        link, message = scene.get("link", next(iter(layout.links))), scene.get("message", "")
+        self.unit = Unit(layout.device.id if "device" not in scene else scene["device"], link, message, scene.get("unit", 1))
+        if without:
+            behaviour = Behaviour(tuple(part for part in behaviour.parts if part.name != without))
+            self.unit.engine = Engine(layout, behaviour, message)
+            self.unit.server = Server(self.unit.engine, scene.get("unit", 1))
+        if link == "parameter_channel":
+            self.unit.head = {"request_reference": 9}
+
+    def play(self, scene: Scene) -> None:
+        """Plays all steps. Raises AssertionError where the device answers otherwise."""
+        for number, step in enumerate(scene["steps"], 1):
+            kind = next(iter(step))
+            getattr(self, f"_{kind}")(step, f"step {number}, {kind}")
+
+    def _write(self, step: Scene, place: str) -> None:
+        for address, words in step["write"].items():
+            self.unit.write(address, *(words if isinstance(words, list) else [words]))
+
+    def _read(self, step: Scene, place: str) -> None:
+        for address, words in step["read"].items():
+            expected = words if isinstance(words, list) else [words]
+            assert self.unit.read(address, len(expected)) == expected, f"{place} {address:04X}h"
+
+    def _ask(self, step: Scene, place: str) -> None:
+        message, values = step["ask"], step.get("with", {})
+        answer = self.unit.answer(message, step.get("forced", ""), **values)
+        if "exception" in step:
+            assert answer.frame, (place, answer.text)
+            assert exception_number(self.unit.codec.decode(answer.frame, "response", message)) == step["exception"], place
+            return
+        if "frame" in step:
+            assert answer.frame == bytes.fromhex(step["frame"]), (place, answer.frame.hex(" "))
+            return
+        decoded = self.unit.codec.decode(answer.frame, "response", message).values
+        self._compare(step, decoded, place)
+
+    def _exchange(self, step: Scene, place: str) -> None:
+        record = self.unit.engine.layout.messages[self.unit.message].request
+        zero = {field.name: 0 for field in record.fields if not field.field.reserved}
+        self._compare(step, self.unit.ask(self.unit.message, **{**zero, **step["exchange"]}), place)
+
+    def _compare(self, step: Scene, decoded: Scene, place: str) -> None:
+        for name, value in step.get("answer", {}).items():
+            assert decoded[name] == value, f"{place}: {name} is {decoded[name]}"
+        for name, bits in step.get("bits", {}).items():
+            shown = {bit: decoded[name] >> bit & 1 for bit in bits}
+            assert shown == bits, f"{place}: {name} is {decoded[name]:016b}"
+
+    def _frame(self, step: Scene, place: str) -> None:
+        self.unit.engine.advance(self.unit.now)
+        answer = self.unit.answer_to(bytes.fromhex(step["frame"]))
+        assert answer.frame == bytes.fromhex(step["answer"]), (place, answer.frame.hex(" "))
+
+    def _wait(self, step: Scene, place: str) -> None:
+        self.unit.wait(step["wait"])
+
+    def _set(self, step: Scene, place: str) -> None:
+        engine = self.unit.engine
+        for name, value in step["set"].items():
+            for cell in engine.cells.of(name):
+                cell.write(engine.raw(cell, value))
+        engine.follow()
+        engine.refresh()
+
+    def _power(self, step: Scene, place: str) -> None:
+        self.unit.engine.power_on()
+        self.unit.engine.refresh()
