@@ -7,7 +7,7 @@ A step has one of the keys
 number;
 `exchange` - values of the cyclic message in use, the others 0; `answer` has values of the response, `bits` bits of words;
 `frame` - the bytes of a request, with those of the `answer`;
-`wait` - seconds; `set` - signals that come from outside; `power` - off and on.
+`timing` - the seconds of times of the line; `wait` - seconds; `set` - signals that come from outside; `power` - off and on.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import yaml
 
 from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.tools.simulator.engine import Engine
+from fieldspec.tools.simulator.line import timing
 from fieldspec.tools.simulator.server import Server
 from simulators import Unit, exception_number, parts_of
 
@@ -40,7 +41,8 @@ class Stage:
         link, message = scene.get("link", next(iter(layout.links))), scene.get("message", "")
         self.unit = Unit(layout.device.id if "device" not in scene else scene["device"], link, message, scene.get("unit", 1))
         if without:
-            behaviour = Behaviour(tuple(part for part in behaviour.parts if part.name != without))
+            kept = (part for part in behaviour.parts if without not in (part.name, part.get("from")))
+            behaviour = Behaviour(tuple(kept))
             self.unit.engine = Engine(layout, behaviour, message)
             self.unit.server = Server(self.unit.engine, scene.get("unit", 1))
         if link == "parameter_channel":
@@ -64,8 +66,8 @@ class Stage:
     def _ask(self, step: Scene, place: str) -> None:
         message, values = step["ask"], step.get("with", {})
         answer = self.unit.answer(message, step.get("forced", ""), **values)
+        assert answer.frame, (place, answer.text)
         if "exception" in step:
-            assert answer.frame, (place, answer.text)
             assert exception_number(self.unit.codec.decode(answer.frame, "response", message)) == step["exception"], place
             return
         if "frame" in step:
@@ -90,6 +92,9 @@ class Stage:
         self.unit.engine.advance(self.unit.now)
         answer = self.unit.answer_to(bytes.fromhex(step["frame"]))
         assert answer.frame == bytes.fromhex(step["answer"]), (place, answer.frame.hex(" "))
+
+    def _timing(self, step: Scene, place: str) -> None:
+        assert {name: timing(self.unit.server, name) for name in step["timing"]} == step["timing"], place
 
     def _wait(self, step: Scene, place: str) -> None:
         self.unit.wait(step["wait"])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from contextlib import suppress
 from math import inf
 
@@ -39,7 +39,7 @@ class Engine(Operation):
         self._held: dict[str, bool] = {}
         self._old: dict[str, int] = {}
         self._rules = behaviour.of_kind("rule")
-        self._levels = [rule for rule in self._rules if rule.get("when") is None]
+        self._levels = [rule for rule in self._rules if rule.get("when") is None and "refused" not in rule.keys]
         self._edges = [rule for rule in self._rules if {"rises", "falls"} & (rule.get("when") or {}).keys()]
         self._shows = behaviour.of_kind("show")
         self.overridden: dict[str, Raw] = {}
@@ -113,10 +113,13 @@ class Engine(Operation):
         self.run(rule for rule in self._rules if "refused" not in rule.keys and names.intersection(rule.received))
         self.follow()
 
-    def follow_refusal(self, message: str, path: str, roles: Iterable[str], reason: str) -> None:
-        """A request with a message has been refused for a reason. A rule that refuses it again ends there."""
-        names = {path, *roles, f"messages/{message}"}
-        rules = [rule for rule in self._rules if rule.get("refused") == reason and names.intersection(rule.received)]
+    def follow_refusal(self, names: Set[str], reason: str) -> None:
+        """A request has been refused for a reason; `names` are those of its message. A rule that refuses it ends there."""
+        rules = [
+            rule
+            for rule in self._rules
+            if rule.get("refused") == reason and (not rule.received or names.intersection(rule.received))
+        ]
         with suppress(Refusal):
             self.run(rules)
         self.follow()
