@@ -6,7 +6,7 @@ A step has one of the keys
 `ask` - a message, `with` its values, `forced` to be refused for a reason; `answer` has values that the response must have, `frame` its bytes, `exception` its
 number;
 `exchange` - values of the cyclic message in use, the others 0; `answer` has values of the response, `bits` bits of words;
-`frame` - the bytes of a request, with those of the `answer`;
+`frame` - the bytes of a request, with those of the `answer`; `link` - the link of the steps that follow;
 `timing` - the seconds of times of the line; `wait` - seconds; `set` - signals that come from outside; `power` - off and on.
 """
 
@@ -17,6 +17,7 @@ from typing import Any
 
 import yaml
 
+from fieldspec.codec.reference import codec
 from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.line import timing
@@ -45,14 +46,20 @@ class Stage:
             behaviour = Behaviour(tuple(kept))
             self.unit.engine = Engine(layout, behaviour, message)
             self.unit.server = Server(self.unit.engine, scene.get("unit", 1))
-        if link == "parameter_channel":
-            self.unit.head = {"request_reference": 9}
+        self._link({"link": link}, "")
 
     def play(self, scene: Scene) -> None:
         """Plays all steps. Raises AssertionError where the device answers otherwise."""
         for number, step in enumerate(scene["steps"], 1):
             kind = next(iter(step))
             getattr(self, f"_{kind}")(step, f"step {number}, {kind}")
+
+    def _link(self, step: Scene, place: str) -> None:
+        unit, layout = self.unit, self.unit.engine.layout
+        unit.link, unit.codec = step["link"], codec(layout).links[step["link"]]
+        header = layout.links[unit.link].request.header
+        known = {"unit_address": unit.server.unit_address, "request_reference": 9}
+        unit.head = {part.name: known[name] for part in header for name in (part.role, part.name) if name in known}
 
     def _write(self, step: Scene, place: str) -> None:
         for address, words in step["write"].items():

@@ -8,7 +8,7 @@ from fieldspec.language.behaviour.part import NOT_MODELLED
 from simulators import parts_of
 from stage import Stage, scenes
 
-DEVICES = ("tc100", "ck10", "esc11")
+DEVICES = ("tc100", "ck10", "esc11", "hiwin-e")
 SCENES = [(device, scene) for device in DEVICES for scene in scenes(device)]
 
 
