@@ -54,7 +54,9 @@ def _unclear(tree: Mapping) -> Iterator[Diagnostic]:
         yield from _unclear_keys(node, PART_KEYS, STATED_KEYS, "part")
         event = node.values.get("when")
         if "refused" in node.values and isinstance(event, Mapping) and "receive" not in event.values:
-            text = "`refused` goes with `when: {receive: ..}`, the messages whose requests are refused, or without `when`"
+            text = (
+                "`refused` goes without `when`, or with the messages whose requests are refused, `when: {receive: ..}`"
+            )
             yield Diagnostic(_CLEAR, text, key_span(node, "refused"), help="name the messages, or remove `when`")
         for action in mappings(node.values.get("rule")):
             yield from _unclear_keys(action, ACTION_KEYS, frozenset(), "action")

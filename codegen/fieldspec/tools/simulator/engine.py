@@ -114,7 +114,7 @@ class Engine(Operation):
         self.follow()
 
     def follow_refusal(self, names: Set[str], reason: str) -> None:
-        """A request has been refused for a reason; `names` are those of its message. A rule that refuses it ends there."""
+        """A request with a message of some `names` has been refused for a reason. A rule that refuses ends there."""
         rules = [
             rule
             for rule in self._rules
