@@ -40,7 +40,9 @@ class Stage:
     def __init__(self, device: str, scene: Scene, without: str = "") -> None:
         layout, behaviour = parts_of(scene.get("device", device))
         link, message = scene.get("link", next(iter(layout.links))), scene.get("message", "")
-        self.unit = Unit(layout.device.id if "device" not in scene else scene["device"], link, message, scene.get("unit", 1))
+        self.unit = Unit(
+            layout.device.id if "device" not in scene else scene["device"], link, message, scene.get("unit", 1)
+        )
         if without:
             kept = (part for part in behaviour.parts if without not in (part.name, part.get("from")))
             behaviour = Behaviour(tuple(kept))
@@ -75,7 +77,9 @@ class Stage:
         answer = self.unit.answer(message, step.get("forced", ""), **values)
         assert answer.frame, (place, answer.text)
         if "exception" in step:
-            assert exception_number(self.unit.codec.decode(answer.frame, "response", message)) == step["exception"], place
+            assert exception_number(self.unit.codec.decode(answer.frame, "response", message)) == step["exception"], (
+                place
+            )
             return
         if "frame" in step:
             assert answer.frame == bytes.fromhex(step["frame"]), (place, answer.frame.hex(" "))

@@ -9,6 +9,7 @@ from fieldspec.language.behaviour.part import MODELLED, NOT_MODELLED, STANDINGS,
 from fieldspec.language.behaviour.reading import behaviour_of
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.tools.audit.accounting import LEFT_OUT, OPEN, by_line, first_omission
+from fieldspec.tools.audit.beyond_ranges import beyond_ranges
 from fieldspec.tools.audit.line_facts import line_citations, lines_of
 from fieldspec.tools.audit.manual_lines import ManualIndex
 from fieldspec.tools.audit.plan import Plan, plan_of
@@ -39,8 +40,11 @@ def statements(subject: Subject) -> Section:
     standings = {line: lines.standing(line) for line, text in enumerate(index.lines, 1) if text}
     judged = bool(plan.without_behaviour)
     findings = (*lines.findings(standings), *_unused(plan, lines.used)) if judged else ()
-    tables = (_by_section(plan, standings), _rows(parts))
-    return Section(NAME, TITLE, (_INTRODUCTION,), tuple(_figures(parts, standings, judged)), tables, findings)
+    behaviour = behaviour_of(subject.spec.tree_at(subject.device.version))
+    beyond_figures, beyond_table = beyond_ranges(subject.layout, behaviour)
+    tables = (_by_section(plan, standings), _rows(parts), beyond_table)
+    figures = (*_figures(parts, standings, judged), *beyond_figures)
+    return Section(NAME, TITLE, (_INTRODUCTION,), figures, tables, findings)
 
 
 def _parts(subject: Subject) -> list[Part]:

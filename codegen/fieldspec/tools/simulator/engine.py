@@ -118,7 +118,7 @@ class Engine(Operation):
         rules = [
             rule
             for rule in self._rules
-            if rule.get("refused") == reason and (not rule.received or names.intersection(rule.received))
+            if rule.get("refused") == reason and (not rule.received or names & set(rule.received))
         ]
         with suppress(Refusal):
             self.run(rules)
