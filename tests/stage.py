@@ -1,13 +1,11 @@
 """Scenes: what a request over the line shows of a simulated device, as steps in a file.
 
-A step has one of the keys
-`write` - words by address; a scalar is one word;
-`read` - words by address that must be read;
-`ask` - a message, `with` its values, `forced` to be refused for a reason; `answer` has values that the response must have, `frame` its bytes, `exception` its
-number;
-`exchange` - values of the cyclic message in use, the others 0; `answer` has values of the response, `bits` bits of words;
-`frame` - the bytes of a request, with those of the `answer`; `link` - the link of the steps that follow;
-`timing` - the seconds of times of the line; `wait` - seconds; `set` - signals that come from outside; `power` - off and on.
+A step has one of these keys: `write`, words by address, where a scalar is one word; `read`, the words that an address
+must have; `ask`, a message, `with` its values, `forced` to be refused for a reason, whose response has the values of
+`answer`, the bytes of `frame`, or the number of `exception`; `exchange`, values of the cyclic message in use, whose
+response has the values of `answer` and the `bits`; `frame`, the bytes of a request, with those of the `answer`; `link`,
+on which the steps that follow are; `timing`, the seconds of times of the line; `wait`, seconds; `set`, signals that
+come from outside; `power`, off and on.
 """
 
 from __future__ import annotations
@@ -30,8 +28,8 @@ FOLDER = Path(__file__).parent / "device" / "scenes"
 
 def scenes(device: str) -> list[Scene]:
     """The scenes of a device."""
-    found: list[Scene] = yaml.safe_load((FOLDER / f"{device}.yaml").read_text("utf-8"))
-    return found
+    read_scenes: list[Scene] = yaml.safe_load((FOLDER / f"{device}.yaml").read_text("utf-8"))
+    return read_scenes
 
 
 class Stage:
@@ -40,12 +38,10 @@ class Stage:
     def __init__(self, device: str, scene: Scene, without: str = "") -> None:
         layout, behaviour = parts_of(scene.get("device", device))
         link, message = scene.get("link", next(iter(layout.links))), scene.get("message", "")
-        self.unit = Unit(
-            layout.device.id if "device" not in scene else scene["device"], link, message, scene.get("unit", 1)
-        )
+        self.unit = Unit(scene.get("device", device), link, message, scene.get("unit", 1))
         if without:
-            kept = (part for part in behaviour.parts if without not in (part.name, part.get("from")))
-            behaviour = Behaviour(tuple(kept))
+            other_parts = (part for part in behaviour.parts if without not in (part.name, part.get("from")))
+            behaviour = Behaviour(tuple(other_parts))
             self.unit.engine = Engine(layout, behaviour, message)
             self.unit.server = Server(self.unit.engine, scene.get("unit", 1))
         self._link({"link": link}, "")
@@ -77,9 +73,8 @@ class Stage:
         answer = self.unit.answer(message, step.get("forced", ""), **values)
         assert answer.frame, (place, answer.text)
         if "exception" in step:
-            assert exception_number(self.unit.codec.decode(answer.frame, "response", message)) == step["exception"], (
-                place
-            )
+            number = exception_number(self.unit.codec.decode(answer.frame, "response", message))
+            assert number == step["exception"], place
             return
         if "frame" in step:
             assert answer.frame == bytes.fromhex(step["frame"]), (place, answer.frame.hex(" "))
@@ -96,8 +91,8 @@ class Stage:
         for name, value in step.get("answer", {}).items():
             assert decoded[name] == value, f"{place}: {name} is {decoded[name]}"
         for name, bits in step.get("bits", {}).items():
-            shown = {bit: decoded[name] >> bit & 1 for bit in bits}
-            assert shown == bits, f"{place}: {name} is {decoded[name]:016b}"
+            levels = {bit: decoded[name] >> bit & 1 for bit in bits}
+            assert levels == bits, f"{place}: {name} is {decoded[name]:016b}"
 
     def _frame(self, step: Scene, place: str) -> None:
         self.unit.engine.advance(self.unit.now)

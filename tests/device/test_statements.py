@@ -29,9 +29,9 @@ def test_the_scene_fails_without_a_part_that_it_shows(device: str, scene: dict[s
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_modelled_statement_is_shown_by_a_scene(device: str) -> None:
-    shown = {part for scene in scenes(device) for part in scene["shows"]}
+    names = {part for scene in scenes(device) for part in scene["shows"]}
     versions = {device, *(scene.get("device", device) for scene in scenes(device))}
     parts = [part for version in versions for part in parts_of(version)[1].parts if part.standing != NOT_MODELLED]
-    told = {part.name for part in parts if part.sources and (part.kind, part.get("if")) != ("accept", None)}
-    assert sorted(told - shown) == []
-    assert sorted(shown - {part.name for part in parts}) == []
+    stated = {part.name for part in parts if part.sources and (part.kind, part.get("if")) != ("accept", None)}
+    assert sorted(stated - names) == []
+    assert sorted(names - {part.name for part in parts}) == []

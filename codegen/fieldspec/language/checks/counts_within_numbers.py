@@ -22,9 +22,9 @@ _CODE = "counts_within_numbers"
 
 def counts_within_numbers(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
-        named = {field.name: field for field in message.request.fields}
-        for name, first in named.items():
-            count = named.get(f"{name.removeprefix('first_')}_count") if name.startswith("first_") else None
+        fields = {field.name: field for field in message.request.fields}
+        for name, first in fields.items():
+            count = fields.get(f"{name.removeprefix('first_')}_count") if name.startswith("first_") else None
             if count is None or first.value is None or count.value is None:
                 continue
             starts, counts = first.value.ranges, count.value.ranges

@@ -69,9 +69,9 @@ class _Lines:
 
     def standing(self, line: int) -> str:
         """What a line of the manual is: one of STANDINGS, left out, facts alone, or open."""
-        found = {part.standing for part in self.citing.get(line, ())}
-        if found:
-            return next(standing for standing in STANDINGS if standing in found)
+        standings = {part.standing for part in self.citing.get(line, ())}
+        if standings:
+            return next(standing for standing in STANDINGS if standing in standings)
         text = self.index.lines[line - 1]
         without = first_omission(self.without.get(line, ()), text)
         if without is not None and line in self.cited_lines:
