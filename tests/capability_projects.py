@@ -12,9 +12,13 @@ AUDITED = Path(__file__).with_name("audit") / "right"
 CAPABILITY_DEVICES = Path(__file__).with_name("capability_devices")
 KEYS = CAPABILITY_DEVICES / "keys"
 """A device with the keys of values at every place that has them, which is quick to build."""
-OTHERS = ("drive", "rules")
-"""Devices that state links on CAN buses, and all actions of rules, in their own files."""
-MANUALS = {"audit/right": AUDITED.parent / "pump.txt", "keys": KEYS.with_name("keys.txt")}
+OTHERS = ("drive", "rules", "statements")
+"""Devices that state links on CAN buses, all actions of rules, and what no simulator does, in their own files."""
+MANUALS = {
+    "audit/right": AUDITED.parent / "pump.txt",
+    "keys": KEYS.with_name("keys.txt"),
+    "statements": KEYS.with_name("statements.txt"),
+}
 """The texts of the manuals of projects, which audits compare with their specs."""
 LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
 """The made-up devices that take the longest to build, tried behind all others."""

@@ -142,14 +142,19 @@ def covered(
     device: str = DEVICE, audit: str = AUDIT, cited: str = MANUAL, manual: str | None = None, recorded: bool = True
 ) -> Section:
     """The coverage of the manual `cited`: from its index, or from the text `manual`."""
+    return coverage(subject(device, audit, cited, manual, recorded))
+
+
+def subject(
+    device: str = DEVICE, audit: str = AUDIT, cited: str = MANUAL, manual: str | None = None, recorded: bool = True
+) -> Subject:
+    """The gauge and the manual `cited`: its index, or the text `manual`."""
     read_spec = spec(device, audit, cited)
     model, findings = read_spec.at("1")
     assert [finding.message for finding in findings] == []
     layout = device_layout(model)
     at_hand = index(manual) if manual is not None else None
-    return coverage(
-        Subject(read_spec, layout, (layout,), (rows(layout),), (), index(cited) if recorded else None, at_hand)
-    )
+    return Subject(read_spec, layout, (layout,), (rows(layout),), (), index(cited) if recorded else None, at_hand)
 
 
 def numbers(section: Section) -> list[int]:

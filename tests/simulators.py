@@ -8,6 +8,7 @@ from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference import codec
+from fieldspec.codec.reference.frames import Decoded
 from fieldspec.command.sources import specs
 from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.language.behaviour.reading import behaviour_of
@@ -42,12 +43,11 @@ class Unit:
         self.now += seconds
         self.engine.advance(self.now)
 
-    def answer(self, message: str, /, **values: Any) -> Answer:
-        """The answer to a request."""
+    def answer(self, message: str, forced: str = "", /, **values: Any) -> Answer:
+        """The answer to a request; `forced` is a reason to refuse it."""
         self.engine.advance(self.now)
-        return self.server.answer(
-            self.link, self.codec.encode("request", message, {**self.head, **values}), self.message
-        )
+        frame = self.codec.encode("request", message, {**self.head, **values})
+        return self.server.answer(self.link, frame, self.message, forced)
 
     def answer_to(self, frame: bytes) -> Answer:
         """The answer to a frame."""
@@ -70,6 +70,10 @@ class Unit:
 
     def exception(self, message: str, /, **values: Any) -> int:
         """The number in the exception response to a request."""
-        decoded = self.codec.decode(self.answer(message, **values).frame, "response", message)
-        assert decoded.error, decoded
-        return next(value for name, value in decoded.values.items() if name in ("exception_code", "error_number"))
+        return exception_number(self.codec.decode(self.answer(message, **values).frame, "response", message))
+
+
+def exception_number(decoded: Decoded) -> int:
+    """The number of the exception in a response."""
+    assert decoded.error, decoded
+    return next(value for name, value in decoded.values.items() if name in ("exception_code", "error_number"))

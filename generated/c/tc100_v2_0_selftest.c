@@ -2791,6 +2791,1632 @@ static void test_119(void)
 
 static void test_120(void)
 {
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x10, 0x00, 0x0E, 0x1C, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xF9, 0x6A};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-inc-0-00-100-500 opens");
+    expect(opened.unit_address == 1u, "example worked-p1-inc-0-00-100-500: station");
+    expect(opened.code == 16u, "example worked-p1-inc-0-00-100-500: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-inc-0-00-100-500 decodes");
+    expect(out.address == 36880u, "example worked-p1-inc-0-00-100-500: address");
+    expect(out.values_count == 14u, "example worked-p1-inc-0-00-100-500: values count");
+    expect(out.values[0] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[1] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[2] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[3] == 100u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[4] == 500u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[5] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[6] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[7] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[8] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[9] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[10] == 300u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[11] == 300u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[12] == 0u, "example worked-p1-inc-0-00-100-500: values");
+    expect(out.values[13] == 65535u, "example worked-p1-inc-0-00-100-500: values");
+    in.address = 36880u;
+    in.values_count = 14u;
+    in.values[0] = 0u;
+    in.values[1] = 0u;
+    in.values[2] = 0u;
+    in.values[3] = 100u;
+    in.values[4] = 500u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 0u;
+    in.values[8] = 0u;
+    in.values[9] = 0u;
+    in.values[10] = 300u;
+    in.values[11] = 300u;
+    in.values[12] = 0u;
+    in.values[13] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-inc-0-00-100-500 encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-inc-0-00-100-500 bytes");
+}
+
+static void test_121(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x00, 0xA5, 0x00};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-250-00-100-500-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-250-00-100-500-mode: station");
+    expect(opened.code == 6u, "example worked-p2-inc-250-00-100-500-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-250-00-100-500-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-inc-250-00-100-500-mode: address");
+    expect(out.value == 0u, "example worked-p2-inc-250-00-100-500-mode: value");
+    in.address = 36896u;
+    in.value = 0u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-250-00-100-500-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-250-00-100-500-mode bytes");
+}
+
+static void test_122(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x6C, 0xFC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-250-00-100-500-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-250-00-100-500-rest: station");
+    expect(opened.code == 16u, "example worked-p2-inc-250-00-100-500-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-250-00-100-500-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-inc-250-00-100-500-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-inc-250-00-100-500-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[1] == 500u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-inc-250-00-100-500-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-inc-250-00-100-500-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-250-00-100-500-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-250-00-100-500-rest bytes");
+}
+
+static void test_123(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x30, 0x00, 0x00, 0xA4, 0xC5};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-inc-m128-55-50-823-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p3-inc-m128-55-50-823-mode: station");
+    expect(opened.code == 6u, "example worked-p3-inc-m128-55-50-823-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-inc-m128-55-50-823-mode decodes");
+    expect(out.address == 36912u, "example worked-p3-inc-m128-55-50-823-mode: address");
+    expect(out.value == 0u, "example worked-p3-inc-m128-55-50-823-mode: value");
+    in.address = 36912u;
+    in.value = 0u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-inc-m128-55-50-823-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-inc-m128-55-50-823-mode bytes");
+}
+
+static void test_124(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x33, 0x00, 0x0B, 0x16, 0x00, 0x32, 0x03, 0x37, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC3, 0x87};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-inc-m128-55-50-823-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p3-inc-m128-55-50-823-rest: station");
+    expect(opened.code == 16u, "example worked-p3-inc-m128-55-50-823-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-inc-m128-55-50-823-rest decodes");
+    expect(out.address == 36915u, "example worked-p3-inc-m128-55-50-823-rest: address");
+    expect(out.values_count == 11u, "example worked-p3-inc-m128-55-50-823-rest: values count");
+    expect(out.values[0] == 50u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[1] == 823u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[2] == 0u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[3] == 0u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[4] == 0u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[5] == 0u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[6] == 0u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[7] == 300u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[8] == 300u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[9] == 0u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p3-inc-m128-55-50-823-rest: values");
+    in.address = 36915u;
+    in.values_count = 11u;
+    in.values[0] = 50u;
+    in.values[1] = 823u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-inc-m128-55-50-823-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-inc-m128-55-50-823-rest bytes");
+}
+
+static void test_125(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x01, 0x64, 0xC0};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-250-00-100-500-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-250-00-100-500-mode: station");
+    expect(opened.code == 6u, "example worked-p2-abs-250-00-100-500-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-250-00-100-500-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-abs-250-00-100-500-mode: address");
+    expect(out.value == 1u, "example worked-p2-abs-250-00-100-500-mode: value");
+    in.address = 36896u;
+    in.value = 1u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-250-00-100-500-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-250-00-100-500-mode bytes");
+}
+
+static void test_126(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x6C, 0xFC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-250-00-100-500-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-250-00-100-500-rest: station");
+    expect(opened.code == 16u, "example worked-p2-abs-250-00-100-500-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-250-00-100-500-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-abs-250-00-100-500-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-abs-250-00-100-500-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[1] == 500u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-abs-250-00-100-500-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-abs-250-00-100-500-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-250-00-100-500-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-250-00-100-500-rest bytes");
+}
+
+static void test_127(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x30, 0x00, 0x01, 0x65, 0x05};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-abs-128-55-50-823-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p3-abs-128-55-50-823-mode: station");
+    expect(opened.code == 6u, "example worked-p3-abs-128-55-50-823-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-abs-128-55-50-823-mode decodes");
+    expect(out.address == 36912u, "example worked-p3-abs-128-55-50-823-mode: address");
+    expect(out.value == 1u, "example worked-p3-abs-128-55-50-823-mode: value");
+    in.address = 36912u;
+    in.value = 1u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-abs-128-55-50-823-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-abs-128-55-50-823-mode bytes");
+}
+
+static void test_128(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x33, 0x00, 0x0B, 0x16, 0x00, 0x32, 0x03, 0x37, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC3, 0x87};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-abs-128-55-50-823-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p3-abs-128-55-50-823-rest: station");
+    expect(opened.code == 16u, "example worked-p3-abs-128-55-50-823-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-abs-128-55-50-823-rest decodes");
+    expect(out.address == 36915u, "example worked-p3-abs-128-55-50-823-rest: address");
+    expect(out.values_count == 11u, "example worked-p3-abs-128-55-50-823-rest: values count");
+    expect(out.values[0] == 50u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[1] == 823u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[2] == 0u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[3] == 0u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[4] == 0u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[5] == 0u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[6] == 0u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[7] == 300u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[8] == 300u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[9] == 0u, "example worked-p3-abs-128-55-50-823-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p3-abs-128-55-50-823-rest: values");
+    in.address = 36915u;
+    in.values_count = 11u;
+    in.values[0] = 50u;
+    in.values[1] = 823u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-abs-128-55-50-823-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-abs-128-55-50-823-rest bytes");
+}
+
+static void test_129(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x02, 0x24, 0xC1};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-org-250-00-100-500-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-org-250-00-100-500-mode: station");
+    expect(opened.code == 6u, "example worked-p2-org-250-00-100-500-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-org-250-00-100-500-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-org-250-00-100-500-mode: address");
+    expect(out.value == 2u, "example worked-p2-org-250-00-100-500-mode: value");
+    in.address = 36896u;
+    in.value = 2u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-org-250-00-100-500-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-org-250-00-100-500-mode bytes");
+}
+
+static void test_130(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x6C, 0xFC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-org-250-00-100-500-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-org-250-00-100-500-rest: station");
+    expect(opened.code == 16u, "example worked-p2-org-250-00-100-500-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-org-250-00-100-500-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-org-250-00-100-500-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-org-250-00-100-500-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[1] == 500u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-org-250-00-100-500-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-org-250-00-100-500-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-org-250-00-100-500-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-org-250-00-100-500-rest bytes");
+}
+
+static void test_131(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x03, 0xE5, 0x01};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-plus-tsl-250-00-100-335-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-plus-tsl-250-00-100-335-mode: station");
+    expect(opened.code == 6u, "example worked-p2-plus-tsl-250-00-100-335-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-plus-tsl-250-00-100-335-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-plus-tsl-250-00-100-335-mode: address");
+    expect(out.value == 3u, "example worked-p2-plus-tsl-250-00-100-335-mode: value");
+    in.address = 36896u;
+    in.value = 3u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-plus-tsl-250-00-100-335-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-plus-tsl-250-00-100-335-mode bytes");
+}
+
+static void test_132(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0x4F, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xAC, 0x03};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-plus-tsl-250-00-100-335-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-plus-tsl-250-00-100-335-rest: station");
+    expect(opened.code == 16u, "example worked-p2-plus-tsl-250-00-100-335-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-plus-tsl-250-00-100-335-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-plus-tsl-250-00-100-335-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-plus-tsl-250-00-100-335-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[1] == 335u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-plus-tsl-250-00-100-335-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 335u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-plus-tsl-250-00-100-335-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-plus-tsl-250-00-100-335-rest bytes");
+}
+
+static void test_133(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x04, 0xA4, 0xC3};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-minus-tsl-250-00-100-445-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-minus-tsl-250-00-100-445-mode: station");
+    expect(opened.code == 6u, "example worked-p2-minus-tsl-250-00-100-445-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-minus-tsl-250-00-100-445-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-minus-tsl-250-00-100-445-mode: address");
+    expect(out.value == 4u, "example worked-p2-minus-tsl-250-00-100-445-mode: value");
+    in.address = 36896u;
+    in.value = 4u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-minus-tsl-250-00-100-445-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-minus-tsl-250-00-100-445-mode bytes");
+}
+
+static void test_134(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xBD, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xA6, 0xAE};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-minus-tsl-250-00-100-445-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-minus-tsl-250-00-100-445-rest: station");
+    expect(opened.code == 16u, "example worked-p2-minus-tsl-250-00-100-445-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-minus-tsl-250-00-100-445-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-minus-tsl-250-00-100-445-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-minus-tsl-250-00-100-445-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[1] == 445u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-minus-tsl-250-00-100-445-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 445u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-minus-tsl-250-00-100-445-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-minus-tsl-250-00-100-445-rest bytes");
+}
+
+static void test_135(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x10, 0x00, 0x0D, 0x64, 0xCA};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-abs-r-100-00-30-1000-to-2-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p1-abs-r-100-00-30-1000-to-2-mode: station");
+    expect(opened.code == 6u, "example worked-p1-abs-r-100-00-30-1000-to-2-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-abs-r-100-00-30-1000-to-2-mode decodes");
+    expect(out.address == 36880u, "example worked-p1-abs-r-100-00-30-1000-to-2-mode: address");
+    expect(out.value == 13u, "example worked-p1-abs-r-100-00-30-1000-to-2-mode: value");
+    in.address = 36880u;
+    in.value = 13u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-abs-r-100-00-30-1000-to-2-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-abs-r-100-00-30-1000-to-2-mode bytes");
+}
+
+static void test_136(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x13, 0x00, 0x0B, 0x16, 0x00, 0x1E, 0x03, 0xE8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0x00, 0x02, 0x2C, 0x20};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-abs-r-100-00-30-1000-to-2-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: station");
+    expect(opened.code == 16u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-abs-r-100-00-30-1000-to-2-rest decodes");
+    expect(out.address == 36883u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: address");
+    expect(out.values_count == 11u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values count");
+    expect(out.values[0] == 30u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[1] == 1000u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[2] == 0u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[3] == 0u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[4] == 0u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[5] == 0u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[6] == 0u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[7] == 300u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[8] == 300u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[9] == 0u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[10] == 2u, "example worked-p1-abs-r-100-00-30-1000-to-2-rest: values");
+    in.address = 36883u;
+    in.values_count = 11u;
+    in.values[0] = 30u;
+    in.values[1] = 1000u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 2u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-abs-r-100-00-30-1000-to-2-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-abs-r-100-00-30-1000-to-2-rest bytes");
+}
+
+static void test_137(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x0D, 0x64, 0xC5};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-r-250-00-100-1000-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-r-250-00-100-1000-mode: station");
+    expect(opened.code == 6u, "example worked-p2-abs-r-250-00-100-1000-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-r-250-00-100-1000-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-abs-r-250-00-100-1000-mode: address");
+    expect(out.value == 13u, "example worked-p2-abs-r-250-00-100-1000-mode: value");
+    in.address = 36896u;
+    in.value = 13u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-r-250-00-100-1000-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-r-250-00-100-1000-mode bytes");
+}
+
+static void test_138(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x03, 0xE8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC2, 0x8C};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-r-250-00-100-1000-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-r-250-00-100-1000-rest: station");
+    expect(opened.code == 16u, "example worked-p2-abs-r-250-00-100-1000-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-r-250-00-100-1000-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-abs-r-250-00-100-1000-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-abs-r-250-00-100-1000-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[1] == 1000u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-abs-r-250-00-100-1000-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 1000u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-r-250-00-100-1000-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-r-250-00-100-1000-rest bytes");
+}
+
+static void test_139(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x10, 0x00, 0x0D, 0x64, 0xCA};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-abs-r-210-00-100-500-to-2-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p1-abs-r-210-00-100-500-to-2-mode: station");
+    expect(opened.code == 6u, "example worked-p1-abs-r-210-00-100-500-to-2-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-abs-r-210-00-100-500-to-2-mode decodes");
+    expect(out.address == 36880u, "example worked-p1-abs-r-210-00-100-500-to-2-mode: address");
+    expect(out.value == 13u, "example worked-p1-abs-r-210-00-100-500-to-2-mode: value");
+    in.address = 36880u;
+    in.value = 13u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-abs-r-210-00-100-500-to-2-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-abs-r-210-00-100-500-to-2-mode bytes");
+}
+
+static void test_140(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x13, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0x00, 0x02, 0x53, 0xCD};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-abs-r-210-00-100-500-to-2-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: station");
+    expect(opened.code == 16u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-abs-r-210-00-100-500-to-2-rest decodes");
+    expect(out.address == 36883u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: address");
+    expect(out.values_count == 11u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[1] == 500u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[2] == 0u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[3] == 0u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[4] == 0u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[5] == 0u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[6] == 0u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[7] == 300u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[8] == 300u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[9] == 0u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[10] == 2u, "example worked-p1-abs-r-210-00-100-500-to-2-rest: values");
+    in.address = 36883u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 2u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-abs-r-210-00-100-500-to-2-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-abs-r-210-00-100-500-to-2-rest bytes");
+}
+
+static void test_141(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x0D, 0x64, 0xC5};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-r-250-00-20-200-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-r-250-00-20-200-mode: station");
+    expect(opened.code == 6u, "example worked-p2-abs-r-250-00-20-200-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-r-250-00-20-200-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-abs-r-250-00-20-200-mode: address");
+    expect(out.value == 13u, "example worked-p2-abs-r-250-00-20-200-mode: value");
+    in.address = 36896u;
+    in.value = 13u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-r-250-00-20-200-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-r-250-00-20-200-mode bytes");
+}
+
+static void test_142(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x14, 0x00, 0xC8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x76, 0x4F};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-r-250-00-20-200-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-r-250-00-20-200-rest: station");
+    expect(opened.code == 16u, "example worked-p2-abs-r-250-00-20-200-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-r-250-00-20-200-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-abs-r-250-00-20-200-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-abs-r-250-00-20-200-rest: values count");
+    expect(out.values[0] == 20u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[1] == 200u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-abs-r-250-00-20-200-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 20u;
+    in.values[1] = 200u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-r-250-00-20-200-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-r-250-00-20-200-rest bytes");
+}
+
+static void test_143(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x30, 0x00, 0x01, 0x65, 0x05};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-abs-200-00-50-823-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p3-abs-200-00-50-823-mode: station");
+    expect(opened.code == 6u, "example worked-p3-abs-200-00-50-823-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-abs-200-00-50-823-mode decodes");
+    expect(out.address == 36912u, "example worked-p3-abs-200-00-50-823-mode: address");
+    expect(out.value == 1u, "example worked-p3-abs-200-00-50-823-mode: value");
+    in.address = 36912u;
+    in.value = 1u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-abs-200-00-50-823-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-abs-200-00-50-823-mode bytes");
+}
+
+static void test_144(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x33, 0x00, 0x0B, 0x16, 0x00, 0x32, 0x03, 0x37, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC3, 0x87};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-abs-200-00-50-823-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p3-abs-200-00-50-823-rest: station");
+    expect(opened.code == 16u, "example worked-p3-abs-200-00-50-823-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-abs-200-00-50-823-rest decodes");
+    expect(out.address == 36915u, "example worked-p3-abs-200-00-50-823-rest: address");
+    expect(out.values_count == 11u, "example worked-p3-abs-200-00-50-823-rest: values count");
+    expect(out.values[0] == 50u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[1] == 823u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[2] == 0u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[3] == 0u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[4] == 0u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[5] == 0u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[6] == 0u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[7] == 300u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[8] == 300u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[9] == 0u, "example worked-p3-abs-200-00-50-823-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p3-abs-200-00-50-823-rest: values");
+    in.address = 36915u;
+    in.values_count = 11u;
+    in.values[0] = 50u;
+    in.values[1] = 823u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-abs-200-00-50-823-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-abs-200-00-50-823-rest bytes");
+}
+
+static void test_145(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x10, 0x00, 0x0C, 0xA5, 0x0A};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-inc-r-100-00-30-1000-to-2-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p1-inc-r-100-00-30-1000-to-2-mode: station");
+    expect(opened.code == 6u, "example worked-p1-inc-r-100-00-30-1000-to-2-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-inc-r-100-00-30-1000-to-2-mode decodes");
+    expect(out.address == 36880u, "example worked-p1-inc-r-100-00-30-1000-to-2-mode: address");
+    expect(out.value == 12u, "example worked-p1-inc-r-100-00-30-1000-to-2-mode: value");
+    in.address = 36880u;
+    in.value = 12u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-inc-r-100-00-30-1000-to-2-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-inc-r-100-00-30-1000-to-2-mode bytes");
+}
+
+static void test_146(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x13, 0x00, 0x0B, 0x16, 0x00, 0x1E, 0x03, 0xE8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0x00, 0x02, 0x2C, 0x20};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-inc-r-100-00-30-1000-to-2-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: station");
+    expect(opened.code == 16u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-inc-r-100-00-30-1000-to-2-rest decodes");
+    expect(out.address == 36883u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: address");
+    expect(out.values_count == 11u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values count");
+    expect(out.values[0] == 30u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[1] == 1000u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[2] == 0u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[3] == 0u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[4] == 0u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[5] == 0u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[6] == 0u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[7] == 300u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[8] == 300u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[9] == 0u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    expect(out.values[10] == 2u, "example worked-p1-inc-r-100-00-30-1000-to-2-rest: values");
+    in.address = 36883u;
+    in.values_count = 11u;
+    in.values[0] = 30u;
+    in.values[1] = 1000u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 2u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-inc-r-100-00-30-1000-to-2-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-inc-r-100-00-30-1000-to-2-rest bytes");
+}
+
+static void test_147(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x0C, 0xA5, 0x05};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-r-250-00-100-1000-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-r-250-00-100-1000-mode: station");
+    expect(opened.code == 6u, "example worked-p2-inc-r-250-00-100-1000-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-r-250-00-100-1000-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-inc-r-250-00-100-1000-mode: address");
+    expect(out.value == 12u, "example worked-p2-inc-r-250-00-100-1000-mode: value");
+    in.address = 36896u;
+    in.value = 12u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-r-250-00-100-1000-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-r-250-00-100-1000-mode bytes");
+}
+
+static void test_148(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x03, 0xE8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC2, 0x8C};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-r-250-00-100-1000-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-r-250-00-100-1000-rest: station");
+    expect(opened.code == 16u, "example worked-p2-inc-r-250-00-100-1000-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-r-250-00-100-1000-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-inc-r-250-00-100-1000-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-inc-r-250-00-100-1000-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[1] == 1000u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-inc-r-250-00-100-1000-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 1000u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-r-250-00-100-1000-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-r-250-00-100-1000-rest bytes");
+}
+
+static void test_149(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x10, 0x00, 0x0C, 0xA5, 0x0A};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-inc-r-210-00-100-500-to-2-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p1-inc-r-210-00-100-500-to-2-mode: station");
+    expect(opened.code == 6u, "example worked-p1-inc-r-210-00-100-500-to-2-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-inc-r-210-00-100-500-to-2-mode decodes");
+    expect(out.address == 36880u, "example worked-p1-inc-r-210-00-100-500-to-2-mode: address");
+    expect(out.value == 12u, "example worked-p1-inc-r-210-00-100-500-to-2-mode: value");
+    in.address = 36880u;
+    in.value = 12u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-inc-r-210-00-100-500-to-2-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-inc-r-210-00-100-500-to-2-mode bytes");
+}
+
+static void test_150(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x13, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0x00, 0x02, 0x53, 0xCD};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-inc-r-210-00-100-500-to-2-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: station");
+    expect(opened.code == 16u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-inc-r-210-00-100-500-to-2-rest decodes");
+    expect(out.address == 36883u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: address");
+    expect(out.values_count == 11u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[1] == 500u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[2] == 0u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[3] == 0u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[4] == 0u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[5] == 0u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[6] == 0u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[7] == 300u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[8] == 300u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[9] == 0u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    expect(out.values[10] == 2u, "example worked-p1-inc-r-210-00-100-500-to-2-rest: values");
+    in.address = 36883u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 2u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-inc-r-210-00-100-500-to-2-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-inc-r-210-00-100-500-to-2-rest bytes");
+}
+
+static void test_151(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x0C, 0xA5, 0x05};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-r-50-00-20-200-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-r-50-00-20-200-mode: station");
+    expect(opened.code == 6u, "example worked-p2-inc-r-50-00-20-200-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-r-50-00-20-200-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-inc-r-50-00-20-200-mode: address");
+    expect(out.value == 12u, "example worked-p2-inc-r-50-00-20-200-mode: value");
+    in.address = 36896u;
+    in.value = 12u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-r-50-00-20-200-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-r-50-00-20-200-mode bytes");
+}
+
+static void test_152(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x14, 0x00, 0xC8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x76, 0x4F};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-r-50-00-20-200-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-r-50-00-20-200-rest: station");
+    expect(opened.code == 16u, "example worked-p2-inc-r-50-00-20-200-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-r-50-00-20-200-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-inc-r-50-00-20-200-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-inc-r-50-00-20-200-rest: values count");
+    expect(out.values[0] == 20u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[1] == 200u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-inc-r-50-00-20-200-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 20u;
+    in.values[1] = 200u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-r-50-00-20-200-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-r-50-00-20-200-rest bytes");
+}
+
+static void test_153(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x10, 0x00, 0x0E, 0x1C, 0x00, 0x0F, 0x00, 0x00, 0x00, 0x00, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xF9, 0x71};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-inc-t-0-00-100-500 opens");
+    expect(opened.unit_address == 1u, "example worked-p1-inc-t-0-00-100-500: station");
+    expect(opened.code == 16u, "example worked-p1-inc-t-0-00-100-500: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-inc-t-0-00-100-500 decodes");
+    expect(out.address == 36880u, "example worked-p1-inc-t-0-00-100-500: address");
+    expect(out.values_count == 14u, "example worked-p1-inc-t-0-00-100-500: values count");
+    expect(out.values[0] == 15u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[1] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[2] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[3] == 100u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[4] == 500u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[5] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[6] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[7] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[8] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[9] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[10] == 300u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[11] == 300u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[12] == 0u, "example worked-p1-inc-t-0-00-100-500: values");
+    expect(out.values[13] == 65535u, "example worked-p1-inc-t-0-00-100-500: values");
+    in.address = 36880u;
+    in.values_count = 14u;
+    in.values[0] = 15u;
+    in.values[1] = 0u;
+    in.values[2] = 0u;
+    in.values[3] = 100u;
+    in.values[4] = 500u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 0u;
+    in.values[8] = 0u;
+    in.values[9] = 0u;
+    in.values[10] = 300u;
+    in.values[11] = 300u;
+    in.values[12] = 0u;
+    in.values[13] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-inc-t-0-00-100-500 encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-inc-t-0-00-100-500 bytes");
+}
+
+static void test_154(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x0F, 0xE5, 0x04};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-t-250-00-100-500-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-t-250-00-100-500-mode: station");
+    expect(opened.code == 6u, "example worked-p2-inc-t-250-00-100-500-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-t-250-00-100-500-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-inc-t-250-00-100-500-mode: address");
+    expect(out.value == 15u, "example worked-p2-inc-t-250-00-100-500-mode: value");
+    in.address = 36896u;
+    in.value = 15u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-t-250-00-100-500-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-t-250-00-100-500-mode bytes");
+}
+
+static void test_155(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x6C, 0xFC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-inc-t-250-00-100-500-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-inc-t-250-00-100-500-rest: station");
+    expect(opened.code == 16u, "example worked-p2-inc-t-250-00-100-500-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-inc-t-250-00-100-500-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-inc-t-250-00-100-500-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-inc-t-250-00-100-500-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[1] == 500u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-inc-t-250-00-100-500-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-inc-t-250-00-100-500-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-inc-t-250-00-100-500-rest bytes");
+}
+
+static void test_156(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x30, 0x00, 0x0F, 0xE4, 0xC1};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-inc-t-m128-55-50-823-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p3-inc-t-m128-55-50-823-mode: station");
+    expect(opened.code == 6u, "example worked-p3-inc-t-m128-55-50-823-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-inc-t-m128-55-50-823-mode decodes");
+    expect(out.address == 36912u, "example worked-p3-inc-t-m128-55-50-823-mode: address");
+    expect(out.value == 15u, "example worked-p3-inc-t-m128-55-50-823-mode: value");
+    in.address = 36912u;
+    in.value = 15u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-inc-t-m128-55-50-823-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-inc-t-m128-55-50-823-mode bytes");
+}
+
+static void test_157(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x33, 0x00, 0x0B, 0x16, 0x00, 0x32, 0x03, 0x37, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC3, 0x87};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-inc-t-m128-55-50-823-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p3-inc-t-m128-55-50-823-rest: station");
+    expect(opened.code == 16u, "example worked-p3-inc-t-m128-55-50-823-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-inc-t-m128-55-50-823-rest decodes");
+    expect(out.address == 36915u, "example worked-p3-inc-t-m128-55-50-823-rest: address");
+    expect(out.values_count == 11u, "example worked-p3-inc-t-m128-55-50-823-rest: values count");
+    expect(out.values[0] == 50u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[1] == 823u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[2] == 0u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[3] == 0u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[4] == 0u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[5] == 0u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[6] == 0u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[7] == 300u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[8] == 300u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[9] == 0u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p3-inc-t-m128-55-50-823-rest: values");
+    in.address = 36915u;
+    in.values_count = 11u;
+    in.values[0] = 50u;
+    in.values[1] = 823u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-inc-t-m128-55-50-823-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-inc-t-m128-55-50-823-rest bytes");
+}
+
+static void test_158(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x10, 0xA4, 0xCC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-t-250-00-100-500-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-t-250-00-100-500-mode: station");
+    expect(opened.code == 6u, "example worked-p2-abs-t-250-00-100-500-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-t-250-00-100-500-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-abs-t-250-00-100-500-mode: address");
+    expect(out.value == 16u, "example worked-p2-abs-t-250-00-100-500-mode: value");
+    in.address = 36896u;
+    in.value = 16u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-t-250-00-100-500-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-t-250-00-100-500-mode bytes");
+}
+
+static void test_159(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x6C, 0xFC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-t-250-00-100-500-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-t-250-00-100-500-rest: station");
+    expect(opened.code == 16u, "example worked-p2-abs-t-250-00-100-500-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-t-250-00-100-500-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-abs-t-250-00-100-500-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-abs-t-250-00-100-500-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[1] == 500u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-abs-t-250-00-100-500-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-t-250-00-100-500-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-t-250-00-100-500-rest bytes");
+}
+
+static void test_160(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x30, 0x00, 0x10, 0xA5, 0x09};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-abs-t-128-55-50-823-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p3-abs-t-128-55-50-823-mode: station");
+    expect(opened.code == 6u, "example worked-p3-abs-t-128-55-50-823-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-abs-t-128-55-50-823-mode decodes");
+    expect(out.address == 36912u, "example worked-p3-abs-t-128-55-50-823-mode: address");
+    expect(out.value == 16u, "example worked-p3-abs-t-128-55-50-823-mode: value");
+    in.address = 36912u;
+    in.value = 16u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-abs-t-128-55-50-823-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-abs-t-128-55-50-823-mode bytes");
+}
+
+static void test_161(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x33, 0x00, 0x0B, 0x16, 0x00, 0x32, 0x03, 0x37, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0xC3, 0x87};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p3-abs-t-128-55-50-823-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p3-abs-t-128-55-50-823-rest: station");
+    expect(opened.code == 16u, "example worked-p3-abs-t-128-55-50-823-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p3-abs-t-128-55-50-823-rest decodes");
+    expect(out.address == 36915u, "example worked-p3-abs-t-128-55-50-823-rest: address");
+    expect(out.values_count == 11u, "example worked-p3-abs-t-128-55-50-823-rest: values count");
+    expect(out.values[0] == 50u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[1] == 823u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[2] == 0u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[3] == 0u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[4] == 0u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[5] == 0u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[6] == 0u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[7] == 300u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[8] == 300u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[9] == 0u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p3-abs-t-128-55-50-823-rest: values");
+    in.address = 36915u;
+    in.values_count = 11u;
+    in.values[0] = 50u;
+    in.values[1] = 823u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p3-abs-t-128-55-50-823-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p3-abs-t-128-55-50-823-rest bytes");
+}
+
+static void test_162(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x10, 0x00, 0x0E, 0x1C, 0x00, 0x01, 0x00, 0x00, 0x00, 0x00, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x01, 0xF4, 0x00, 0x02, 0xC7, 0x97};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p1-abs-0-00-100-500-to-2 opens");
+    expect(opened.unit_address == 1u, "example worked-p1-abs-0-00-100-500-to-2: station");
+    expect(opened.code == 16u, "example worked-p1-abs-0-00-100-500-to-2: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p1-abs-0-00-100-500-to-2 decodes");
+    expect(out.address == 36880u, "example worked-p1-abs-0-00-100-500-to-2: address");
+    expect(out.values_count == 14u, "example worked-p1-abs-0-00-100-500-to-2: values count");
+    expect(out.values[0] == 1u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[1] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[2] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[3] == 100u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[4] == 500u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[5] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[6] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[7] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[8] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[9] == 0u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[10] == 300u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[11] == 300u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[12] == 500u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    expect(out.values[13] == 2u, "example worked-p1-abs-0-00-100-500-to-2: values");
+    in.address = 36880u;
+    in.values_count = 14u;
+    in.values[0] = 1u;
+    in.values[1] = 0u;
+    in.values[2] = 0u;
+    in.values[3] = 100u;
+    in.values[4] = 500u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 0u;
+    in.values[8] = 0u;
+    in.values[9] = 0u;
+    in.values[10] = 300u;
+    in.values[11] = 300u;
+    in.values[12] = 500u;
+    in.values[13] = 2u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p1-abs-0-00-100-500-to-2 encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p1-abs-0-00-100-500-to-2 bytes");
+}
+
+static void test_163(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x90, 0x20, 0x00, 0x01, 0x64, 0xC0};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-200-100-500-mode opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-200-100-500-mode: station");
+    expect(opened.code == 6u, "example worked-p2-abs-200-100-500-mode: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-200-100-500-mode decodes");
+    expect(out.address == 36896u, "example worked-p2-abs-200-100-500-mode: address");
+    expect(out.value == 1u, "example worked-p2-abs-200-100-500-mode: value");
+    in.address = 36896u;
+    in.value = 1u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-200-100-500-mode encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-200-100-500-mode bytes");
+}
+
+static void test_164(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x90, 0x23, 0x00, 0x0B, 0x16, 0x00, 0x64, 0x01, 0xF4, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x2C, 0x01, 0x2C, 0x00, 0x00, 0xFF, 0xFF, 0x6C, 0xFC};
+    uint8_t received[sizeof frame];
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    clear(&in, sizeof in);
+    clear(&out, sizeof out);
+    copy(received, frame, sizeof frame);
+    clear(&opened, sizeof opened);
+    expect(tc100_rtu_request_open(received, sizeof received, &opened) == TC100_OK, "example worked-p2-abs-200-100-500-rest opens");
+    expect(opened.unit_address == 1u, "example worked-p2-abs-200-100-500-rest: station");
+    expect(opened.code == 16u, "example worked-p2-abs-200-100-500-rest: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example worked-p2-abs-200-100-500-rest decodes");
+    expect(out.address == 36899u, "example worked-p2-abs-200-100-500-rest: address");
+    expect(out.values_count == 11u, "example worked-p2-abs-200-100-500-rest: values count");
+    expect(out.values[0] == 100u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[1] == 500u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[2] == 0u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[3] == 0u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[4] == 0u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[5] == 0u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[6] == 0u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[7] == 300u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[8] == 300u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[9] == 0u, "example worked-p2-abs-200-100-500-rest: values");
+    expect(out.values[10] == 65535u, "example worked-p2-abs-200-100-500-rest: values");
+    in.address = 36899u;
+    in.values_count = 11u;
+    in.values[0] = 100u;
+    in.values[1] = 500u;
+    in.values[2] = 0u;
+    in.values[3] = 0u;
+    in.values[4] = 0u;
+    in.values[5] = 0u;
+    in.values[6] = 0u;
+    in.values[7] = 300u;
+    in.values[8] = 300u;
+    in.values[9] = 0u;
+    in.values[10] = 65535u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example worked-p2-abs-200-100-500-rest encodes");
+    expect(length == sizeof frame && same_bytes(again, frame, length), "example worked-p2-abs-200-100-500-rest bytes");
+}
+
+static void test_165(void)
+{
     static const uint8_t frame[] = {0x01, 0x06, 0x20, 0x1E, 0x00, 0x03, 0xA2, 0x0D};
     uint8_t received[sizeof frame];
     tc100_rtu_request_frame opened;
@@ -2813,7 +4439,7 @@ static void test_120(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-homing bytes");
 }
 
-static void test_121(void)
+static void test_166(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x36, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x38, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -2838,7 +4464,7 @@ static void test_121(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-homing bytes");
 }
 
-static void test_122(void)
+static void test_167(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x31, 0x30, 0x39, 0x39, 0x39, 0x42, 0x30, 0x30, 0x30, 0x34, 0x30, 0x38, 0x34, 0x43, 0x37, 0x36, 0x33, 0x30, 0x33, 0x31, 0x35, 0x34, 0x37, 0x39, 0x35, 0x36, 0x36, 0x37, 0x30, 0x32, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -2871,7 +4497,7 @@ static void test_122(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-write-enable bytes");
 }
 
-static void test_123(void)
+static void test_168(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x34, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x41, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -2882,7 +4508,7 @@ static void test_123(void)
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_ERR_UNKNOWN_CODE, "example unknown-function-04-request");
 }
 
-static void test_124(void)
+static void test_169(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x38, 0x34, 0x30, 0x31, 0x37, 0x41, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -2906,7 +4532,7 @@ static void test_124(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example unknown-function-04-response bytes");
 }
 
-static void test_125(void)
+static void test_170(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x39, 0x30, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x32, 0x45, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -2917,7 +4543,7 @@ static void test_125(void)
     expect(tc100_ascii_request_open(received, sizeof received, buffer, sizeof buffer, &opened) == TC100_ERR_UNKNOWN_CODE, "example unknown-function-90-request");
 }
 
-static void test_126(void)
+static void test_171(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x39, 0x30, 0x30, 0x31, 0x36, 0x45, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -2941,7 +4567,7 @@ static void test_126(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example unknown-function-90-response bytes");
 }
 
-static void test_127(void)
+static void test_172(void)
 {
     static const uint8_t frame[] = {0x01, 0x03, 0x10, 0x00, 0x00, 0x01, 0x80, 0xCA};
     uint8_t received[sizeof frame];
@@ -2965,7 +4591,7 @@ static void test_127(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-read-action-status bytes");
 }
 
-static void test_128(void)
+static void test_173(void)
 {
     static const uint8_t frame[] = {0x01, 0x06, 0x20, 0x1E, 0x00, 0x03, 0xA2, 0x0D};
     uint8_t received[sizeof frame];
@@ -2989,7 +4615,7 @@ static void test_128(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-homing-8.4 bytes");
 }
 
-static void test_129(void)
+static void test_174(void)
 {
     static const uint8_t frame[] = {0x01, 0x10, 0x20, 0x00, 0x00, 0x02, 0x04, 0x00, 0x00, 0x00, 0x64, 0x6B, 0x85};
     uint8_t received[sizeof frame];
@@ -3017,7 +4643,7 @@ static void test_129(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-write-relative-distance bytes");
 }
 
-static void test_130(void)
+static void test_175(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x33, 0x31, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x31, 0x45, 0x42, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -3042,7 +4668,7 @@ static void test_130(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-read-action-status bytes");
 }
 
-static void test_131(void)
+static void test_176(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x36, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x38, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -3067,7 +4693,7 @@ static void test_131(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-homing-8.5 bytes");
 }
 
-static void test_132(void)
+static void test_177(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x31, 0x30, 0x32, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x32, 0x30, 0x34, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x36, 0x34, 0x36, 0x35, 0x0D, 0x0A};
     uint8_t received[sizeof frame];
@@ -3096,13 +4722,13 @@ static void test_132(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-write-relative-distance bytes");
 }
 
-static void test_133(void)
+static void test_178(void)
 {
     expect(tc100_point_speed_is_absent(TC100_POINT_SPEED_ABSENT_START_SPEED) == true, "tc100_point_speed_is_absent start_speed");
     expect(tc100_point_speed_is_absent(1u) == false, "tc100_point_speed_is_absent 1");
 }
 
-static void test_134(void)
+static void test_179(void)
 {
     expect(tc100_point_next_point_is_absent(TC100_POINT_NEXT_POINT_ABSENT_END) == true, "tc100_point_next_point_is_absent end");
     expect(tc100_point_next_point_is_absent((-2)) == false, "tc100_point_next_point_is_absent -2");
@@ -3110,225 +4736,225 @@ static void test_134(void)
     expect(tc100_point_next_point_is_absent(1) == false, "tc100_point_next_point_is_absent 1");
 }
 
-static void test_135(void)
+static void test_180(void)
 {
     expect(tc100_reg_jog_positive_input_is_absent(TC100_REG_JOG_POSITIVE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_jog_positive_input_is_absent not_used");
     expect(tc100_reg_jog_positive_input_is_absent(1u) == false, "tc100_reg_jog_positive_input_is_absent 1");
 }
 
-static void test_136(void)
+static void test_181(void)
 {
     expect(tc100_reg_jog_negative_input_is_absent(TC100_REG_JOG_NEGATIVE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_jog_negative_input_is_absent not_used");
     expect(tc100_reg_jog_negative_input_is_absent(1u) == false, "tc100_reg_jog_negative_input_is_absent 1");
 }
 
-static void test_137(void)
+static void test_182(void)
 {
     expect(tc100_reg_manual_mode_input_is_absent(TC100_REG_MANUAL_MODE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_manual_mode_input_is_absent not_used");
     expect(tc100_reg_manual_mode_input_is_absent(1u) == false, "tc100_reg_manual_mode_input_is_absent 1");
 }
 
-static void test_138(void)
+static void test_183(void)
 {
     expect(tc100_reg_teach_input_is_absent(TC100_REG_TEACH_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_teach_input_is_absent not_used");
     expect(tc100_reg_teach_input_is_absent(1u) == false, "tc100_reg_teach_input_is_absent 1");
 }
 
-static void test_139(void)
+static void test_184(void)
 {
     expect(tc100_reg_lock_input_is_absent(TC100_REG_LOCK_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_lock_input_is_absent not_used");
     expect(tc100_reg_lock_input_is_absent(1u) == false, "tc100_reg_lock_input_is_absent 1");
 }
 
-static void test_140(void)
+static void test_185(void)
 {
     expect(tc100_reg_point_select_bit_4_input_is_absent(TC100_REG_POINT_SELECT_BIT_4_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_4_input_is_absent not_used");
     expect(tc100_reg_point_select_bit_4_input_is_absent(1u) == false, "tc100_reg_point_select_bit_4_input_is_absent 1");
 }
 
-static void test_141(void)
+static void test_186(void)
 {
     expect(tc100_reg_point_select_bit_5_input_is_absent(TC100_REG_POINT_SELECT_BIT_5_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_5_input_is_absent not_used");
     expect(tc100_reg_point_select_bit_5_input_is_absent(1u) == false, "tc100_reg_point_select_bit_5_input_is_absent 1");
 }
 
-static void test_142(void)
+static void test_187(void)
 {
     expect(tc100_reg_point_select_bit_6_input_is_absent(TC100_REG_POINT_SELECT_BIT_6_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_6_input_is_absent not_used");
     expect(tc100_reg_point_select_bit_6_input_is_absent(1u) == false, "tc100_reg_point_select_bit_6_input_is_absent 1");
 }
 
-static void test_143(void)
+static void test_188(void)
 {
     expect(tc100_reg_homing_sensor_input_is_absent(TC100_REG_HOMING_SENSOR_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_homing_sensor_input_is_absent not_used");
     expect(tc100_reg_homing_sensor_input_is_absent(1u) == false, "tc100_reg_homing_sensor_input_is_absent 1");
 }
 
-static void test_144(void)
+static void test_189(void)
 {
     expect(tc100_reg_brake_input_is_absent(TC100_REG_BRAKE_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_brake_input_is_absent not_used");
     expect(tc100_reg_brake_input_is_absent(1u) == false, "tc100_reg_brake_input_is_absent 1");
 }
 
-static void test_145(void)
+static void test_190(void)
 {
     expect(tc100_reg_full_count_input_is_absent(TC100_REG_FULL_COUNT_INPUT_ABSENT_NOT_USED) == true, "tc100_reg_full_count_input_is_absent not_used");
     expect(tc100_reg_full_count_input_is_absent(1u) == false, "tc100_reg_full_count_input_is_absent 1");
 }
 
-static void test_146(void)
+static void test_191(void)
 {
     expect(tc100_reg_in_position_output_is_absent(TC100_REG_IN_POSITION_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_in_position_output_is_absent not_used");
     expect(tc100_reg_in_position_output_is_absent(1u) == false, "tc100_reg_in_position_output_is_absent 1");
 }
 
-static void test_147(void)
+static void test_192(void)
 {
     expect(tc100_reg_alarm_output_is_absent(TC100_REG_ALARM_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_alarm_output_is_absent not_used");
     expect(tc100_reg_alarm_output_is_absent(1u) == false, "tc100_reg_alarm_output_is_absent 1");
 }
 
-static void test_148(void)
+static void test_193(void)
 {
     expect(tc100_reg_ready_output_is_absent(TC100_REG_READY_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_ready_output_is_absent not_used");
     expect(tc100_reg_ready_output_is_absent(1u) == false, "tc100_reg_ready_output_is_absent 1");
 }
 
-static void test_149(void)
+static void test_194(void)
 {
     expect(tc100_reg_moving_output_is_absent(TC100_REG_MOVING_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_moving_output_is_absent not_used");
     expect(tc100_reg_moving_output_is_absent(1u) == false, "tc100_reg_moving_output_is_absent 1");
 }
 
-static void test_150(void)
+static void test_195(void)
 {
     expect(tc100_reg_servo_on_output_is_absent(TC100_REG_SERVO_ON_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_servo_on_output_is_absent not_used");
     expect(tc100_reg_servo_on_output_is_absent(1u) == false, "tc100_reg_servo_on_output_is_absent 1");
 }
 
-static void test_151(void)
+static void test_196(void)
 {
     expect(tc100_reg_point_select_bit_0_output_is_absent(TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_0_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_0_output_is_absent(1u) == false, "tc100_reg_point_select_bit_0_output_is_absent 1");
 }
 
-static void test_152(void)
+static void test_197(void)
 {
     expect(tc100_reg_point_select_bit_1_output_is_absent(TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_1_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_1_output_is_absent(1u) == false, "tc100_reg_point_select_bit_1_output_is_absent 1");
 }
 
-static void test_153(void)
+static void test_198(void)
 {
     expect(tc100_reg_point_select_bit_2_output_is_absent(TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_2_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_2_output_is_absent(1u) == false, "tc100_reg_point_select_bit_2_output_is_absent 1");
 }
 
-static void test_154(void)
+static void test_199(void)
 {
     expect(tc100_reg_point_select_bit_3_output_is_absent(TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_3_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_3_output_is_absent(1u) == false, "tc100_reg_point_select_bit_3_output_is_absent 1");
 }
 
-static void test_155(void)
+static void test_200(void)
 {
     expect(tc100_reg_point_select_bit_4_output_is_absent(TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_4_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_4_output_is_absent(1u) == false, "tc100_reg_point_select_bit_4_output_is_absent 1");
 }
 
-static void test_156(void)
+static void test_201(void)
 {
     expect(tc100_reg_point_select_bit_5_output_is_absent(TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_5_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_5_output_is_absent(1u) == false, "tc100_reg_point_select_bit_5_output_is_absent 1");
 }
 
-static void test_157(void)
+static void test_202(void)
 {
     expect(tc100_reg_point_select_bit_6_output_is_absent(TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_point_select_bit_6_output_is_absent not_used");
     expect(tc100_reg_point_select_bit_6_output_is_absent(1u) == false, "tc100_reg_point_select_bit_6_output_is_absent 1");
 }
 
-static void test_158(void)
+static void test_203(void)
 {
     expect(tc100_reg_torque_limit_output_is_absent(TC100_REG_TORQUE_LIMIT_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_torque_limit_output_is_absent not_used");
     expect(tc100_reg_torque_limit_output_is_absent(1u) == false, "tc100_reg_torque_limit_output_is_absent 1");
 }
 
-static void test_159(void)
+static void test_204(void)
 {
     expect(tc100_reg_error_bit_0_output_is_absent(TC100_REG_ERROR_BIT_0_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_0_output_is_absent not_used");
     expect(tc100_reg_error_bit_0_output_is_absent(1u) == false, "tc100_reg_error_bit_0_output_is_absent 1");
 }
 
-static void test_160(void)
+static void test_205(void)
 {
     expect(tc100_reg_error_bit_1_output_is_absent(TC100_REG_ERROR_BIT_1_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_1_output_is_absent not_used");
     expect(tc100_reg_error_bit_1_output_is_absent(1u) == false, "tc100_reg_error_bit_1_output_is_absent 1");
 }
 
-static void test_161(void)
+static void test_206(void)
 {
     expect(tc100_reg_error_bit_2_output_is_absent(TC100_REG_ERROR_BIT_2_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_2_output_is_absent not_used");
     expect(tc100_reg_error_bit_2_output_is_absent(1u) == false, "tc100_reg_error_bit_2_output_is_absent 1");
 }
 
-static void test_162(void)
+static void test_207(void)
 {
     expect(tc100_reg_error_bit_3_output_is_absent(TC100_REG_ERROR_BIT_3_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_error_bit_3_output_is_absent not_used");
     expect(tc100_reg_error_bit_3_output_is_absent(1u) == false, "tc100_reg_error_bit_3_output_is_absent 1");
 }
 
-static void test_163(void)
+static void test_208(void)
 {
     expect(tc100_reg_zone_output_is_absent(TC100_REG_ZONE_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_zone_output_is_absent not_used");
     expect(tc100_reg_zone_output_is_absent(1u) == false, "tc100_reg_zone_output_is_absent 1");
 }
 
-static void test_164(void)
+static void test_209(void)
 {
     expect(tc100_reg_near_output_is_absent(TC100_REG_NEAR_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_near_output_is_absent not_used");
     expect(tc100_reg_near_output_is_absent(1u) == false, "tc100_reg_near_output_is_absent 1");
 }
 
-static void test_165(void)
+static void test_210(void)
 {
     expect(tc100_reg_soft_limit_output_is_absent(TC100_REG_SOFT_LIMIT_OUTPUT_ABSENT_NOT_USED) == true, "tc100_reg_soft_limit_output_is_absent not_used");
     expect(tc100_reg_soft_limit_output_is_absent(1u) == false, "tc100_reg_soft_limit_output_is_absent 1");
 }
 
-static void test_166(void)
+static void test_211(void)
 {
     expect(tc100_reg_motion_speed_is_absent(TC100_REG_MOTION_SPEED_ABSENT_START_SPEED) == true, "tc100_reg_motion_speed_is_absent start_speed");
     expect(tc100_reg_motion_speed_is_absent(1u) == false, "tc100_reg_motion_speed_is_absent 1");
 }
 
-static void test_167(void)
+static void test_212(void)
 {
     expect(tc100_reg_soft_limit_positive_is_absent(TC100_REG_SOFT_LIMIT_POSITIVE_ABSENT_NO_LIMIT) == true, "tc100_reg_soft_limit_positive_is_absent no_limit");
     expect(tc100_reg_soft_limit_positive_is_absent((-1)) == false, "tc100_reg_soft_limit_positive_is_absent -1");
     expect(tc100_reg_soft_limit_positive_is_absent(1) == false, "tc100_reg_soft_limit_positive_is_absent 1");
 }
 
-static void test_168(void)
+static void test_213(void)
 {
     expect(tc100_reg_soft_limit_negative_is_absent(TC100_REG_SOFT_LIMIT_NEGATIVE_ABSENT_NO_LIMIT) == true, "tc100_reg_soft_limit_negative_is_absent no_limit");
     expect(tc100_reg_soft_limit_negative_is_absent((-1)) == false, "tc100_reg_soft_limit_negative_is_absent -1");
     expect(tc100_reg_soft_limit_negative_is_absent(1) == false, "tc100_reg_soft_limit_negative_is_absent 1");
 }
 
-static void test_169(void)
+static void test_214(void)
 {
     expect(tc100_reg_homing_speed_is_absent(TC100_REG_HOMING_SPEED_ABSENT_START_SPEED) == true, "tc100_reg_homing_speed_is_absent start_speed");
     expect(tc100_reg_homing_speed_is_absent(1u) == false, "tc100_reg_homing_speed_is_absent 1");
 }
 
-static void test_170(void)
+static void test_215(void)
 {
     expect(tc100_reg_homing_offset_speed_is_absent(TC100_REG_HOMING_OFFSET_SPEED_ABSENT_START_SPEED) == true, "tc100_reg_homing_offset_speed_is_absent start_speed");
     expect(tc100_reg_homing_offset_speed_is_absent(1u) == false, "tc100_reg_homing_offset_speed_is_absent 1");
 }
 
-static void test_171(void)
+static void test_216(void)
 {
     expect(tc100_reg_executed_point_is_absent(TC100_REG_EXECUTED_POINT_ABSENT_NONE) == true, "tc100_reg_executed_point_is_absent none");
     expect(tc100_reg_executed_point_is_absent((-2)) == false, "tc100_reg_executed_point_is_absent -2");
@@ -3517,6 +5143,51 @@ unsigned long tc100_selftest(void (*tell)(const char *what))
     test_169();
     test_170();
     test_171();
+    test_172();
+    test_173();
+    test_174();
+    test_175();
+    test_176();
+    test_177();
+    test_178();
+    test_179();
+    test_180();
+    test_181();
+    test_182();
+    test_183();
+    test_184();
+    test_185();
+    test_186();
+    test_187();
+    test_188();
+    test_189();
+    test_190();
+    test_191();
+    test_192();
+    test_193();
+    test_194();
+    test_195();
+    test_196();
+    test_197();
+    test_198();
+    test_199();
+    test_200();
+    test_201();
+    test_202();
+    test_203();
+    test_204();
+    test_205();
+    test_206();
+    test_207();
+    test_208();
+    test_209();
+    test_210();
+    test_211();
+    test_212();
+    test_213();
+    test_214();
+    test_215();
+    test_216();
     return failed;
 }
 

@@ -3541,6 +3541,7 @@ local device = {
       count = 1,
       stride = 1,
       access = "rw",
+      errata = { "servo-reading" },
     },
     {
       name = "clear_position",
@@ -6598,6 +6599,7 @@ local device = {
       count = 1,
       stride = 1,
       access = "rw",
+      errata = { "user-output-reading" },
     },
     {
       name = "user_output_2",
@@ -8595,6 +8597,8 @@ local device = {
     ["response-data-of-all-functions"] = "1.4 says that a normal response has the data of the command. That holds for function 06h alone: 03h returns values, 10h the address and the number, and 11h an identity.",
     ["save-position-subject"] = "The title has the number of the point table, the sentence and the row of 2.6 the position and the point table. What is kept is not decided.",
     ["pulse-width-ranges"] = "The width of a pulse goes from 1 to 1000 ms for the compare output, and from 0 to 65535 ms for the trigger outputs of a point. Whether both are the same pulse, with one range, is not printed; 2.7 calls the second one the compare output time.",
+    ["servo-reading"] = "Every value but 0 switches the drive on. The rows around it say what reading gives, 0 or the last value; this one does not, and chapter 2 warns that it may be something else than was written.",
+    ["user-output-reading"] = "Every value but 0 switches user output 0 on, and the rows of the outputs 1 to 8 have no text at all. What reading any of the nine gives after another value than 0 and 1 is not printed.",
   },
 }
 

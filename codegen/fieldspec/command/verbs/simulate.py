@@ -6,6 +6,7 @@ import argparse
 import json
 import sys
 import threading
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from fieldspec.command.live.connection import unit_address_text
 from fieldspec.command.rendering.blocks import Line, Table
 from fieldspec.command.sources import specs
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.behaviour.part import ASSUMED, NOT_MODELLED, STANDINGS
 from fieldspec.language.behaviour.reading import behaviour_of
 from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
 from fieldspec.tools.lists.dump import dump, object_sheet
@@ -37,7 +39,7 @@ from fieldspec.tools.simulator.simulation import (
 if TYPE_CHECKING:
     from typing import Any, TextIO
 
-    from fieldspec.language.behaviour.part import Behaviour
+    from fieldspec.language.behaviour.part import Behaviour, Part
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -226,16 +228,30 @@ def _print_assumptions(layout: DeviceLayout, behaviour: Behaviour) -> None:
     from fieldspec.command.console.terminal import print_blocks
 
     reported = reported_version(layout, behaviour)
-    rows = tuple((part.name, part.assumed) for part in behaviour.assumptions())
-    if reported is not None:
-        rows = (("version", reported.text), *rows)
     if not behaviour.parts:
         text = f"{layout.device.id} has no behaviour: it answers with what is written, and nothing happens over time."
         if any(link.link.exception_response is not None for link in layout.links.values()):
             text += " It is silent where it refuses a request: no `refuse` says with which exception it answers."
         print_blocks([Line(text if reported is None else f"{text} At delivery, {reported.text}.")])
         return
-    print_blocks([Table(("part", "assumption"), rows)])
+    rows = [(part.name, part.standing, _source_text(part), _standing_text(part)) for part in behaviour.statements()]
+    if reported is not None:
+        rows.insert(0, ("version", ASSUMED, "", reported.text))
+    stated = Counter(part.standing for part in behaviour.parts if part.sources)
+    counts = ", ".join(f"{stated[standing]} {standing}" for standing in STANDINGS)
+    unstated = sum(not part.sources for part in behaviour.parts)
+    text = f"{stated.total()} statements of the manual: {counts}. {unstated} parts are about what it does not state."
+    print_blocks(
+        [Line(text), Table(("part", "standing", "manual", "what is assumed, or left out and why"), tuple(rows))]
+    )
+
+
+def _source_text(part: Part) -> str:
+    return "; ".join(source.text() for source in part.sources) or part.standard
+
+
+def _standing_text(part: Part) -> str:
+    return f"{part.subject} {part['reason']}" if part.standing == NOT_MODELLED else part.assumed
 
 
 def _control(simulation: Simulation) -> None:

@@ -52,6 +52,12 @@ def _unclear(tree: Mapping) -> Iterator[Diagnostic]:
                 yield Diagnostic(_CLEAR, text, name.span, help="rename one of them")
             names.add(name.text)
         yield from _unclear_keys(node, PART_KEYS, STATED_KEYS, "part")
+        event = node.values.get("when")
+        if "refused" in node.values and isinstance(event, Mapping) and "receive" not in event.values:
+            text = (
+                "`refused` goes without `when`, or with the messages whose requests are refused, `when: {receive: ..}`"
+            )
+            yield Diagnostic(_CLEAR, text, key_span(node, "refused"), help="name the messages, or remove `when`")
         for action in mappings(node.values.get("rule")):
             yield from _unclear_keys(action, ACTION_KEYS, frozenset(), "action")
 
@@ -80,7 +86,10 @@ def _unclear_keys(node: Mapping, kinds: Kinds, always: Collection[str], subject:
 
 def _unstated(behaviour: Behaviour) -> Iterator[Diagnostic]:
     for part in behaviour.parts:
-        if not part.sources and not part.assumed and not part.standard:
+        if part.kind == "unmodelled" and not part.sources:
+            text = f"{part.name} does not say where the manual states it"
+            yield Diagnostic(_STATED, text, part.place["name"], help="add `source`")
+        elif not part.sources and not part.assumed and not part.standard:
             text = f"{part.name} rests on nothing"
             help = "add `source`, `standard`, or `assumed` with what the manual does not print"
             yield Diagnostic(_STATED, text, part.place["name"], help=help)
@@ -175,8 +184,11 @@ class _Resolution:
         for kind, name in event.items():
             if kind == "event" and name not in self.events:
                 yield self._unknown(part, "when", "event", name, self.events)
-            elif kind == "receive" and not self.names.of_message(name):
-                yield self._unknown(part, "when", "message", name, {f"messages/{key}" for key in self.device.messages})
+            elif kind == "receive":
+                for message in part.received:
+                    if not self.names.of_message(message):
+                        known = {f"messages/{key}" for key in self.device.messages}
+                        yield self._unknown(part, "when", "message", message, known)
             elif kind in ("write", "rises", "falls"):
                 yield from self._signal(part, "when", name)
 

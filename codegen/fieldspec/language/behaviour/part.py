@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
+from math import inf
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.fact import Citation, Place
@@ -19,12 +20,13 @@ PART_KEYS: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
     "axis": (frozenset(), frozenset()),
     "show": (frozenset(), frozenset({"value", "if", "otherwise"})),
     "initial": (frozenset({"value"}), frozenset()),
-    "rule": (frozenset(), frozenset({"when", "if"})),
+    "rule": (frozenset(), frozenset({"when", "if", "refused"})),
     "refuse": (frozenset(), frozenset({"with", "code", "mark"})),
     "timing": (frozenset({"limit"}), frozenset()),
     "accept": (frozenset(), frozenset({"if"})),
     "collection": (frozenset(), frozenset({"key", "most"})),
     "answer": (frozenset({"from"}), frozenset({"at", "start", "most"})),
+    "unmodelled": (frozenset({"reason"}), frozenset()),
 }
 """The kinds of parts: the keys that each needs beside its own, and those that it may have."""
 
@@ -49,6 +51,9 @@ ACTION_KEYS: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
 
 STATED_KEYS = frozenset({"name", "doc", "source", "notes", "standard", "since", "until", "only", "assumed"})
 """The keys of every part that say what it rests on."""
+
+MODELLED, ASSUMED, NOT_MODELLED = STANDINGS = ("modelled", "assumed", "not modelled")
+"""What a simulator does with a statement of a manual: as it is printed, with an assumption, or not at all."""
 
 NONZERO = "nonzero"
 """The word of conditions for any value but 0."""
@@ -119,6 +124,19 @@ class Part:
         """The value of the key that makes its kind."""
         return self.keys[self.kind]
 
+    @property
+    def received(self) -> tuple[str, ...]:
+        """The messages, by role or path, whose requests are the event of a rule."""
+        names = (self.get("when") or {}).get("receive", ())
+        return names if isinstance(names, tuple) else (names,)
+
+    @property
+    def standing(self) -> str:
+        """How the simulator stands to what the manual states: a member of STANDINGS."""
+        if self.kind == "unmodelled":
+            return NOT_MODELLED
+        return ASSUMED if self.assumed else MODELLED
+
 
 @dataclass(frozen=True, slots=True)
 class Behaviour:
@@ -133,6 +151,14 @@ class Behaviour:
     def named(self, kind: str, name: str) -> Part | None:
         """The part of a kind with a name."""
         return next((part for part in self.parts if part.kind == kind and part.name == name), None)
+
+    def statements(self) -> list[Part]:
+        """The parts in the order in which the manual states them; behind them those that it does not state."""
+        first = {
+            id(part): min((low for source in part.sources for low, _ in source.lines), default=inf)
+            for part in self.parts
+        }
+        return sorted(self.parts, key=lambda part: first[id(part)])
 
     def assumptions(self) -> Iterable[Part]:
         """The parts that rest on what no manual prints."""

@@ -27,6 +27,7 @@ Why: a simulator that invents what a device does is worse than none. What is ass
 
 Example: a rule that starts homing, without `source`, `standard` or `assumed`.
 
-Cure: Add the `source`; if the manual does not print it, say under `assumed` what the simulator assumes.
+Cure: Add the `source`; if the manual does not print it, say under `assumed` what the simulator assumes. What the manual
+states and the simulator does not do is `unmodelled`, and cites the manual too.
 """,
 }

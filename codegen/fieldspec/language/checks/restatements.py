@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.language.checks.finding import enumeration, hexadecimal, interval
-from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.checksums import checksum_named, checksum_size
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member
 from fieldspec.language.model.fact import Fact, ScalarValue
@@ -13,7 +13,7 @@ from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.ranges import Ranges, intervals, merged
 from fieldspec.language.model.record import Case, Field, Message, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, Subindex, Table
-from fieldspec.language.model.sizes import RecordSizes, sent_on
+from fieldspec.language.model.sizes import RecordSizes, messages_sent, sent_on, shapes
 from fieldspec.language.model.texts import Limit
 from fieldspec.language.model.value import Conversion, Signal, Value, exact_scale
 
@@ -75,8 +75,7 @@ def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str,
     if isinstance(fact, Parameter):
         return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
-        initial = checksum_named(fact.stated_algorithm).initial if fact.stated_algorithm else None
-        return {"initial": initial, **(_value(device, fact.value) if fact.value else {})}
+        return {**_checksum(device, sizes, fact), **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
         own = {"count": _length(fact.indices), "access": fact.access or None} if isinstance(fact, Subindex) else {}
         return {**_value(device, fact.value), **own}
@@ -87,6 +86,27 @@ def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str,
         size = sizes.named(fact.name)
         return {"words": _words(fact.words, size), "length": size, "count": len(fact.fields)}
     return _other(device, fact)
+
+
+def _checksum(device: Device, sizes: RecordSizes, part: Part) -> dict[str, object]:
+    """What a part says as a checksum: how it begins, the sum of the longest frame, and the unit of its order."""
+    if not part.stated_algorithm:
+        return {}
+    algorithm = checksum_named(part.stated_algorithm)
+    own_size = checksum_size(part.stated_algorithm, part.digits)
+    lengths = [
+        shape.around + bounds[1] - own_size
+        for direction in ("request", "response")
+        for shape in shapes(device, direction)
+        if part.place.path.startswith(f"{shape.link.place.path}/")
+        for message in messages_sent(device, shape.link, direction)
+        if (bounds := sizes.bounds(message.request if direction == "request" else message.response)) is not None
+    ]
+    return {
+        "initial": algorithm.initial,
+        "greatest_sum": 0xFF * max(lengths) if lengths and algorithm.method == "sum" else None,
+        "unit": "byte" if own_size > 1 and not part.digits else None,
+    }
 
 
 def _other(device: Device, fact: Fact) -> dict[str, object]:

@@ -67,12 +67,12 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
     used: set[int] = set()
     needed_paths: set[str] = set()
     uncompared: list[tuple[int, int, int]] = []
-    patterns = _by_line(plan.patterns)
-    left_out = _by_line((*plan.left_out, plan.headings))
-    of_changed = _by_line(
+    patterns = by_line(plan.patterns)
+    left_out = by_line((*plan.left_out, plan.headings))
+    of_changed = by_line(
         (*(entry for entry in plan.left_out if not entry.exact), plan.headings) if manual.changed else ()
     )
-    of_new = _by_line(plan.left_out if manual.new else ())
+    of_new = by_line(plan.left_out if manual.new else ())
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
@@ -82,7 +82,7 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
             omissions = [entry for entry in of_new.get(cited_line, ()) if entry in of_new.get(cited_line + 1, ())]
         else:
             omissions = (of_changed if cited_line in manual.changed else left_out).get(cited_line, [])
-        omission = _left_out(omissions, text)
+        omission = first_omission(omissions, text)
         before = len(candidates)
         line_facts = LineFacts() if number in manual.new else cited.at(cited_line)
         pieces = list(_pieces(patterns.get(cited_line, ()), text))
@@ -103,6 +103,8 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
             status = COVERED if known else LEFT_OUT if omission is not None else OPEN
             applied = omission if status == LEFT_OUT else None
             candidates.append(Candidate(LINE, number, cited_line, section, 0, len(text), status, omission=applied))
+        elif cited_line not in cited.lines:
+            used.add(id(omission))
         used.update(id(entry.omission) for entry in candidates[before:])
     declared: list[Pattern | Omission] = [*plan.patterns, *plan.left_out]
     return Accounts(
@@ -110,7 +112,7 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
     )
 
 
-def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
+def by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
     """The patterns or omissions that apply to each line, in their order."""
     by_line: dict[int, list[Ruled]] = defaultdict(list)
     for entry in entries:
@@ -120,7 +122,7 @@ def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
     return by_line
 
 
-def _left_out(omissions: Sequence[Omission], text: str) -> Omission | None:
+def first_omission(omissions: Sequence[Omission], text: str) -> Omission | None:
     """The first omission that applies to a text."""
     return next(
         (omission for omission in omissions if omission.template is None or omission.template.whole(text) is not None),

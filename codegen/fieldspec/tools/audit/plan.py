@@ -84,7 +84,8 @@ class Unprinted:
 class Plan:
     """The sections of the manual, the patterns, and the omissions.
 
-    `headings` is the omission of the lines with which sections begin.
+    `headings` is the omission of the lines with which sections begin. `without_behaviour` are lines that state
+    facts, and nothing of what the device does.
     """
 
     place: Place
@@ -93,6 +94,7 @@ class Plan:
     left_out: tuple[Omission, ...]
     headings: Omission
     unprinted: tuple[Unprinted, ...]
+    without_behaviour: tuple[Omission, ...]
 
     def section(self, line: int) -> str:
         """The name of the section of a line; empty before the first one."""
@@ -113,12 +115,13 @@ def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]
             entry.place(),
             sections,
             tuple(_patterns(entry, sections, lines)),
-            tuple(_left_out(entry, sections, lines)),
+            tuple(_omissions(entry, "left_out", sections, lines)),
             Omission(entry.place(), tuple((section.first, section.first) for section in sections), "", None, HEADINGS),
             tuple(
                 Unprinted(unprinted.place(), unprinted.texts("facts"), unprinted.text("reason"))
                 for unprinted in entry.entries("unprinted")
             ),
+            tuple(_omissions(entry, "without_behaviour", sections, lines)),
         ),
         findings,
     )
@@ -153,8 +156,8 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
         yield Pattern(name, kind, inner.place(), line_intervals, rows, line_template, inner.flag("series"), access)
 
 
-def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Omission]:
-    for inner in entry.entries("left_out"):
+def _omissions(entry: Entry, key: str, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Omission]:
+    for inner in entry.entries(key):
         like = inner.text("like")
         try:
             form = template(like) if like else None

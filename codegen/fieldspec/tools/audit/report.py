@@ -14,10 +14,12 @@ from fieldspec.tools.audit.ledger import ledger
 from fieldspec.tools.audit.review import sign_off
 from fieldspec.tools.audit.section import Report, Section, Subject
 from fieldspec.tools.audit.sources import sources
+from fieldspec.tools.audit.statements import statements
 from fieldspec.tools.audit.tasks import tasks
 
 PARTS: tuple[Callable[[Subject], Section], ...] = (
     coverage,
+    statements,
     ledger,
     detection,
     addresses,

@@ -108,6 +108,18 @@ Example: `manual.index` with the hash of an older edition.
 
 Cure: Run `fieldspec audit DEVICE --manual FILE --record`.
 """,
+    "statements_accounted": """Every line of the manual with words is left out with a reason, or is cited by a part
+of the behaviour, or states facts and nothing of what the device does. Only specs with `audit: without_behaviour` are
+judged.
+
+Why: a sentence about what a device does has no number, so that no pattern finds it, and a simulator that does not do it
+says nothing.
+
+Example: a line of the manual says that an input stops the motor, and no part of `behaviour` cites it.
+
+Cure: Write the part, or `unmodelled` with its reason; or list the line under `audit: without_behaviour`, if facts that
+cite it say all of it, or under `left_out`.
+""",
     "reviews_sound": """Every review names sections that facts cite, a valid date, and the current state of
 its facts.
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
+from contextlib import suppress
 from math import inf
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -38,7 +39,7 @@ class Engine(Operation):
         self._held: dict[str, bool] = {}
         self._old: dict[str, int] = {}
         self._rules = behaviour.of_kind("rule")
-        self._levels = [rule for rule in self._rules if rule.get("when") is None]
+        self._levels = [rule for rule in self._rules if rule.get("when") is None and "refused" not in rule.keys]
         self._edges = [rule for rule in self._rules if {"rises", "falls"} & (rule.get("when") or {}).keys()]
         self._shows = behaviour.of_kind("show")
         self.overridden: dict[str, Raw] = {}
@@ -109,7 +110,18 @@ class Engine(Operation):
     def follow_message(self, message: str, path: str, roles: Iterable[str]) -> None:
         """A request with a message has come; its fields are in memory."""
         names = {path, *roles, f"messages/{message}"}
-        self.run(rule for rule in self._rules if (rule.get("when") or {}).get("receive") in names)
+        self.run(rule for rule in self._rules if "refused" not in rule.keys and names.intersection(rule.received))
+        self.follow()
+
+    def follow_refusal(self, names: Set[str], reason: str) -> None:
+        """A request with a message of some `names` has been refused for a reason. A rule that refuses ends there."""
+        rules = [
+            rule
+            for rule in self._rules
+            if rule.get("refused") == reason and (not rule.received or names & set(rule.received))
+        ]
+        with suppress(Refusal):
+            self.run(rules)
         self.follow()
 
     def follow_write(self, paths: Iterable[str]) -> None:

@@ -80,10 +80,14 @@ class Operation(ABC):
         device = self.layout.device
         for record in device.records.values():
             known = record.named(field)
-            if known is not None and known.value is not None and known.value.enum:
-                member = device.enums[known.value.enum].named(value)
-                if member is not None:
-                    return member.value
+            if known is None or known.value is None:
+                continue
+            member = device.enums[known.value.enum].named(value) if known.value.enum else None
+            if member is not None:
+                return member.value
+            for sentinel in known.value.sentinels:
+                if sentinel.name == value:
+                    return number_of_sentinel(known.value, sentinel)
         return value
 
     def raw(self, cell: Cell, value: object) -> Raw:

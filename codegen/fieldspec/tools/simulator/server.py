@@ -99,6 +99,10 @@ class Server:
         except judging.DamagedError as damaged:
             return Answer(b"", f"damaged: {damaged}")
         except Refusal as refusal:
+            if not forced:
+                refused = requested.message if requested is not None else None
+                names = {refused.place.path, *refused.roles} if refused is not None else set()
+                self.engine.follow_refusal(names, refusal.reason)
             if silent:
                 return Answer(b"", f"{silent}: {refusal}")
             return self._refused(frames, head, code, refusal, asked_values)

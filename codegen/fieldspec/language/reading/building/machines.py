@@ -44,7 +44,7 @@ def _transitions(machine: Entry, parts: list[Entry]) -> Iterator[Transition]:
             entry.place(),
             tuple(state for state in origins if state in states),
             target,
-            next(((kind, _scalar_text(node)) for kind, node in _pairs(entry.get("when"))), ()),
+            next(((kind, ", ".join(_texts(node))) for kind, node in _pairs(entry.get("when"))), ()),
             tuple((key, values) for key, values in conditions.items() if key != own),
             tuple(_action(action) for action in actions if action not in entered),
             entry.text("assumed"),
