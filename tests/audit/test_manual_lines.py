@@ -6,8 +6,10 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.tools.audit.agreement import byte_pairs, has_word, numbers, readings
+from fieldspec.tools.audit.agreement import byte_pairs, has_printed_value, has_word, numbers, readings
 from fieldspec.tools.audit.manual_lines import LONGEST, digest, index_line, index_of
+from fieldspec.tools.audit.pattern import PieceValue
+from fieldspec.tools.facts.row import COLUMNS
 
 INDEX_LINES = [
     ("words of prose are left out", "Set the speed before you start the motor.", "Set …."),
@@ -96,6 +98,26 @@ def test_a_line_holds_a_number_in_any_way_to_print_it(line: str, number: int) ->
 @pytest.mark.parametrize(("line", "number"), [("1~5", 6), ("0x10", 10), ("0.5", 5), ("", 0), ("1000", 100)])
 def test_a_line_does_not_hold_other_numbers(line: str, number: int) -> None:
     assert not numbers(line).holds(number)
+
+
+@pytest.mark.parametrize(
+    ("ranges", "column", "text", "is_printed"),
+    [
+        ("-5..100", "min", "-5", True),
+        ("-5..100", "min", "-0.5", True),
+        ("-5..100", "min", "FFFBh", True),
+        ("-5..100", "max", "FFFBh", False),
+        ("-5..100", "max", "100", True),
+        ("-5..100", "max", "10.0", True),
+        ("0..100", "min", "0", True),
+        ("0..100", "min", "10000h", False),
+    ],
+)
+def test_a_bound_is_printed_as_a_number_as_a_quantity_or_as_its_bytes(
+    ranges: str, column: str, text: str, is_printed: bool
+) -> None:
+    row = {**dict.fromkeys(COLUMNS), "ranges": ranges, "type": "i16", "bytes": 2, "scale": Decimal("0.1")}
+    assert has_printed_value(row, PieceValue(column, "number", text), ()) == is_printed
 
 
 def test_a_series_of_words_holds_those_between() -> None:
