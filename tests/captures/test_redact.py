@@ -17,9 +17,12 @@ from captures.test_evidence import DEVICE, NOTE, dump, read, report, unit, words
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.value import Kind
 from fieldspec.tools.evidence.observables import Observables
+from fieldspec.tools.evidence.redacted_files import redacted_dump
 from fieldspec.tools.evidence.redaction import Redaction
 from fieldspec.tools.evidence.secrets import Secrets
-from layouts import TEST_SPECS, newest
+from fieldspec.tools.lists.dump import dump as listed_dump
+from fieldspec.tools.lists.text_sheet import text_sheet
+from layouts import SPECS, TEST_SPECS, newest
 from simulators import parts_of
 
 SERIAL = 0x12C4E678
@@ -209,6 +212,12 @@ def test_a_word_that_no_register_has_is_replaced_beside_one_that_is_known() -> N
     redaction = Redaction(newest(TEST_SPECS, "wattmeter"), Secrets())
     assert redaction.words("input_registers", 0x0E, bytes.fromhex("0005 12C4 E678")) == bytes.fromhex("0005 0000 0000")
     assert redaction.replaced == {"unlisted": 2}
+
+
+def test_a_number_in_a_dump_without_spaces_is_that_of_the_parameter_which_has_it() -> None:
+    sheet = text_sheet(b"number,value\n0x4005,7\n0x7FFF,8\n")
+    text = redacted_dump(Redaction(newest(SPECS, "hiwin-e"), Secrets()), listed_dump(sheet, {"address": "number"}))
+    assert text.splitlines() == ["space,address,value", ",0x7FFF,0", "pnu,0x4005,7"]
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10", "esc11", "hiwin-e"])
