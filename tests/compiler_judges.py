@@ -32,7 +32,7 @@ EACH = 12
 GOAL = 85
 PROCESSOR_SECONDS = 300
 """The time that a process of a judge may compute; a mutant that takes more is noticed."""
-PATIENCE = 3600
+PATIENCE = 1200
 """Seconds after which a judge counts as hanging, on a busy machine too."""
 
 RECORDED = "python tests/recorded_outputs.py "
