@@ -214,6 +214,14 @@ def test_a_word_that_no_register_has_is_replaced_beside_one_that_is_known() -> N
     assert redaction.replaced == {"unlisted": 2}
 
 
+def test_a_response_without_a_code_is_that_to_its_request(tmp_path: Path) -> None:
+    exchange = ["> FF FF 01 02 01 FB", "< FF FF 01 02 00 FC"]
+    unit(tmp_path / "units", "a", {"line.log": "\n".join(exchange).encode()})
+    code, text, error = run("redact", "servo", str(tmp_path / "units"), "--out", str(tmp_path / "out"))
+    assert (code, error) == (0, ""), text
+    assert (tmp_path / "out" / "capture-1.log").read_text("utf-8").splitlines() == exchange
+
+
 def test_a_number_in_a_dump_without_spaces_is_that_of_the_parameter_which_has_it() -> None:
     sheet = text_sheet(b"number,value\n0x4005,7\n0x7FFF,8\n")
     text = redacted_dump(Redaction(newest(SPECS, "hiwin-e"), Secrets()), listed_dump(sheet, {"address": "number"}))

@@ -38,6 +38,7 @@ class RedactedCapture:
 
     def add(self, batch: Batch) -> None:
         """Adds the frames of a batch."""
+        from fieldspec.tools.captures.pairing import NONE
         from fieldspec.tools.captures.verdicts import OK, VERDICTS
 
         texts, frames = self.decoder.texts.texts, batch.frames
@@ -52,11 +53,11 @@ class RedactedCapture:
             offsets[:-1].tolist(), offsets[1:].tolist(), strict=True,
         )  # fmt: skip
         for number, time, stream, link, direction_place, message, request, verdict, first, end in rows:
-            if verdict != OK or direction_place < 0:
+            if verdict != OK or direction_place == NONE:
                 self.left_out[f"frames that are {VERDICTS[verdict] or 'of no direction'}"] += 1
                 continue
             direction = texts[direction_place]
-            name = texts[message] if message >= 0 else ""
+            name = "" if message == NONE else texts[message]
             request_values = self._asked.pop(request, {}) if direction == "response" else {}
             frame = self._frame(number, texts[link], direction, name, data[first:end], request_values)
             if frame is not None:
