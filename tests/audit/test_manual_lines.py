@@ -136,3 +136,9 @@ def test_nothing_is_kept_of_programs_that_a_manual_prints() -> None:
     index = index_of("m.txt", b"Code 05H\n```\nCRC = 65535\n```\nCode 06H\n")
     assert list(index.lines) == ["Code 05H", "", "", "", "Code 06H"]
     assert all(index.digests)
+
+
+def test_a_finding_encloses_the_whole_line_of_the_manual() -> None:
+    index = index_of("m.txt", b"Code 05H\nSpeed 1..100\n\nForce 0..9\n")
+    spans = [index.span(number) for number in (1, 2, 3, 4)]
+    assert [span.file.text[span.start : span.end] for span in spans] == ["Code 05H", "Speed 1..100", "\n", "Force 0..9"]
