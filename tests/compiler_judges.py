@@ -27,12 +27,12 @@ TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 PACKAGE = ROOT / "codegen" / "fieldspec"
 GUIDE = ROOT / "CONTRIBUTING.md"
-PROCESSES = 2
+PROCESSES = 1
 EACH = 12
 GOAL = 85
-PROCESSOR_SECONDS = 900
+PROCESSOR_SECONDS = 300
 """The time that a process of a judge may compute; a mutant that takes more is noticed."""
-PATIENCE = 3600
+PATIENCE = 1200
 """Seconds after which a judge counts as hanging, on a busy machine too."""
 
 RECORDED = "python tests/recorded_outputs.py "

@@ -9,6 +9,8 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
+import fieldspec
+
 HERE = Path(__file__).resolve().parent
 EXAMPLE = HERE / "example_package"
 DEVICE = """
@@ -45,6 +47,11 @@ class Site:
     def __init__(self, folder: Path, packages: Path) -> None:
         self.folder, self.packages = folder, packages
 
+    @property
+    def python_path(self) -> str:
+        """Where processes find the packages, and the compiler under test, which may be a copy."""
+        return os.pathsep.join((str(self.packages), str(Path(fieldspec.__file__).resolve().parent.parent)))
+
     def write(self, path: str, text: str) -> Path:
         file = self.folder / path
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -54,7 +61,7 @@ class Site:
     def run(self, *arguments: str) -> RunResult:
         environment = {
             **os.environ,
-            "PYTHONPATH": str(self.packages),
+            "PYTHONPATH": self.python_path,
             "FIELDSPEC_CACHE": str(self.folder / "cache"),
             "PYTHONDONTWRITEBYTECODE": "1",
             "COLUMNS": "500",

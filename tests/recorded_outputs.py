@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import sys
+from itertools import chain
 from pathlib import Path
 
 from fieldspec.command import pipeline
@@ -49,10 +50,10 @@ def main(names: list[str]) -> int:
     project = pipeline.load(files)
     if pipeline.checked(project):
         return 1
-    for spec in project.devices.values():
-        versions = pipeline.layouts(spec)
-        for name in names:
-            for path, content in pipeline.output(name, versions).items():
+    devices = [pipeline.layouts(spec) for spec in project.devices.values()]
+    for name in names:
+        for contents in chain([pipeline.shared(name)], (pipeline.output(name, versions) for versions in devices)):
+            for path, content in contents.items():
                 # A build adds links to pages about the manual to the indexes of the documentation.
                 is_index = name == "docs" and path.endswith(("index.html", "README.md"))
                 recorded = generated / path

@@ -7,6 +7,7 @@ import dataclasses
 import pickle
 from types import ModuleType
 from typing import Any, ClassVar
+from unittest.mock import ANY
 
 import pytest
 
@@ -55,6 +56,14 @@ def counter(module: ModuleType) -> type:
         value: int = 0
 
     return Counter
+
+
+@BOTH
+def test_an_object_of_another_class_says_itself_whether_it_is_equal(module: ModuleType) -> None:
+    instance = point(module)(1)
+    assert (instance == ANY) is True
+    assert (instance == 1) is False
+    assert (instance != 1) is True
 
 
 @BOTH

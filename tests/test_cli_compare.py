@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from command_line import SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from example_counts import examples
 from fieldspec.tools.lists.comparison import compared
 from fieldspec.tools.lists.item import items
@@ -319,3 +319,13 @@ def test_a_count_stands_for_several_equal_registers(
     assert [entry["name"] for entry in report["only_in_device"] if entry["name"].startswith("alarm_history")] == []
     report = run.json("compare", "tc100", "-", "--ignore", "name", stdin=agree.replace("50", "51").encode())
     assert [what["what"] for entry in report["differ"] for what in entry["differences"]] == ["count"]
+
+
+def test_a_count_stands_for_several_single_bits(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    report = run.json("compare", "station", "-", "--ignore", "name", stdin=b"Space,Address,Name,Count\ncoils,0,K,8\n")
+    names = [entry["name"] for entry in report["only_in_device"]]
+    assert [name for name in names if name.startswith(("relays", "enable"))] == ["enable"]
+    assert report["differ"] == []

@@ -326,6 +326,18 @@ def test_outside_of_a_repository_there_are_no_revisions(
     assert "is in no git repository" in refused(run, "HEAD", "specs")
 
 
+def test_links_hidden_files_and_other_kinds_of_a_revision_are_no_specs(run: Run, repository: Path) -> None:
+    folder = repository / "specs" / "gadget"
+    (folder / "link.yaml").symlink_to("registers.yaml")
+    (folder / ".hidden.yaml").write_text("registers: {}\n", "utf-8")
+    (folder / "notes.txt").write_text("registers: {}\n", "utf-8")
+    git("add", ".")
+    git("commit", "--quiet", "-m", "Add what is no spec")
+    assert run("released", "HEAD", "--fail-on", "breaking") == 1
+    assert run.err == ""
+    assert run("HEAD~1", "HEAD", "--fail-on", "any") == 0
+
+
 def test_without_git_there_are_no_revisions(run: Run, repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
     assert "git is not installed" in refused(run, "HEAD", "specs")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+import struct
 
 import pytest
+from crccheck.crc import Crc16Modbus
 
 from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.language.model.texts import Example
@@ -173,6 +175,22 @@ def test_a_value_beyond_its_parameter_or_register_is_refused(
     result = run("encode", "widget", *arguments)
     assert (result.code, result.out) == (2, "")
     assert message in result.err
+
+
+@pytest.mark.parametrize(("name", "number", "size"), [("factor", 1, 3), ("limit", 3, 5), ("capacity", 5, 6)])
+def test_the_value_of_a_parameter_in_bytes_says_how_many_they_are(
+    run: CommandLine, name: str, number: int, size: int
+) -> None:
+    result = run("encode", "flowmeter", "write_setting", "station=1", f"number={name}", "index=0", "data=258")
+    data = struct.pack("<BBHBBQ", 1, 0x12, number, 0, size, 258)
+    check = Crc16Modbus.calc(data).to_bytes(2, "little")
+    assert (result.code, bytes.fromhex(result.out)) == (0, data + check)
+
+
+def test_a_parameter_of_another_size_than_the_bytes_of_a_message_is_refused(run: CommandLine) -> None:
+    result = run("encode", "axis", "download_1", "index=target", "data=5")
+    assert (result.code, result.out) == (2, "")
+    assert "target has 4 bytes; use another message" in result.err
 
 
 @pytest.mark.parametrize(

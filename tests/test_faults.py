@@ -16,7 +16,7 @@ from fieldspec.cli import main
 from fieldspec.command.builds import freshness, workers
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.cache_folder import TAG
-from fieldspec.command.files.placement import Staging
+from fieldspec.command.files.placement import Staging, begin, complete, prepared, undo
 from fieldspec.command.files.storage import BESIDE
 from fieldspec.language.schema import ADDRESS
 
@@ -44,6 +44,20 @@ def state(folder: Path) -> State:
 
 def left_over(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.rglob(f"*{BESIDE}*"))
+
+
+def test_files_are_restored_into_folders_that_went_with_them(tmp_path: Path) -> None:
+    out, folder = tmp_path / "out", tmp_path / "out" / f"{BESIDE}{'0' * 16}"
+    (out / "c" / "tc100").mkdir(parents=True)
+    for path in ("c/tc100/tc100.h", "manifest.json"):
+        (out / path).write_text(path, "utf-8")
+    old = state(out)
+    journal = prepared(out, folder, (), ("c/tc100/tc100.h", "manifest.json"))
+    begin(folder, journal)
+    complete(out, folder, journal)
+    assert state(out) == {}
+    undo(out, folder, journal)
+    assert state(out) == old
 
 
 class Work:

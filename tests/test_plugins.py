@@ -152,7 +152,7 @@ def test_the_documentation_of_rules_has_none_of_installed_packages(site: Site) -
         "from fieldspec.command import rules; "
     )
     code += "print(rules.page(), end=''); assert rules.rule('writable_ranges_present')"
-    environment = {**os.environ, "PYTHONPATH": str(site.packages), "PYTHONIOENCODING": "utf-8"}
+    environment = {**os.environ, "PYTHONPATH": site.python_path, "PYTHONIOENCODING": "utf-8"}
     ran = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, check=True)
     assert ran.stdout.decode().replace("\r\n", "\n") == rules.page()
 

@@ -15,6 +15,7 @@ import fieldspec.codec.reference
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.values import raw_values
 from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.parameters import value_of_bytes
 from fieldspec.language.model.texts import Example
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
 
@@ -173,6 +174,18 @@ def test_a_message_of_another_link_is_unknown() -> None:
     with pytest.raises(CodecError) as caught:
         codec(GLIDER).links["channel"].encode("request", "telegram_3", {})
     assert caught.value.reason == "unknown_code"
+
+
+@pytest.mark.parametrize(("number", "size"), [(1, 3), (3, 5), (5, 6), (7, 7)])
+def test_a_parameter_is_as_many_bytes_of_its_field_as_the_field_for_their_number_says(number: int, size: int) -> None:
+    meter = newest(TEST_SPECS, "flowmeter")
+    parameter = meter.device.parameters["settings"].numbered(number)
+    field = meter.messages["read_setting"].response.named("data")
+    assert parameter is not None
+    assert field is not None
+    data = bytes(range(0x81, 0x89))
+    read = value_of_bytes(meter.device, field, parameter.value, {"size": size, "data": data})
+    assert read == int.from_bytes(data[:size], "little")
 
 
 DECODING = {

@@ -133,10 +133,7 @@ class _Verb(_Parser):
         if self.late_help and {"-h", "--help"} & {*args}:
             module, function = self.late_help
             self.epilog = getattr(import_module(module), function)(args) or self.epilog
-        try:
-            known, unrecognized = self.parse_known_intermixed_args(args, namespace)
-        finally:
-            self._mixing, self._tail = False, None
+        known, unrecognized = self.parse_known_intermixed_args(args, namespace)
         if unrecognized:
             self.error(f"unrecognized arguments: {' '.join(unrecognized)}")
         return known, unrecognized

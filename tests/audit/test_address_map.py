@@ -177,6 +177,11 @@ def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
     assert (block.start, block.words, block.reserved, block.names) == (1, 3, 1, ("a", "b"))
 
 
+def test_elements_are_named_by_their_numbers() -> None:
+    (block,) = plan_of(row(0, "a", "count: 2") + row(2, "b") + row(3, "c", "count: 2, index_from: 1")).blocks
+    assert block.names == ("a[0]", "a[1]", "b", "c[1]", "c[2]")
+
+
 def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
     text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
     plan = read_plan(layout_at(gadget(text), "1"))

@@ -159,6 +159,24 @@ def test_boxes_lie_within_their_drawing_and_not_on_each_other(layout) -> None:  
                     taken |= cells
 
 
+def test_a_name_breaks_before_an_underline_where_its_end_fits_and_loses_its_middle_where_two_lines_have_no_room() -> (
+    None
+):
+    boxes = [
+        box for drawn in maps(spaces_of(newest(SPECS, "tc100"))) for drawing in drawn.drawings for box in drawing.boxes
+    ]
+    lines = {box.title.partition(": ")[2].partition(",")[0]: box.lines for box in boxes}
+    expected = {
+        "near_zone": ("near_zone",),
+        "in_position_zone": ("in_position", "_zone"),
+        "torque_limit_press_distance": ("torque_limit_press", "_distance"),
+        "pulse_rotation_direction": ("pulse_rot…", "…direction"),
+        "pulse_input_form": ("pulse_inpu", "t_form"),
+        "electronic_gear_numerator": ("electroni…", "…umerator"),
+    }
+    assert {name: lines[name] for name in expected} == expected
+
+
 @pytest.mark.parametrize("layout", all_layouts(), ids=lambda layout: f"{layout.device.id}@{layout.device.version}")
 def test_rows_that_are_one_are_followed_by_what_comes_behind_them(layout) -> None:  # type: ignore[no-untyped-def]
     for drawn in maps(spaces_of(layout)):

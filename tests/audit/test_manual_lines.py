@@ -6,8 +6,10 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.tools.audit.agreement import byte_pairs, has_word, numbers, readings
+from fieldspec.tools.audit.agreement import byte_pairs, has_printed_value, has_word, numbers, readings
 from fieldspec.tools.audit.manual_lines import LONGEST, digest, index_line, index_of
+from fieldspec.tools.audit.pattern import PieceValue
+from fieldspec.tools.facts.row import COLUMNS
 
 INDEX_LINES = [
     ("words of prose are left out", "Set the speed before you start the motor.", "Set …."),
@@ -98,6 +100,26 @@ def test_a_line_does_not_hold_other_numbers(line: str, number: int) -> None:
     assert not numbers(line).holds(number)
 
 
+@pytest.mark.parametrize(
+    ("ranges", "column", "text", "is_printed"),
+    [
+        ("-5..100", "min", "-5", True),
+        ("-5..100", "min", "-0.5", True),
+        ("-5..100", "min", "FFFBh", True),
+        ("-5..100", "max", "FFFBh", False),
+        ("-5..100", "max", "100", True),
+        ("-5..100", "max", "10.0", True),
+        ("0..100", "min", "0", True),
+        ("0..100", "min", "10000h", False),
+    ],
+)
+def test_a_bound_is_printed_as_a_number_as_a_quantity_or_as_its_bytes(
+    ranges: str, column: str, text: str, is_printed: bool
+) -> None:
+    row = {**dict.fromkeys(COLUMNS), "ranges": ranges, "type": "i16", "bytes": 2, "scale": Decimal("0.1")}
+    assert has_printed_value(row, PieceValue(column, "number", text), ()) == is_printed
+
+
 def test_a_series_of_words_holds_those_between() -> None:
     assert has_word("IN1 ~ IN14", "in5")
     assert has_word("ALM_LOG0", "log")
@@ -114,3 +136,9 @@ def test_nothing_is_kept_of_programs_that_a_manual_prints() -> None:
     index = index_of("m.txt", b"Code 05H\n```\nCRC = 65535\n```\nCode 06H\n")
     assert list(index.lines) == ["Code 05H", "", "", "", "Code 06H"]
     assert all(index.digests)
+
+
+def test_a_finding_encloses_the_whole_line_of_the_manual() -> None:
+    index = index_of("m.txt", b"Code 05H\nSpeed 1..100\n\nForce 0..9\n")
+    spans = [index.span(number) for number in (1, 2, 3, 4)]
+    assert [span.file.text[span.start : span.end] for span in spans] == ["Code 05H", "Speed 1..100", "\n", "Force 0..9"]

@@ -15,6 +15,8 @@ from pyarrow import csv, ipc, parquet
 
 from captures.conversations import RTAC, SOCKETCAN, USER_0, Segment, ethernet, pcap, pcapng, rtu, tcp_poll
 from fieldspec.cli import main
+from fieldspec.command.bulk.bulk_decoding import numbers_of
+from fieldspec.command.console.usage import UsageError
 from layouts import TEST_SPECS
 
 READ = rtu(1, 4, 0, 0, 0, 2)
@@ -276,6 +278,12 @@ def test_wrong_use_is_refused(tmp_path: Path, name: str) -> None:
     code, _, error = run("decode", "wattmeter@1", "missing.pcap", "--to", "csv", *own)
     assert code == 2
     assert text in error
+
+
+def test_as_many_numbers_as_there_are_ports_are_taken_and_no_more() -> None:
+    assert numbers_of("--port", "7,0-65535", 65535) == [7, *range(65536)]
+    with pytest.raises(UsageError, match="has too many numbers"):
+        numbers_of("--units", "0-65536", 1 << 20)
 
 
 def test_the_folder_of_another_task_is_refused(tmp_path: Path) -> None:

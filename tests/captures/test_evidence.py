@@ -10,6 +10,7 @@ import pytest
 
 from captures.conversations import USER_0, pcap, rtu
 from captures.test_decode_in_bulk import run
+from fieldspec.tools.evidence.series import Series, SeriesValue
 from layouts import SPECS
 
 NOTE = 'model: W\nfirmware: "1"\nserial_number: redacted\n'
@@ -52,6 +53,24 @@ def report(folder: Path, *options: str) -> tuple[int, dict[str, Any]]:
 
 def states(tables: dict[str, Any], fact: str) -> dict[str, str]:
     return {row["aspect"]: row["state"] for row in tables["evidence"] if row["fact"] == fact}
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ([7, 7], "7"),
+        ([3, 1, 2, 0], "0, 1, 2, 3"),
+        ([3, 1, 2, 0, 4], "0..4"),
+        ([2.5, 0.5, 1, 3, 4], "0.5..4"),
+        (["off", 3, 1, 2, 0], "0, 1, 2, 3, .."),
+        (["on", "off", 1], "1, off, on"),
+    ],
+)
+def test_a_few_values_are_told_one_by_one_and_many_by_their_bounds(values: list[SeriesValue], text: str) -> None:
+    series = Series("line")
+    for moment, value in enumerate(values):
+        series.add(value, moment)
+    assert series.text == text
 
 
 def test_a_value_that_was_always_0_proves_neither_itself_nor_its_scale(tmp_path: Path) -> None:

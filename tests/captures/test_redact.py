@@ -17,10 +17,14 @@ from captures.test_evidence import DEVICE, NOTE, dump, read, report, unit, words
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.value import Kind
 from fieldspec.tools.evidence.observables import Observables
+from fieldspec.tools.evidence.redacted_files import redacted_dump, redacted_rows
 from fieldspec.tools.evidence.redaction import Redaction
 from fieldspec.tools.evidence.secrets import Secrets
-from layouts import TEST_SPECS, newest
+from fieldspec.tools.lists.dump import dump as listed_dump
+from fieldspec.tools.lists.text_sheet import text_sheet
+from layouts import SPECS, TEST_SPECS, layout_at, newest
 from simulators import parts_of
+from spec_files import gadget
 
 SERIAL = 0x12C4E678
 HIGH, LOW = SERIAL >> 16, SERIAL & 0xFFFF
@@ -209,6 +213,76 @@ def test_a_word_that_no_register_has_is_replaced_beside_one_that_is_known() -> N
     redaction = Redaction(newest(TEST_SPECS, "wattmeter"), Secrets())
     assert redaction.words("input_registers", 0x0E, bytes.fromhex("0005 12C4 E678")) == bytes.fromhex("0005 0000 0000")
     assert redaction.replaced == {"unlisted": 2}
+
+
+BYTES = """
+spaces: [{name: memory, title: Memory, unit: byte, bounds: 0..0xFF, source: 1 L1}]
+registers:
+  - group: all
+    section: "1"
+    space: memory
+    rows:
+      - {at: 0, name: speed, type: u8, source: L1}
+      - {at: 1, name: serial, roles: serial_number, type: u32, source: L2}
+      - {at: 5, name: force, type: u16, source: L3}
+      - {at: 7, name: mode, type: u8, source: L4}
+      - {at: 8, name: levels, type: u8, count: 6, source: L5}
+"""
+
+
+def byte_redaction(*secrets: str) -> Redaction:
+    """The redaction of a device whose addresses are those of bytes, with a serial number at an odd one."""
+    return Redaction(layout_at(gadget(BYTES), "1"), Secrets(secrets))
+
+
+def test_a_secret_is_found_in_bytes_that_are_read_one_by_one() -> None:
+    rows = [("memory", 8 + offset, [byte]) for offset, byte in enumerate(bytes.fromhex("11 AA BB CC DD 22"))]
+    clean = redacted_rows(byte_redaction(str(0xAABBCCDD)), rows)
+    assert [count for _, _, (count,) in clean] == [0x11, 0, 0, 0, 0, 0x22]
+
+
+@pytest.mark.parametrize(
+    ("start", "data", "clean"),
+    [
+        (0, "07 AA BB CC DD 01 02 09", "07 00 00 00 00 01 02 09"),
+        (3, "CC DD 01 02 09", "00 00 01 02 09"),
+        (7, "09", "09"),
+        (13, "09 08", "09 00"),
+    ],
+)
+def test_a_serial_number_is_replaced_where_addresses_are_those_of_bytes(start: int, data: str, clean: str) -> None:
+    data_bytes, clean_bytes = bytes.fromhex(data), bytes.fromhex(clean)
+    assert byte_redaction().words("memory", start, data_bytes) == clean_bytes
+    assert byte_redaction().counts("memory", start, list(data_bytes)) == list(clean_bytes)
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        ["0,7", "1,170", "2,187", "3,204", "4,221", "5,2", "6,1", "7,9"],
+        ["0,7", "1,0xDDCCBBAA", "5,0x0201", "7,9"],
+    ],
+    ids=["a byte in a row", "a value in a row"],
+)
+def test_a_dump_of_bytes_has_no_serial_number_and_all_other_values(rows: list[str]) -> None:
+    listed = listed_dump(text_sheet("\n".join(["address,value", *rows]).encode()), {})
+    lines = redacted_dump(byte_redaction(), listed).splitlines()
+    values = {int(address, 16): int(value) for address, value in (line.split(",")[-2:] for line in lines[1:])}
+    assert [values[address] for address in range(8)] == [7, 0, 0, 0, 0, 2, 1, 9]
+
+
+def test_a_response_without_a_code_is_that_to_its_request(tmp_path: Path) -> None:
+    exchange = ["> FF FF 01 02 01 FB", "< FF FF 01 02 00 FC"]
+    unit(tmp_path / "units", "a", {"line.log": "\n".join(exchange).encode()})
+    code, text, error = run("redact", "servo", str(tmp_path / "units"), "--out", str(tmp_path / "out"))
+    assert (code, error) == (0, ""), text
+    assert (tmp_path / "out" / "capture-1.log").read_text("utf-8").splitlines() == exchange
+
+
+def test_a_number_in_a_dump_without_spaces_is_that_of_the_parameter_which_has_it() -> None:
+    sheet = text_sheet(b"number,value\n0x4005,7\n0x7FFF,8\n")
+    text = redacted_dump(Redaction(newest(SPECS, "hiwin-e"), Secrets()), listed_dump(sheet, {"address": "number"}))
+    assert text.splitlines() == ["space,address,value", ",0x7FFF,0", "pnu,0x4005,7"]
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10", "esc11", "hiwin-e"])

@@ -115,6 +115,7 @@ def test_live_reads_and_writes_objects_by_name_over_a_bus(
         (["simulate", "servo", "--port", "can://virtual/x"], "bus is no CAN bus; use a serial port"),
         (["simulate", "axis", "--port", "can://virtual"], "can://virtual is no CAN bus"),
         (["simulate", "axis", "--port", "can://virtual/x?fd=1"], "fd=1 is no option; write ?bitrate=500000"),
+        (["live", "axis", "read", "--link", "sdo", "--port", "can://virtual/x?bitrate="], "bitrate= is no option"),
         (["simulate", "axis", "--port", "can://nothing/x"], "cannot open can://nothing/x"),
         (["live", "axis", "read", "--link", "sdo", "--port", "tcp://127.0.0.1:1"], "sdo is a CAN bus"),
         (["live", "servo", "read", "--port", "can://virtual/x"], "bus is no CAN bus"),

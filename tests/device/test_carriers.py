@@ -7,6 +7,7 @@ import select
 import socket
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -23,7 +24,8 @@ from external_tools import require_tool
 from fieldspec.cli import main
 from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation
-from fieldspec.tools.carriers.carrier import LineSettings
+from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
+from fieldspec.tools.carriers.sockets import Connection, Listener
 from fieldspec.tools.simulator.clock import ManualClock
 from simulators import SPECS
 
@@ -146,6 +148,18 @@ def test_a_fault_strikes_once(kind: str, is_expected: Callable[[bytes], bool]) -
         assert is_expected(damaged), damaged.hex(" ")
         port.write(rtu("01 03 04 10 00 01"))
         assert port.read(7) == RIGHT
+
+
+def test_a_listener_to_which_nobody_connects_says_so_and_can_be_closed() -> None:
+    listener = Listener("tcp://127.0.0.1:0")
+    connections: list[Connection | None] = []
+    waiting = threading.Thread(target=lambda: connections.append(listener.accept()), daemon=True)
+    waiting.start()
+    waiting.join(60)
+    listener.close()
+    assert connections == [None]
+    with pytest.raises(CarrierError, match="is closed"):
+        listener.accept()
 
 
 def test_a_lost_connection_can_be_made_again() -> None:

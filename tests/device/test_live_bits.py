@@ -59,11 +59,12 @@ def test_bits_are_restored_and_compared(station: SimulatedDevice, tmp_path: Path
     assert live(station, "compare", path) == 0
 
 
-def test_a_dump_names_the_spaces(station: SimulatedDevice, tmp_path: Path) -> None:
+def test_a_dump_names_the_spaces(station: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     path = tmp_path / "dump.csv"
     assert live(station, "write", "relays[1]=1", "filter_time=7") == 0
     assert live(station, "dump", str(path)) == 0
     lines = path.read_text("utf-8").splitlines()
+    assert f"{len(lines) - 1} words\n" in capsys.readouterr().err
     assert lines[0] == "space,address,value"
     assert "coils,0x0000,1" in lines
     assert "discrete_inputs,0x0000,0" in lines

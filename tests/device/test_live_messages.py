@@ -78,6 +78,13 @@ def test_a_parameter_is_written_and_read_back(gripper: SimulatedDevice, capsys: 
     assert capsys.readouterr().out == "positive_soft_limit: 07 00 62 01 2C 01 97\n"
 
 
+def test_a_servo_that_is_on_is_named_before_a_write(
+    gripper: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert live("esc11", gripper.place, "write", "positive_soft_limit=30mm", "--yes") == 0
+    assert "the servo is on: read_motor_excitation.excited is 1\n" in capsys.readouterr().err
+
+
 def test_a_value_that_the_drive_refuses_is_told(drive: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     channel = drive.places["parameter_channel"]
     drive.fault("exception", reason="not_now")

@@ -61,8 +61,9 @@ class Soak:
         self.written: dict[str, list[Signal]] = {}
         for signal in signals(self.unit.engine.layout, self.unit.codec.link):
             for known, operation in ((self.parameters, "read"), (self.written, "write")):
-                own = signal.parameter_set
-                message_layout = parameter_message(self.unit.codec.link, own, operation) if own is not None else None
+                if signal.numbered is None:
+                    continue
+                message_layout = parameter_message(self.unit.codec.link, signal.numbered.parameter_set, operation)
                 if message_layout is not None and (operation == "read" or signal.index is None):
                     known.setdefault(message_layout.name, []).append(signal)
         self.addresses = sorted({address for _, address in self.unit.engine.memory.occupants}) or [0]

@@ -24,7 +24,8 @@ def test_signals_motion_and_traffic_are_shown() -> None:
                 view.refresh_values()
                 await pilot.pause()
                 table = view.query_one("#signals", DataTable)
-                assert table.get_cell("registers/alarm", "value") == "9"
+                assert [str(column.label) for column in table.ordered_columns] == ["role", "signal", "value"]
+                assert table.get_row("registers/alarm") == ["alarm_code", "registers/alarm", "9"]
                 assert "position         5000" in str(view.query_one("#motion", Static).render())
                 assert not view.waiting
                 await pilot.press("p")

@@ -184,7 +184,7 @@ def test_natural_alignment_would_make_telegram_111_longer_and_is_refused(name: s
     refused = misfit_findings(placed_member)
     assert {finding.code for finding in refused} == {"plc_images_exact"}
     assert "mdi_target_position begins at byte 12, on the wire at byte 10" in refused[0].message
-    assert "has 28 bytes, on the wire 24" in refused[-1].message
+    assert f": {placed_member.struct.name} has 28 bytes, on the wire 24" in refused[-1].message
 
 
 def struct(name: str, *kinds: Type) -> Struct:

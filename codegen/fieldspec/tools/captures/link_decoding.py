@@ -204,7 +204,6 @@ class LinkDecoder:
         delays = exchanges.time[before:][answers] - exchanges.time[asked_rows]
         timed = (exchanges.time[before:][answers] >= 0) & (exchanges.time[asked_rows] >= 0)
         rows.delay[targets[timed]] = delays[timed]
-        rows.is_paired[targets] = True
         if self.asks:
             asked_message = np.full(len(payloads), NONE)
             asked_message[targets] = exchanges.message[asked_rows]
@@ -308,7 +307,7 @@ class _Rows:
         )
         self.request, self.delay, self.data, self.data_size, self.set_bit = (next(none) for _ in range(5))
         self.body_size = np.zeros(size, np.int64)
-        self.is_refused, self.is_paired = np.zeros(size, np.bool_), np.zeros(size, np.bool_)
+        self.is_refused = np.zeros(size, np.bool_)
         self.readings: dict[int, list[tuple[Reading, Numbers]]] = {REQUEST: [], RESPONSE: []}
 
     def buffer(self, direction: int) -> npt.NDArray[np.uint8]:

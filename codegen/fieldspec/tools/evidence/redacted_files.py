@@ -38,6 +38,7 @@ class RedactedCapture:
 
     def add(self, batch: Batch) -> None:
         """Adds the frames of a batch."""
+        from fieldspec.tools.captures.pairing import NONE
         from fieldspec.tools.captures.verdicts import OK, VERDICTS
 
         texts, frames = self.decoder.texts.texts, batch.frames
@@ -52,11 +53,11 @@ class RedactedCapture:
             offsets[:-1].tolist(), offsets[1:].tolist(), strict=True,
         )  # fmt: skip
         for number, time, stream, link, direction_place, message, request, verdict, first, end in rows:
-            if verdict != OK or direction_place < 0:
+            if verdict != OK or direction_place == NONE:
                 self.left_out[f"frames that are {VERDICTS[verdict] or 'of no direction'}"] += 1
                 continue
             direction = texts[direction_place]
-            name = texts[message] if message >= 0 else ""
+            name = "" if message == NONE else texts[message]
             request_values = self._asked.pop(request, {}) if direction == "response" else {}
             frame = self._frame(number, texts[link], direction, name, data[first:end], request_values)
             if frame is not None:
@@ -79,9 +80,10 @@ class RedactedCapture:
                 continue
             own = texts[ways[number]] if number in ways else "read"
             stamp, station = self._stamp(time).strip(), "" if unit < 0 else str(unit)
-            for offset in range(0, len(clean) - 1, 2):
-                word = int.from_bytes(clean[offset : offset + 2], "big")
-                place = f"0x{address + offset // 2:04X}"
+            size = self.redaction.layout.device.space(texts[space]).unit_size
+            for offset in range(0, len(clean) - size + 1, size):
+                word = int.from_bytes(clean[offset : offset + size], "big")
+                place = f"0x{address + offset // size:04X}"
                 self.rows.append((stamp, texts[space], station, own, place, str(word)))
             self.frames += 1
 
@@ -146,12 +148,16 @@ def redacted_rows(
     """
     clean = [(space, number, redaction.counts(space, number, counts)) for space, number, counts in rows]
     clean.sort(key=lambda row: (row[0], row[1]))
-    flat = [(row_index, index) for row_index, (_, _, counts) in enumerate(clean) for index in range(len(counts))]
-    data = b"".join((clean[row_index][2][index] & 0xFFFF).to_bytes(2, "big") for row_index, index in flat)
-    for place in list(redaction.secrets.places(data)):
-        for word in range(place.start // 2, (place.stop + 1) // 2):
-            row_index, index = flat[word]
-            clean[row_index][2][index] = 0
+    spaces = redaction.layout.device.spaces
+    data, sources = bytearray(), list[tuple[list[int], int]]()
+    for space, _, counts in clean:
+        size = spaces[space].unit_size if space in spaces else 2
+        for index, count in enumerate(counts):
+            data += (count & (1 << 8 * size) - 1).to_bytes(size, "big")
+            sources += [(counts, index)] * size
+    for place in list(redaction.secrets.places(bytes(data))):
+        for counts, index in sources[place.start : place.stop]:
+            counts[index] = 0
     for _, _, counts in clean:
         for index, count in enumerate(counts):
             if redaction.secrets.is_in(str(count).encode()) or redaction.secrets.is_in(_number_bytes(count)):
@@ -209,14 +215,16 @@ def _joined(rows: Iterable[tuple[str, int, Sequence[int]]], alone: set[str]) -> 
 
 
 def _words(redaction: Redaction, space: str, address: int, values: Sequence[int], words: int | None) -> list[int]:
-    """The words of a row of a dump: a great number is divided like the value at its address."""
+    """The words, or the bytes, of a row of a dump: a great number is divided like the value at its address."""
     own = next((own for own in redaction.occupants.get((space, address), []) if own.address == address), None)
     number = values[0]
-    wide = own.words if own is not None else 1
-    if len(values) > 1 or wide == 1 or (words != wide and -0x8000 <= number <= 0xFFFF):
-        return [value & 0xFFFF for value in values]
-    parts = [number >> 16 * index & 0xFFFF for index in reversed(range(wide))]
-    return parts if redaction.layout.device.word_order == "big" else parts[::-1]
+    device = redaction.layout.device
+    bits = 8 * device.space(space).unit_size
+    mask = (1 << bits) - 1
+    if own is None or len(values) > 1 or own.words == 1 or (words != own.words and -(1 << bits - 1) <= number <= mask):
+        return [value & mask for value in values]
+    parts = [number >> bits * index & mask for index in reversed(range(own.words))]
+    return parts if (device.word_order if bits > 8 else own.order) == "big" else parts[::-1]
 
 
 def redacted_scan(redaction: Redaction, content: Mapping[str, Any]) -> str:

@@ -7,7 +7,7 @@ describe are replaced.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 from fieldspec.codec.explain.registers import Occupant
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
@@ -216,23 +216,24 @@ class Redaction:
         return self.words(space, start, data)
 
     def words(self, space: str, start: int, data: bytes) -> bytes:
-        """The bytes of words from an address on."""
+        """The bytes of the words, or of the bytes, from an address on."""
         result = bytearray(len(data))
         replaced: set[int] = set()
-        for offset in range(0, len(data) - 1, 2):
-            own = self.occupants.get((space, start + offset // 2), [])
+        size = self.layout.device.space(space).unit_size
+        for offset in range(0, len(data) - size + 1, size):
+            own = self.occupants.get((space, start + offset // size), [])
             known = [
                 occupant for occupant in own if not (occupant.reserved or getattr(occupant.fact, "reserved", False))
             ]
             secret = [occupant for occupant in known if self.is_secret(occupant.fact, occupant.value)]
             if known and not secret:
-                result[offset : offset + 2] = data[offset : offset + 2]
+                result[offset : offset + size] = data[offset : offset + size]
             elif not own:
-                self._replace(None, data[offset : offset + 2])
+                self._replace(None, data[offset : offset + size])
             elif not known:
-                self._drop(data[offset : offset + 2])
+                self._drop(data[offset : offset + size])
             for occupant in secret:
-                first = 2 * (occupant.address - start) + occupant.skip
+                first = size * (occupant.address - start) + occupant.skip
                 if id(occupant) in replaced:
                     continue
                 replaced.add(id(occupant))
@@ -252,15 +253,11 @@ class Redaction:
             bits = [own for own in self.occupants.get((space, number), []) if is_bit(own)]
             if bits:
                 return [int(bool(count)) for count in counts]
-            data = b"".join((count & 0xFFFF).to_bytes(2, "big") for count in counts)
-            order = "big" if device.byte_order == "big" else "little"
-            if order == "little":
-                data = b"".join((count & 0xFFFF).to_bytes(2, "little") for count in counts)
+            size = device.space(space).unit_size
+            order: Literal["big", "little"] = "big" if device.byte_order == "big" else "little"
+            data = b"".join((count & (1 << 8 * size) - 1).to_bytes(size, order) for count in counts)
             clean = self.words(space, number, data)
-            return [
-                int.from_bytes(clean[offset : offset + 2], "big" if order == "big" else "little")
-                for offset in range(0, len(clean), 2)
-            ]
+            return [int.from_bytes(clean[offset : offset + size], order) for offset in range(0, len(clean), size)]
         parameter = match[0].numbered(match[1])
         result = []
         for index, count in enumerate(counts):

@@ -31,11 +31,20 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Signal:
-    """A value that messages carry: a parameter with its set, or a field or a part of the response to `query`.
+class NumberedParameter:
+    """A parameter with its set, and its number on the wire."""
 
-    `path` is its name for people. `wire_number` is the number of `parameter`, None for other values, and `index` that
-    of an element, None for a single value.
+    parameter_set: ParameterSet
+    parameter: Parameter
+    wire_number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Signal:
+    """A value that messages carry: a parameter, or a field or a part of the response to `query`.
+
+    `path` is its name for people. `numbered` is the parameter, None for other values, and `index` the number of an
+    element, None for a single value.
     """
 
     path: str
@@ -43,16 +52,14 @@ class Signal:
     value: Value
     order: str
     swapped: bool
-    parameter_set: ParameterSet | None = None
-    parameter: Parameter | None = None
-    wire_number: int | None = None
+    numbered: NumberedParameter | None = None
     index: int | None = None
     query: str = ""
 
     @property
     def access(self) -> str:
         """Whether a parameter, or its element, can be read and written; empty where nothing says so."""
-        return self.parameter.element_access(self.index or 0) if self.parameter is not None else ""
+        return self.numbered.parameter.element_access(self.index or 0) if self.numbered is not None else ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,13 +123,13 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
         for row in parameter_set.parameters:
             for place in range(row.count if not row.reserved else 0):
                 name = row.name if row.count == 1 else f"{row.name}[{place}]"
-                number = parameter_set.base + row.number + place
+                numbered = NumberedParameter(parameter_set, row, parameter_set.base + row.number + place)
                 for path, fact, value, index in _elements(name, row):
                     whole = carried is not None and carried.carries_bytes and reading.message.segments is None
                     if whole and carried is not None and not carries(carried, value.size):
                         continue  # a value that no message carries
                     order, swapped = orders.of(value)
-                    yield Signal(path, fact, value, order, swapped, parameter_set, row, number, index)
+                    yield Signal(path, fact, value, order, swapped, numbered, index)
 
 
 def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int | None]]:
@@ -200,7 +207,7 @@ def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalRea
     answers: dict[str, Any] = {}
     for signal in chosen:
         try:
-            if signal.parameter_set is not None:
+            if signal.numbered is not None:
                 yield signal_reading(client.layout, signal, read_parameter(client, signal))
                 continue
             if signal.query not in answers:
@@ -217,8 +224,8 @@ def read_parameter(client: Client, signal: Signal) -> Any:
 
     Raises RefusedError, UnfitAnswerError, NoAnswerError and CarrierError.
     """
-    assert signal.parameter_set is not None
-    message = parameter_message(client.frames.link, signal.parameter_set, "read")
+    assert signal.numbered is not None
+    message = parameter_message(client.frames.link, signal.numbered.parameter_set, "read")
     assert message is not None
     first = parameter_address(message, signal)
     answer = client.ask(message.name, first)
@@ -242,7 +249,8 @@ def parameter_address(message: MessageLayout, signal: Signal) -> dict[str, Any]:
     request, pieces = message.request, message.message.segments
     number, index = part_of(request, "number"), part_of(request, "subindex")
     assert number is not None
-    values: dict[str, Any] = {number.name: signal.wire_number}
+    assert signal.numbered is not None
+    values: dict[str, Any] = {number.name: signal.numbered.wire_number}
     if index is not None:
         values[index.name] = signal.index or 0
         count = count_field(request, pieces.size if pieces is not None else "")
@@ -273,9 +281,9 @@ def _bytes_of(signal: Signal, raw: Any) -> bytes:
 
 def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal, text: str) -> ParameterAssignment:
     """The assignment of a value as people write it. Raises WriteError."""
-    if signal.parameter_set is None or signal.parameter is None:
+    if signal.numbered is None:
         raise WriteError(f"{signal.path} is part of a response; only parameters are written")
-    message = parameter_message(link, signal.parameter_set, "write", signal.value.size)
+    message = parameter_message(link, signal.numbered.parameter_set, "write", signal.value.size)
     if message is None:
         raise WriteError(f"no message writes {signal.path} by itself")
     if signal.index is not None and not writes_elements(message):
@@ -287,7 +295,8 @@ def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal,
         raw = encoded_value(signal.path, value, raw_value(layout.device, signal.path, value, text), layout.device)
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
-    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(layout, signal, message)))
+    hazards = tuple(_hazards(layout, signal, signal.numbered.parameter, message))
+    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), hazards)
 
 
 def writes_elements(message: MessageLayout) -> bool:
@@ -297,9 +306,7 @@ def writes_elements(message: MessageLayout) -> bool:
     return has_bytes and part_of(message.request, "subindex") is not None
 
 
-def _hazards(layout: DeviceLayout, signal: Signal, message: MessageLayout) -> Iterator[str]:
-    fact = signal.parameter
-    assert fact is not None
+def _hazards(layout: DeviceLayout, signal: Signal, fact: Parameter, message: MessageLayout) -> Iterator[str]:
     # A message that stores what it writes does so for every parameter.
     handlings = sorted((fact.handling, message.message.handling), key=lambda own: own.memory != "nonvolatile")
     return write_hazards(
@@ -314,8 +321,8 @@ def _hazards(layout: DeviceLayout, signal: Signal, message: MessageLayout) -> It
 def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str, dict[str, Any], bytes]:
     """The message that writes a parameter, its fields, and its frame. Raises WriteError."""
     signal = chosen.signal
-    assert signal.parameter_set is not None
-    message = parameter_message(client.frames.link, signal.parameter_set, "write", signal.value.size)
+    assert signal.numbered is not None
+    message = parameter_message(client.frames.link, signal.numbered.parameter_set, "write", signal.value.size)
     assert message is not None
     request = message.request
     values = parameter_address(message, signal)

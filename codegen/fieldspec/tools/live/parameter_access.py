@@ -43,7 +43,8 @@ class ParameterAccess:
 
     def number(self, value: SignalReading) -> int | None:
         """The number of a parameter on the wire; None for a value in a response."""
-        return value.signal.wire_number
+        numbered = value.signal.numbered
+        return numbered.wire_number if numbered is not None else None
 
     def number_text(self, number: int | None) -> str:
         """The number of a parameter as people write it."""
@@ -57,9 +58,10 @@ class ParameterAccess:
         counts: dict[tuple[str, int], list[int]] = {}
         for value in values:
             signal, number = value.signal, value.decoded.number if value.decoded is not None else None
-            if signal.parameter_set is None or signal.wire_number is None or not isinstance(number, int):
+            numbered = signal.numbered
+            if numbered is None or not isinstance(number, int):
                 continue
-            own = counts.setdefault((signal.parameter_set.space, signal.wire_number), [])
+            own = counts.setdefault((numbered.parameter_set.space, numbered.wire_number), [])
             if len(own) == (signal.index or 0):
                 own.append(int(number))
         return [DumpRow(*key, " ".join(map(str, own))) for key, own in sorted(counts.items()) if own]
@@ -103,15 +105,15 @@ class ParameterAccess:
 
         Where a set states the access of none of its parameters, the messages that read and write them do.
         """
-        fact = item.parameter
-        if item.parameter_set is None or fact is None:
+        if item.numbered is None:
             return "is part of a response"
-        message = parameter_message(self.link, item.parameter_set, "write", item.value.size)
+        fact, parameter_set = item.numbered.parameter, item.numbered.parameter_set
+        message = parameter_message(self.link, parameter_set, "write", item.value.size)
         if item.index is not None and not (message is not None and writes_elements(message)):
             return "is an element, not written by itself"
         if fact.trigger or COMMANDS.intersection(roles_of(self.layout.device, item.fact, item.value)):
             return "commands the device; write it by its name, with the verb write"
-        stated = any(row.access for row in item.parameter_set.parameters)
+        stated = any(row.access for row in parameter_set.parameters)
         if not writable(item.access) and (item.access or stated):
             return "can only be read" if item.access else "is not stated to be writable"
         if item.access == "wo" or fact.handling.clears_on_read:
@@ -155,8 +157,8 @@ class ParameterAccess:
 
     def read_back(self, client: Client, chosen: ParameterAssignment) -> SignalReading | None:
         """What the device holds after a write. Raises NoAnswerError and CarrierError."""
-        fact = chosen.signal.parameter
-        if fact is not None and (fact.trigger or chosen.signal.access == "wo"):
+        numbered = chosen.signal.numbered
+        if numbered is not None and (numbered.parameter.trigger or chosen.signal.access == "wo"):
             return None
         return next(read_signals(client, [chosen.signal]))
 

@@ -1,0 +1,62 @@
+"""What wrong use of the command line says, and the numbers that its options take."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+
+import pytest
+
+from fieldspec.command.console.option_types import natural, positive, seconds, whole
+from fieldspec.command.console.usage import unknown
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "hint"),
+    [
+        ("sped", ["speed", "force"], "there is no register sped; did you mean speed?"),
+        ("x", ["b10", "b9", "a"], "there is no register x; there are a, b9, b10"),
+        ("x", ["b", "a", "c"], "there is no register x; there are a, b, c"),
+        ("x", ["d", "a", "b", "c"], "there is no register x; there are 4 of them"),
+        ("x", [], "there is no register x; there are none"),
+        ("12", ["121", "112"], "there is no register 12; there are 112, 121"),
+        ("", ["a"], "there is no register without a name; there are a"),
+    ],
+)
+def test_an_unknown_name_is_answered_by_the_nearest_one_or_by_all_where_they_are_few(
+    name: str, known: list[str], hint: str
+) -> None:
+    assert str(unknown("register", name, known, limit=3)) == hint
+
+
+@pytest.mark.parametrize(
+    ("number", "text", "value"),
+    [
+        (seconds, "0", 0),
+        (seconds, "0.25", 0.25),
+        (positive, "0.001", 0.001),
+        (whole, "0", 0),
+        (natural, "1", 1),
+    ],
+)
+def test_an_option_takes_the_least_number_that_has_a_meaning(
+    number: Callable[[str], float], text: str, value: float
+) -> None:
+    assert number(text) == value
+
+
+@pytest.mark.parametrize(
+    ("number", "text", "reason"),
+    [
+        (seconds, "-0.001", "-0.001 is less than 0"),
+        (seconds, "nan", "nan is no number"),
+        (positive, "0", "0 is not more than 0"),
+        (positive, "inf", "inf is no number"),
+        (whole, "-1", "-1 is no whole number from 0 on"),
+        (natural, "0", "0 is no whole number from 1 on"),
+        (natural, "\u0661", "\u0661 is no whole number from 1 on"),
+    ],
+)
+def test_an_option_refuses_numbers_without_a_meaning(number: Callable[[str], float], text: str, reason: str) -> None:
+    with pytest.raises(argparse.ArgumentTypeError, match=f"^{reason}$"):
+        number(text)
