@@ -124,7 +124,7 @@ class Axis:
     def stop(self, deceleration: float = ACCELERATION, outside: bool = False, is_shown: bool = False) -> None:
         """Decelerates to a halt. `late_start` says whether a motion that has not begun yet begins nevertheless.
 
-        The value of the event is 1 where a stop from `outside` is `is_shown` to the controller for as long as it stands.
+        The value of the event is 1 where a stop from `outside` `is_shown` to the controller for as long as it stands.
         """
         about = "outside" if outside else "command"
         self.record("stop", about, float(is_shown), self.motion.number if self.motion else 0)
