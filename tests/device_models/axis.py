@@ -121,13 +121,13 @@ class Axis:
         if self.wait <= 0:
             self._begin()
 
-    def stop(self, deceleration: float = ACCELERATION, outside: bool = False, shown: bool = False) -> None:
+    def stop(self, deceleration: float = ACCELERATION, outside: bool = False, visible: bool = False) -> None:
         """Decelerates to a halt. `late_start` says whether a motion that has not begun yet begins nevertheless.
 
-        The value of the event is 1 where a stop from `outside` is `shown` to the controller for as long as it stands.
+        The value of the event is 1 where a stop from `outside` is `visible` to the controller for as long as it stands.
         """
         about = "outside" if outside else "command"
-        self.record("stop", about, float(shown), self.motion.number if self.motion else 0)
+        self.record("stop", about, float(visible), self.motion.number if self.motion else 0)
         waiting = self.waiting
         if waiting is not None and (
             outside or self.draws.reading("late start", *["cancelled"] * 7, "goes on") == "cancelled"

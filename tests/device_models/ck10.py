@@ -94,11 +94,11 @@ class Ck10(ModbusDevice):
         self.words = {place: word for place, word in self.words.items() if not self._is_point(place)}
         self.words |= {POINTS + offset: word for offset, word in self.flash.items()}
 
-    def stop_outside(self, shown: bool = False) -> None:
+    def stop_outside(self, visible: bool = False) -> None:
         """Software stops it, or its input of emergency stops, whose state lasts until a reset [2.4 L335, 3.1 L653]."""
         self.emergency = self.draws.reading("outside", "software", "emergency stop") == "emergency stop"
         self.running = False
-        super().stop_outside(shown or self.emergency)
+        super().stop_outside(visible or self.emergency)
 
     def pass_time(self, seconds: float) -> None:
         super().pass_time(seconds)

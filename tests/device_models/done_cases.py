@@ -102,6 +102,19 @@ DONE_CASES = (
         ("ms:50 alarm alarm:3", "cause-gone:alarm", "+Reset.Execute +Reset.Busy x400"),
     ),
     Case(
+        what_waits_for_the_device_ends,
+        40,
+        (
+            "ms:50 off",
+            "+Power.Execute +Power.Busy",
+            "+Stop.Execute +Stop.Busy",
+            "-Stop.Busy +Stop.Done",
+            "lost",
+            "x400",
+        ),
+        ("ms:50 off", "+Stop.Execute +Stop.Busy", "-Stop.Busy", "+Power.Execute +Power.Busy", "lost", "x400"),
+    ),
+    Case(
         a_reading_recovers,
         40,
         ("ms:50", "lost", "+Read.Enable +Read.Error x50", "-Read.Enable -Read.Error x300"),

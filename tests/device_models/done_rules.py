@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from device_models.axis import Event
-from device_models.history import MOVES, POWER, Calls, History, Violation
+from device_models.history import LOCKS, MOVES, POWER, Calls, History, Violation
 from device_models.motion_rules import _is_clear, _last_before_edge
 
 WINDOW = 10.5
@@ -32,8 +32,7 @@ def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
     What a device has forgotten, as it was switched off and on, is not sent again (rule 38): the time limit ends it. So
     it does with a reset that comes before what has caused the alarm is gone.
     """
-    blocks = history.of_kind(*POWER, "reset")
-    for calls in blocks:
+    for calls in history.of_kind(*POWER, "reset"):
         for index, scan in enumerate(calls.scans):
             before = calls.scans[max(index - 1, 0)]
             returns = history.clear_until[before] == before
@@ -45,9 +44,8 @@ def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
             end = history.after(scan, -(-LIMIT // history.patience) if forgotten or caused else 1)
             if end >= history.clear_until[scan]:
                 continue
-            hindered = any(
-                other.busy_at(when) for other in blocks if other is not calls for when in range(scan, end + 1)
-            )
+            others = [other for other in history.of_kind(*POWER, "reset", *LOCKS) if other is not calls]
+            hindered = any(other.busy_at(when) for other in others for when in range(edge, end + 1))
             if end <= _last_before_edge(history, calls, index) and not hindered and _stays(calls, index, end):
                 yield Violation(40, end, calls.name, "nothing is disturbed, and it stays Busy")
 

@@ -113,9 +113,9 @@ class ModbusDevice:
         """It is switched off and on."""
         raise NotImplementedError
 
-    def stop_outside(self, shown: bool = False) -> None:
-        """Somebody stops it: a pendant, or the input of an interlock; `shown` says whether the registers tell."""
-        self.axis.stop(outside=True, shown=shown)
+    def stop_outside(self, visible: bool = False) -> None:
+        """Somebody stops it: a pendant, or the input of an interlock; `visible` says whether the registers tell."""
+        self.axis.stop(outside=True, visible=visible)
 
     def move_outside(self) -> None:
         """Somebody moves it by hand at the pendant for a moment, if nothing else does."""

@@ -140,12 +140,12 @@ class Tc100(ModbusDevice):
             self.fault, self.abnormal = SOFT_LIMIT, 1
             self.axis.cut()
 
-    def stop_outside(self, shown: bool = False) -> None:
+    def stop_outside(self, visible: bool = False) -> None:
         if self.axis.moving:
             if self.locked or self.draws.reading("outside", "interlock", "software") == "interlock":
-                self.fault, shown = LOCKED, True
+                self.fault, visible = LOCKED, True
             self.abnormal = int(self.draws.reading("stopped", "0", "2") == "2")
-        super().stop_outside(shown or bool(self.abnormal))
+        super().stop_outside(visible or bool(self.abnormal))
 
     def _action(self) -> int:
         accepted = self.draws.reading("moving", "from acceptance", "from begin") == "from acceptance"

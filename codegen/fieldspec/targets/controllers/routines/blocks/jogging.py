@@ -85,9 +85,9 @@ class Jogging(Moving):
         if not self.stop:
             return super().guards()
         draft = self.draft
-        behind = compared(draft.step, ">", number(self.stop))
-        again = every([self.released, self.ending_flag, draft.unharmed(), behind])
-        return [*super().guards(), (again, [*self.drop, draft.go(self.ending)])]
+        is_sent = compared(draft.step, ">", number(self.stop))
+        ends_anew = every([self.released, self.ending_flag, draft.unharmed(), is_sent])
+        return [*super().guards(), (ends_anew, [*self.drop, draft.go(self.ending)])]
 
     def idle(self) -> Branch:
         """See `Edged`. Both inputs at once begin nothing, and end what was shown before."""
