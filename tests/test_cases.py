@@ -28,6 +28,7 @@ from fieldspec.tools.audit.manual_lines import index_of
 from fieldspec.tools.audit.register_dump import compared, judged
 from fieldspec.tools.audit.review import sign_off
 from fieldspec.tools.audit.section import Subject
+from fieldspec.tools.audit.statements import statements
 from fieldspec.tools.evidence.report import baseline
 from fieldspec.tools.facts import rows
 from fieldspec.tools.lists.dump import dump
@@ -56,7 +57,7 @@ def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
         return judged(compared(versions[-1], dump(text_sheet(data), {})), file, starts)
     index = index_of(manual.name, manual.read_bytes()) if manual.exists() else None
     subject = Subject(spec, versions[-1], versions, [*map(rows, versions)], (), index)
-    return [finding for part in (coverage, sign_off) for finding in part(subject).findings]
+    return [finding for part in (coverage, statements, sign_off) for finding in part(subject).findings]
 
 
 def findings_text(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:

@@ -26,7 +26,7 @@ CLASSES = {
     "size": ("words", "size", "length", "request", "response", "repeat", "count", "elements"),
     "position": ("span", "word_span"),
     "bits": ("bit", "bits"),
-    "framing": ("byte_order", "word_order", "initial"),
+    "framing": ("byte_order", "word_order", "initial", "greatest_sum"),
     "type": ("type",),
     "range or default": ("range", "unit_range", "default", "unit_default", "min", "max", "numbers", "gaps", "within"),
     "unit or scale": ("unit", "scale", "offset"),
@@ -44,7 +44,7 @@ CLASSES = {
         "available_since",
     ),
     "left out": ("present",),
-    "statement": ("says",),
+    "statement": ("says", "allow"),
     "name": ("name", "printed_name", "label"),
     "description": ("doc", "title", "one", "zero", "problem", "cause", "remedy"),
 }
