@@ -338,6 +338,28 @@ def test_links_hidden_files_and_other_kinds_of_a_revision_are_no_specs(run: Run,
     assert run("HEAD~1", "HEAD", "--fail-on", "any") == 0
 
 
+def test_an_acceptance_of_one_step_is_not_missed_between_versions_that_are_further_apart(
+    run: Run, tmp_path: Path
+) -> None:
+    at_times = "".join(
+        f"      - {{at: {address}, name: speed, type: u16, only: [{versions}], source: L2}}\n"
+        for address, versions in (("0x10", '"1.0", "3.0"'), ("0x20", '"2.0"'))
+    )
+    registers = f'registers:\n  - group: all\n    section: "1"\n    rows:\n{at_times}'
+    specs = write(tmp_path / "specs", registers + ACCEPTS.replace("date:", 'since: ["3.0"], date:'))
+    device = specs / "gadget" / "device.yaml"
+    device.write_text(
+        device.read_text("utf-8").replace(
+            '{id: "2.0", source: L1}', '{id: "2.0", source: L1}, {id: "3.0", source: L1}'
+        ),
+        "utf-8",
+    )
+    assert run("gadget@2.0", "gadget@3.0", "--specs", str(specs), "--fail-on", "breaking") == 0
+    assert "A slip of ours." in run.out
+    assert run("gadget@1.0", "gadget@3.0", "--specs", str(specs), "--fail-on", "any") == 0
+    assert (run.out, run.err) == ("gadget@1.0 -> gadget@3.0: no differences\n", "")
+
+
 def test_without_git_there_are_no_revisions(run: Run, repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
     assert "git is not installed" in refused(run, "HEAD", "specs")

@@ -20,7 +20,7 @@ from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.redacted_files import redacted_dump, redacted_rows
 from fieldspec.tools.evidence.redaction import Redaction
 from fieldspec.tools.evidence.secrets import Secrets
-from fieldspec.tools.lists.dump import dump as listed_dump
+from fieldspec.tools.lists.dump import dump as register_dump
 from fieldspec.tools.lists.text_sheet import text_sheet
 from layouts import SPECS, TEST_SPECS, layout_at, newest
 from simulators import parts_of
@@ -265,8 +265,8 @@ def test_a_serial_number_is_replaced_where_addresses_are_those_of_bytes(start: i
     ids=["a byte in a row", "a value in a row"],
 )
 def test_a_dump_of_bytes_has_no_serial_number_and_all_other_values(rows: list[str]) -> None:
-    listed = listed_dump(text_sheet("\n".join(["address,value", *rows]).encode()), {})
-    lines = redacted_dump(byte_redaction(), listed).splitlines()
+    content = register_dump(text_sheet("\n".join(["address,value", *rows]).encode()), {})
+    lines = redacted_dump(byte_redaction(), content).splitlines()
     values = {int(address, 16): int(value) for address, value in (line.split(",")[-2:] for line in lines[1:])}
     assert [values[address] for address in range(8)] == [7, 0, 0, 0, 0, 2, 1, 9]
 
@@ -281,7 +281,7 @@ def test_a_response_without_a_code_is_that_to_its_request(tmp_path: Path) -> Non
 
 def test_a_number_in_a_dump_without_spaces_is_that_of_the_parameter_which_has_it() -> None:
     sheet = text_sheet(b"number,value\n0x4005,7\n0x7FFF,8\n")
-    text = redacted_dump(Redaction(newest(SPECS, "hiwin-e"), Secrets()), listed_dump(sheet, {"address": "number"}))
+    text = redacted_dump(Redaction(newest(SPECS, "hiwin-e"), Secrets()), register_dump(sheet, {"address": "number"}))
     assert text.splitlines() == ["space,address,value", ",0x7FFF,0", "pnu,0x4005,7"]
 
 

@@ -162,6 +162,29 @@ def test_a_listener_to_which_nobody_connects_says_so_and_can_be_closed() -> None
         listener.accept()
 
 
+def test_what_is_sent_waits_for_a_client_that_is_slow_to_read() -> None:
+    listener = Listener("tcp://127.0.0.1:0")
+    content = bytes(1 << 24)
+    with socket.create_connection(("127.0.0.1", int(listener.name.rpartition(":")[2]))) as client:
+        connection = listener.accept()
+        assert connection is not None
+        assert connection.read(0) == b""
+        received: list[int] = []
+
+        def read_late() -> None:
+            time.sleep(0.2)
+            while sum(received) < len(content) and (data := client.recv(1 << 20)):
+                received.append(len(data))
+
+        reader = threading.Thread(target=read_late)
+        reader.start()
+        connection.write(content)
+        reader.join(60)
+        assert sum(received) == len(content)
+        connection.close()
+    listener.close()
+
+
 def test_a_lost_connection_can_be_made_again() -> None:
     with simulation("ck10", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
         port = int(device.place.rpartition(":")[2])
