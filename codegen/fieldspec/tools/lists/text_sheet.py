@@ -12,6 +12,7 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.json_text import json_data
+from fieldspec.tools.lists.known_formats import refuse_known_format
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
 
 _MARKS = (
@@ -20,6 +21,12 @@ _MARKS = (
     (codecs.BOM_UTF32_BE, "utf-32"),
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
+)
+WESTERN = "cp1252"
+"""The encoding of a text that is no UTF-8, whose other letters stand alone and are those of western languages."""
+
+_WESTERN_SIGNS = frozenset(
+    "°²³µ±§·\u00d7÷½¼¾ºª®©™€\u2013\u2014\u2018\u2019“”…«»¿¡äöüÄÖÜßéèêëàâáíóúñçôîïìòùûåøæÅØÆÉÀÈÊÍÓÚÑÇãõÃÕ"
 )
 _KNOWN_BINARIES = (
     (b"\xd0\xcf\x11\xe0", "an old workbook of Excel; save it as .xlsx"),
@@ -38,8 +45,10 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     text = decoded(content, encoding)
     if not text.strip():
         raise ListError("is empty")
+    refuse_known_format(text)
     if text.lstrip()[0] == "[":
         return _of_json(text)
+    guessed = WESTERN if not encoding and _is_western(content) else ""
     separator = _separator([line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)])
     bars = separator == "|"
     rows = []
@@ -65,7 +74,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
                 rows.append(SheetRow(number, row))
     except csv.Error as error:
         raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
-    return Sheet(tuple(rows), number)
+    return Sheet(tuple(rows), number, encoding=guessed)
 
 
 def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:
@@ -99,11 +108,24 @@ def decoded(content: bytes, encoding: str = "") -> str:
             raise ListError(f"is not in the encoding {encoding_name}; use another --encoding") from None
         if b"\0" in content:
             raise ListError("is binary: use a CSV or XLSX file, or add --encoding utf-16-le") from None
+        if _is_western(content):
+            return content.decode(WESTERN)
         raise ListError("is not UTF-8; state its encoding, such as --encoding gbk or --encoding big5") from None
     if "\0" in text:
         hint = "use a CSV or XLSX file" if encoding_name else "use a CSV or XLSX file, or add --encoding utf-16-le"
         raise ListError(f"is binary: {hint}")
     return text.removeprefix("\ufeff")
+
+
+def _is_western(content: bytes) -> bool:
+    """Whether bytes are no UTF-8, and a text with western letters, of which no more than two stand together."""
+    try:
+        content.decode("utf-8")
+    except UnicodeError:
+        text = content.decode(WESTERN, "replace")
+        runs = re.findall(r"[^\x00-\x7f]+", text)
+        return all(len(run) <= 2 and _WESTERN_SIGNS.issuperset(run) for run in runs)
+    return False
 
 
 def _separator(lines: list[str]) -> str:
