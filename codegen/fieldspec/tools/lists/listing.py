@@ -89,6 +89,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     assumptions: list[Assumption] = []
     decimal = options.decimal or _decimal(columns_of_sheet, assumptions)
     refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
+    reason = "has cells that do not stand under the headings"
+    refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
+    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
     read = []
     for sheet_row, row_place in places.rows:
         texts = {

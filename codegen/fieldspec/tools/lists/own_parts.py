@@ -41,8 +41,8 @@ def tables(entries: Sequence[Entry], fact: Callable[[int], str], used_records: S
         own_space = "" if space == REGISTERS else f"space: {space}, "
         numbers = f"base: 0x{base:04X}, stride: {first.stride or width}, count: {first.count}"
         index = f", index_from: {first.texts['first']}" if first.texts.get("first") else ""
-        place = f"{own_space}{numbers}{index}"
-        line = f"  - {{name: {table}, {place}, record: {table}, source: 1 L{first.row}, unverified: true}}"
+        area = f"{own_space}{numbers}{index}"
+        line = f"  - {{name: {table}, {area}, record: {table}, source: 1 L{first.row}, unverified: true}}"
         yield line, first.row
 
 

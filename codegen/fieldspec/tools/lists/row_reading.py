@@ -30,7 +30,7 @@ class ListRow:
 
     Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what could
     not be understood or contradicts something. `words` is the size that the list states, `gap` the distance to the next
-    address. `special` are states that an export has apart from other values, `scale_text` is its scale as it is written.
+    address. `special` are states that an export has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register.
     """
 

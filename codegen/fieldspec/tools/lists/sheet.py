@@ -37,7 +37,7 @@ class Sheet:
 
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` those of the sheets that this one is made of, `encoding` that of a text
-    where it was guessed.
+    where it was guessed, `shifted` the rows whose cells do not stand under the headings.
     """
 
     rows: tuple[SheetRow, ...]
@@ -47,6 +47,7 @@ class Sheet:
     others: tuple[str, ...] = ()
     joined: tuple[str, ...] = ()
     encoding: str = ""
+    shifted: frozenset[int] = frozenset()
 
 
 def letters(column: int) -> str:
