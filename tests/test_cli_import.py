@@ -305,9 +305,10 @@ def test_an_exported_list_gives_back_the_exponents_of_its_scales(run: CommandLin
     path.write_text("".join(line for line in lines if any(f",{name}," in line for name in names)), "utf-8")
     spec = own / "again" / "device.yaml"
     assert run("import", str(path), "--to", str(spec)).code == 0
-    (group,) = yaml.safe_load(spec.read_text("utf-8"))["registers"]
-    scaled = {row["name"]: row["scale_by"] for row in group["rows"] if "scale_by" in row}
-    assert (scaled["power"], scaled["modules_current"]) == ("power_sf", "module_current_sf")
+    again = yaml.safe_load(spec.read_text("utf-8"))
+    facts = [*again["registers"][0]["rows"], *again["records"][-1]["fields"]]
+    scaled = {row["name"]: row["scale_by"] for row in facts if "scale_by" in row}
+    assert scaled == {"power": "power_sf", "current": "module_current_sf"}
 
 
 KEYS = """

@@ -9,6 +9,9 @@ from fieldspec.tools.lists.imported import Imported
 from fieldspec.tools.lists.words import folded
 from fieldspec.tools.lists.yaml_text import exact
 
+_IDLE = ("value",)
+"""Roles of dumps, which a list of registers has no use for."""
+
 _MOST = 20
 """The most rows of a kind that are printed."""
 
@@ -67,7 +70,7 @@ def preview(result: Imported, number: int) -> Iterator[str]:
 
 def _columns(result: Imported) -> Iterator[str]:
     columns = result.listing.columns
-    used_columns = [(role, columns.heading(role)) for role in columns.places if role != NOTE]
+    used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [
         (role, columns.heading_at(place)) for role in ("address", "name") for place in columns.more.get(role, ())
     ]
@@ -88,7 +91,8 @@ def _columns(result: Imported) -> Iterator[str]:
 
 def _unused(result: Imported) -> Sequence[str]:
     columns = result.listing.columns
-    return [columns.heading_at(place) for place in columns.unused()]
+    idle = [columns.places[role] for role in _IDLE if role in columns.places]
+    return [columns.heading_at(place) for place in sorted([*columns.unused(), *idle])]
 
 
 def _skipped(numbers: Sequence[int]) -> str:

@@ -81,10 +81,10 @@ def order(text: str) -> str:
 def number(text: str, decimal: str = POINT) -> Decimal | None:
     """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none.
 
-    With `decimal` as `comma`, a comma is before the fraction.
+    With `decimal` as `comma`, a comma is before the fraction. Where it is empty, `1.000` is none: it has two readings.
     """
     text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`'").strip()
-    if decimal == COMMA and _is_ambiguous(text):
+    if decimal != POINT and _is_ambiguous(text):
         return None
     if decimal == COMMA:
         text = text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
@@ -121,7 +121,7 @@ def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
     for text in texts:
         if "," in text and not comma and (match := _SMALL_COMMA.search(text) or (_COMMA.fullmatch(text.strip()))):
             comma = match[0]
-        if "." in text and not point and (match := _POINTED.fullmatch(text.strip())):
+        if "." in text and not point and not _is_ambiguous(text) and (match := _POINTED.fullmatch(text.strip())):
             point = match[0]
     if comma and not point:
         return COMMA, comma

@@ -138,6 +138,8 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
+        if role == "address" and not fits:
+            fits = _ranked(heads, words("fallbacks")["address"], used_columns)
         known = [column for column in fits if _holds(role, [text for row in sample if (text := row.cell(column))])]
         if role in _NOTED and not known:
             known = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]

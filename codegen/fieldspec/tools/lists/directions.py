@@ -51,14 +51,19 @@ class Measured:
     def counts(self, factor: Fraction) -> bool:
         """Whether the bounds divided by a factor are whole counts that the type has."""
         kind = PRIMITIVES[self.type]
+        if factor == 1 and any("." in str(bound) for bound in (self.low, self.high)):
+            return False  # nobody writes counts with a fraction
         ends = [Fraction(bound) / factor for bound in (self.low, self.high)]
         return kind.kind is Kind.INTEGER and all(end.denominator == 1 and kind.low <= end <= kind.high for end in ends)
 
 
 def gain_direction(
-    heading: str, role: str, factors: Sequence[Fraction], measured: Sequence[Measured], stated: str
+    heading: str, role: str, factors: Sequence[Fraction], measured: Sequence[Measured], coarse: int, stated: str
 ) -> tuple[str, Assumption | None]:
-    """Whether factors multiply or divide counts, and what was assumed; empty where the evidence is equal."""
+    """Whether factors multiply or divide counts, and what was assumed; empty where the evidence is equal.
+
+    `coarse` is the number of rows that would count in steps of ten volts, or the like, if their factors multiplied.
+    """
     if stated or role == "divisor":
         return stated or DIVIDE, None
     other_factors = [factor for factor in factors if factor != 1]
@@ -70,6 +75,9 @@ def gain_direction(
         if proofs[direction] and not proofs[other]:
             evidence = f"the bounds of {proofs[direction]} rows are whole counts that their types have in no other way"
             return direction, Assumption(heading, _direction(direction), evidence, option)
+    if coarse and not proofs:
+        evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
+        return DIVIDE, Assumption(heading, _direction(DIVIDE), evidence, option)
     if proofs[DIVIDE] or (role == "gain" and min(other_factors) < 1 < max(other_factors)):
         return "", Assumption(heading, "open whether counts are multiplied or divided", "the evidence is equal", option)
     if role == "gain":

@@ -17,11 +17,13 @@ from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
 from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, wire_number
+from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
 from fieldspec.tools.lists.words import meaning
 
 _NUMERIC = (*FACTORS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
+_FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
 _EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
@@ -87,7 +89,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     ways = bases(places, options.base, columns_of_sheet.heading("address"))
     own = columns_of_sheet.headings == OWN_COLUMNS
     assumptions: list[Assumption] = []
-    decimal = options.decimal or _decimal(columns_of_sheet, assumptions)
+    decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
@@ -151,7 +153,7 @@ def _decimal(columns_of_sheet: Columns, assumptions: list[Assumption]) -> str:
     sign, example = decimal_sign(texts)
     if sign == COMMA:
         assumptions.append(Assumption("numbers", "a comma is before the fraction", f"`{example}`", "--decimal point"))
-    return sign or POINT
+    return sign
 
 
 def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
@@ -197,7 +199,9 @@ def _decided(
     factors = [row.factor for row in decided if row.factor is not None]
     measured = [decision for row in decided if (decision := _measured(row, row.factor)) is not None]
     factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
-    direction, gain_assumption = directions.gain_direction(factor_heading, role, factors, measured, options.gain)
+    direction, gain_assumption = directions.gain_direction(
+        factor_heading, role, factors, measured, sum(map(_is_coarse, decided)), options.gain
+    )
     if not direction and gain_assumption is not None:
         undecided.append(gain_assumption)
         gain_assumption = None
@@ -232,6 +236,11 @@ def _scaled(row: ListRow, direction: str) -> ListRow:
         text = next(row.texts[role] for role in FACTORS if role in row.texts)
         return replace(row, doubts=(*row.doubts, f"Scale in the list: {text}."))
     return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
+
+
+def _is_coarse(row: ListRow) -> bool:
+    """Whether a factor of ten or more stands beside a unit in whose parts devices measure."""
+    return row.factor is not None and row.factor >= 10 and (known_unit(row.unit) or row.unit) in _FINE
 
 
 def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:

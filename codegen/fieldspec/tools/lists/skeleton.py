@@ -130,14 +130,11 @@ class _Writer:
             space: [n for n, entry in enumerate(self._registers) if entry.space == space and entry.kind == REGISTER]
             for space in space_names
         }
+        lines += tables(self._registers, self._fact, uses.get("records", ()))
         lines += [("registers:", 0)] if any(groups.values()) else []
         for space, places in groups.items():
             lines += self._group(space, places) if places else []
-        return [
-            *lines,
-            *tables(self._registers, self._fact, uses.get("records", ())),
-            *parameters(self._registers, self._fact),
-        ]
+        return [*lines, *parameters(self._registers, self._fact)]
 
     def _units(self) -> Iterator[tuple[str, int]]:
         """The units that the language does not have."""
@@ -282,7 +279,7 @@ def _numbers(row: ListRow, kind: Kind, lowest: int, highest: int, has_exponent: 
     has_counts = is_integer or kind is Kind.BOOLEAN
     low, high = (_count(bound, row) for bound in (row.low, row.high))
     if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
-        parts.append(f"{'unit_range' if row.in_unit else 'range'}: {row.low:f}..{row.high:f}")
+        parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
     elif row.is_own and kind is Kind.FLOAT and row.low is not None and row.high is not None:
         parts.append(f"range: {row.low:f}..{row.high:f}")
@@ -295,12 +292,17 @@ def _numbers(row: ListRow, kind: Kind, lowest: int, highest: int, has_exponent: 
         count = _count(number, row) if key == "default" else _whole(number)
         if key in texts and count is not None and has_counts and (lowest <= count <= highest or str(count) in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
-            parts.append(f"{unit_key}: {number:f}")
+            parts.append(f"{unit_key}: {_bound(number)}")
         elif key in texts and row.is_own and kind is Kind.TEXT:
             parts.append(f"{key}: {quoted(texts[key])}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")
     return parts
+
+
+def _bound(number: Decimal | None) -> str:
+    """A bound without zeros behind a point."""
+    return exact(Fraction(number or 0))
 
 
 def _count(number: Decimal | None, row: ListRow) -> int | None:
