@@ -17,14 +17,14 @@ def placed_sheet(text: str) -> Sheet | None:
     under two, or with another one under its heading.
     """
     lines = [list(_CELL.finditer(line.expandtabs())) for line in text.splitlines()[: MOST_ROWS + 1]]
-    most = max(map(len, lines), default=0)
-    if not 1 < most <= MOST_COLUMNS or len(lines) > MOST_ROWS or sum(len(cells) > 1 for cells in lines) < _FEWEST:
+    width = max(map(len, lines), default=0)
+    if not 1 < width <= MOST_COLUMNS or len(lines) > MOST_ROWS or sum(len(cells) > 1 for cells in lines) < _FEWEST:
         return None
-    heading = next(number for number, cells in enumerate(lines) if len(cells) == most)
+    heading = next(number for number, cells in enumerate(lines) if len(cells) == width)
     spans = [cell.span() for cell in lines[heading]]
     rows, shifted = [], set()
     for number, cells in enumerate(lines, 1):
-        texts = [""] * most
+        texts = [""] * width
         for cell in cells:
             under = [n for n, (first, last) in enumerate(spans) if cell.start() < last and first < cell.end()]
             nearest = max((n for n, (first, _) in enumerate(spans) if first <= cell.start()), default=0)
